@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What generated code may use of the redcc runtime. docs/generated-code.md shows a whole loop.
+ *
+ * The life of one execution of a transformed loop:
+ *
+ *     redcc_enter      one thread   may it run in parallel at all? how many threads?
+ *     redcc_join       each thread  of the parallel region
+ *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be told
+ *       redcc_touch, redcc_read, redcc_iteration_done
+ *     redcc_next       each thread  hands out chunks of iterations to execute
+ *       redcc_owns                  in the guarded form of the body
+ *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
+ *
+ * This header includes no other (a user's feature-test macros must come before any system header)
+ * and compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
+ */
+#ifndef REDCC_RUNTIME_H
+#define REDCC_RUNTIME_H
+
+#define REDCC_RUNTIME_VERSION 1
+
+/** Generated text states the version it was written for; any other does not compile. */
+#define REDCC_REQUIRE_VERSION(version)                                                             \
+    typedef char redcc_version_of_header_and_translator_differ                                     \
+        [(REDCC_RUNTIME_VERSION == (version)) ? 1 : -1] __attribute__((unused))
+
+__extension__ typedef long long redcc_int;           /**< counts of iterations */
+__extension__ typedef unsigned long long redcc_word; /**< keys */
+typedef __SIZE_TYPE__ redcc_size;                    /**< bytes */
+typedef unsigned int redcc_u32;
+
+typedef enum redcc_operator {
+    REDCC_SUM, /**< `+`; also `-` of the contribution */
+    REDCC_PRODUCT,
+    REDCC_MINIMUM,
+    REDCC_MAXIMUM,
+    REDCC_AND, /**< bitwise */
+    REDCC_OR,
+    REDCC_XOR
+} redcc_operator;
+
+typedef enum redcc_type {
+    REDCC_INT8,
+    REDCC_UINT8,
+    REDCC_INT16,
+    REDCC_UINT16,
+    REDCC_INT32,
+    REDCC_UINT32,
+    REDCC_INT64,
+    REDCC_UINT64,
+    REDCC_FLOAT,
+    REDCC_DOUBLE,
+    REDCC_LONG_DOUBLE,
+    REDCC_FLOAT_COMPLEX,
+    REDCC_DOUBLE_COMPLEX,
+    REDCC_OTHER_TYPE /**< no private copies of it can be made; methods without them will do */
+} redcc_type;
+
+/** What a result may differ in from the sequential loop's. */
+typedef enum redcc_order {
+    REDCC_ORDER_SERIAL, /**< in nothing: the same bits at every thread count */
+    REDCC_ORDER_FIXED,  /**< the same bits in every run and at every thread count */
+    REDCC_ORDER_ANY
+} redcc_order;
+
+/** One reduction array of a loop. */
+typedef struct redcc_array {
+    const char *name; /**< as the user wrote it: "b", "A->value" */
+    redcc_operator operation;
+    redcc_type type;
+    redcc_u32 element; /**< bytes of a scalar element */
+    redcc_u32 unit;    /**< bytes of what one touch covers at least, and owners are cut at: a row
+                            b[i], or the element where there are no rows */
+} redcc_array;
+
+/** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel. */
+typedef struct redcc_source {
+    const char *name;
+    int is_subscript; /**< what it holds decides which elements are touched: a plan may be used
+                           again only while it is unchanged */
+} redcc_source;
+
+enum {
+    /** The subscripts depend on nothing but the key, the trip count and the sources marked
+     *  is_subscript, listed in the order in which the slice reads them, so that a plan may be used
+     *  again once these are found unchanged. Without it every execution inspects anew. */
+    REDCC_VERIFIABLE = 1,
+    /** The order was asked for in so many words at translation (not just the default). */
+    REDCC_ORDER_EXPLICIT = 2,
+    /** Some update needs the order of each element kept: only methods that promise it will do. */
+    REDCC_ORDER_NEEDED = 4
+};
+
+/** A loop, as the translator knows it; one static object for each. */
+typedef struct redcc_loop {
+    const char *file;
+    int line;
+    const char *function;
+    redcc_order order; /**< asked for at translation; REDCC_ORDER overrides it */
+    unsigned flags;
+    unsigned array_count;
+    const redcc_array *arrays;
+    unsigned source_count;
+    const redcc_source *sources;
+    unsigned key_count;
+    void *state; /**< the runtime's; starts as 0 */
+} redcc_loop;
+
+/** Bytes [first, end). In `known`, end == 0 says: not known before the inspection, redcc_read tells
+ *  it; first is then the pointer that its addresses move with when a plan is used again (0: none). */
+typedef struct redcc_extent {
+    const char *first;
+    const char *end;
+} redcc_extent;
+
+/** One execution of a loop; lives on the caller's stack from redcc_enter to redcc_leave. */
+typedef struct redcc_call {
+    redcc_loop *loop;
+    redcc_int trip;  /**< iterations */
+    int threads;     /**< ask OpenMP for so many */
+    int decided;     /**< the runtime's, as what follows */
+    void *execution; /**< */
+} redcc_call;
+
+/** Consecutive iterations of a chunk, relative to its origin. */
+typedef struct redcc_run {
+    redcc_u32 begin;
+    redcc_u32 count_and_guard; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
+} redcc_run;
+
+/** The elements of one array that a thread owns. */
+typedef struct redcc_owner {
+    const char *first;
+    redcc_size size;
+} redcc_owner;
+
+/** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration. */
+typedef struct redcc_entry {
+    const char *address;
+    redcc_u32 array;
+    redcc_u32 bytes;
+} redcc_entry;
+
+#ifdef _OPENMP
+/* Of OpenMP, what the calls below need; omp.h may follow. */
+extern int omp_get_max_threads(void);
+extern int omp_get_num_threads(void);
+extern int omp_get_thread_num(void);
+extern int omp_in_parallel(void);
+#endif
+
+#define REDCC_END_OF_ITERATION 0xffffffffu
+
+/** One thread's part in an execution; lives on that thread's stack. */
+typedef struct redcc_worker {
+    redcc_call *call;
+    /* set by redcc_inspect: tell the addresses of iterations first, first + stride, ... < last */
+    redcc_int first;
+    redcc_int last;
+    redcc_int stride;
+    redcc_entry *entry; /* the next free one */
+    redcc_entry *entry_end;
+    redcc_extent *sources; /* of this thread; indexed as redcc_loop.sources */
+    /* set by redcc_next: the chunk */
+    redcc_int origin;
+    const redcc_run *run;
+    const redcc_run *run_end;
+    void *const *base;        /* where to write, as if it were the array; indexed as arrays */
+    const redcc_owner *owner; /* indexed as arrays */
+    void *execution;          /* the runtime's, as what follows */
+    int thread;
+    int stage;
+    redcc_int position;
+} redcc_worker;
+
+/**
+ * Begins an execution of `loop`.
+ *   trip     iterations, counted by the caller; bases [array_count] the arrays' first elements (or
+ *            what pointers in their place point to); known [source_count] extents that do not
+ *            depend on the inspection, {base, 0} for the others; key [key_count] every scalar and
+ *            pointer value that the subscripts depend on, the loop's first value and step included.
+ *   threads  omp_get_max_threads(); nested  omp_in_parallel().
+ * Returns 1 where call->threads threads shall redcc_join, 0 where the loop is to run serially (few
+ * iterations, one thread, nested or concurrent use, a method or order that says so).
+ * Stops the program with a message where REDCC_METHOD or REDCC_ORDER name nothing known, or ask
+ * together for what no method gives. bases, known and key are read before it returns.
+ * Thread-safe.
+ */
+int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                const redcc_extent *known, const redcc_word *key, int threads, int nested);
+
+/** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads(). */
+void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
+
+/** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */
+int redcc_inspect(redcc_worker *worker);
+
+/** Takes in the entries so far; called by redcc_touch and redcc_iteration_done when full. */
+void redcc_flush(redcc_worker *worker);
+
+/** The next chunk to execute, as set in *worker; 0: there is none left (or none at all). Every
+ *  thread of the region must call it until it returns 0. */
+int redcc_next(redcc_worker *worker);
+
+/** 1 for exactly one of the threads that ask after having executed the last iteration. */
+int redcc_claims_last(redcc_worker *worker);
+
+/** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
+ *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
+ *  original loop; the report says why. */
+int redcc_leave(redcc_call *call);
+
+/** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
+static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
+                                   redcc_size bytes) {
+    redcc_entry *entry = worker->entry;
+    entry->address = (const char *)address;
+    entry->array = array;
+    entry->bytes = (redcc_u32)bytes;
+    worker->entry = entry + 1;
+    if (worker->entry == worker->entry_end)
+        redcc_flush(worker);
+}
+
+/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`. */
+static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
+                                  redcc_size bytes) {
+    redcc_extent *extent = &worker->sources[source];
+    const char *first = (const char *)address;
+    if (first < extent->first || !extent->first)
+        extent->first = first;
+    if (first + bytes > extent->end)
+        extent->end = first + bytes;
+}
+
+/** Inspector: the addresses of one iteration are told. */
+static __inline__ void redcc_iteration_done(redcc_worker *worker) {
+    redcc_touch(worker, REDCC_END_OF_ITERATION, 0, 0);
+}
+
+/** Executor, guarded form: may this thread write at `address`? */
+static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
+    return (redcc_size)((const char *)address - owner->first) < owner->size;
+}
+
+#endif

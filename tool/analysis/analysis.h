@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Which loops are irregular reductions that may run in parallel, and why the others may not.
+ *
+ * Pure functions from IR to facts. A fact says what the loop does; the verdict says what follows.
+ * The rule (docs/soundness.md): every access in the loop, through any name, to the memory of a
+ * reduction array is an update by one commutative operator whose value is not used; subscripts,
+ * contributions and conditions do not depend on that memory; nothing else is carried from one
+ * iteration to another. Proved, or guarded at run time, or refused.
+ */
+#ifndef ANALYSIS_ANALYSIS_H
+#define ANALYSIS_ANALYSIS_H
+
+#include "ir/ir.h"
+
+/* ---- reasons ------------------------------------------------------------------------------- */
+
+/** reasons.def: X(IDENTIFIER, "R104", "update-value-used", "message with '%s'") */
+typedef enum reason_id {
+    REASON_NONE,
+#define X(identifier, id, slug, message) identifier,
+#include "analysis/reasons.def"
+#undef X
+    REASON_COUNT
+} reason_id;
+
+const char *reason_code(reason_id id); /* "R104"; NULL for REASON_NONE */
+const char *reason_slug(reason_id id);
+
+typedef struct reason {
+    reason_id id;
+    const char *message; /* complete, names filled in */
+    ir_range range;      /* the access or statement that is in the way */
+    const char *advice;  /* what the user could change, or NULL */
+} reason;
+
+/* ---- the counted loop ---------------------------------------------------------------------- */
+
+/** for (counter = lower; counter <comparison> bound; counter += step), or a while like it. */
+typedef struct counted_loop {
+    ir_variable *counter;
+    bool counter_is_declared_in_header;
+    const ir_node *lower;    /* expression; NULL: the counter's value on entry (while loops) */
+    const ir_node *bound;    /* loop-invariant expression */
+    ir_operator comparison;  /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
+                                as counter <comparison> bound */
+    int64_t step;            /* non-zero constant; sign agrees with comparison */
+    const ir_node *body;     /* executed each iteration; for a while, the increment is its last
+                                statement, `increment`, and not part of the copy */
+    const ir_node *increment;
+} counted_loop;
+
+/* ---- arrays, updates ----------------------------------------------------------------------- */
+
+typedef enum reduction_operator {
+    REDUCTION_SUM, /* + and - */
+    REDUCTION_PRODUCT,
+    REDUCTION_MINIMUM,
+    REDUCTION_MAXIMUM,
+    REDUCTION_AND,
+    REDUCTION_OR,
+    REDUCTION_XOR
+} reduction_operator;
+
+const char *reduction_operator_spelling(reduction_operator op); /* as the JSON report wants it */
+
+typedef struct reduction_array {
+    const ir_node *base;     /* loop-invariant lvalue: `b`, `s->b`; array or pointer type */
+    const char *name;        /* its text */
+    const ir_type *element;  /* scalar */
+    reduction_operator op;
+    int64_t unit;            /* bytes of its largest row (update.row) */
+} reduction_array;
+
+typedef struct reduction_update {
+    const ir_node *statement; /* IR_EXPRESSION (or IR_IF of min/max): what the guarded form wraps */
+    const ir_node *target;    /* the lvalue updated: b[i][c] */
+    const ir_node *row;       /* the part of it whose address is told to the inspector: b[i] where all
+                                 that follows is proved to stay inside the row; else target itself */
+    unsigned array;           /* index into arrays */
+} reduction_update;
+
+/* ---- what else the loop touches ------------------------------------------------------------ */
+
+typedef enum source_extent {
+    EXTENT_INVARIANT, /* one address for all iterations: sizeof(row) bytes at &row */
+    EXTENT_AFFINE,    /* moves one way with the counter: from &row in the first iteration to the end
+                         of row in the last; row mentions only the counter and invariants */
+    EXTENT_TOUCHED    /* the inspector tells it, at the place of `row` in the slice */
+} source_extent;
+
+/** Something read that may overlap a reduction array, or decides its subscripts. */
+typedef struct loop_source {
+    const char *name;     /* "x", "s->x" */
+    const ir_node *base;  /* loop-invariant: the pointer or array that the address moves with */
+    const ir_node *row;   /* lvalue in the caller's terms (callees' parameters substituted) */
+    source_extent extent;
+    const ir_node *place; /* EXTENT_TOUCHED: the node of the loop (statement) before which the
+                             inspector can compute &row; it and what it needs are in the slice */
+    bool is_subscript;    /* its contents decide which elements are touched */
+    bool needs_guard;     /* may overlap a reduction array as far as the analysis knows */
+} loop_source;
+
+typedef struct private_variable {
+    ir_variable *variable;
+    bool is_declared_inside; /* then nothing is to be generated for it */
+    bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
+} private_variable;
+
+typedef struct loop_facts {
+    ir_node *loop; /* the for or while that is judged */
+    ir_function *function;
+    counted_loop counted;
+    bool counter_is_live_after;
+    unsigned array_count;
+    const reduction_array *arrays;
+    unsigned update_count;
+    const reduction_update *updates; /* in source order */
+    unsigned source_count;
+    const loop_source *sources; /* in the order in which the slice reads them */
+    unsigned private_count;
+    const private_variable *privates; /* counter excluded; includes inner loops' counters */
+    unsigned captured_count;
+    ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
+    /* The slice: statements and control needed for rows and touched sources. Indexed by node id of
+     * the function; set for IR_DECLARATOR, IR_EXPRESSION, control statements and the IR_BLOCKs in
+     * between. Control that only decides whether an update happens, and is too dear or not safe to
+     * evaluate twice, is left out: the inspector may then touch more than is written. */
+    const bool *in_slice;
+    bool has_inspector;  /* false: subscripts as dear as the body, or not sliceable */
+    bool is_verifiable;  /* a plan may be kept while the sources marked is_subscript, the key and the
+                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    unsigned key_count;  /* scalars and pointers (invariant expressions) the slice depends on */
+    const ir_node *const *key;
+} loop_facts;
+
+typedef enum verdict_kind { VERDICT_TRANSFORM, VERDICT_REFUSE, VERDICT_NOT_A_REDUCTION } verdict_kind;
+
+typedef struct loop_verdict {
+    verdict_kind kind;
+    const ir_node *loop; /* that is reported: outermost judged as one, or innermost where refused */
+    const ir_function *function;
+    reason why;          /* refusals */
+    loop_facts *facts;   /* arrays as far as known also for refusals; complete for TRANSFORM */
+} loop_verdict;
+
+typedef struct analysis_options {
+    unsigned pure_count;
+    const char *const *pure; /* --pure: the user's word */
+    bool assume_noalias;     /* --assume-noalias */
+    bool report_all;         /* --all: NOT_A_REDUCTION verdicts too */
+} analysis_options;
+
+typedef struct analysis_result {
+    unsigned verdict_count;
+    const loop_verdict *verdicts; /* of every loop with an irregular update, in source order */
+} analysis_result;
+
+/** Judges all loops of the functions of the main file. Everything returned lives in the arena. */
+analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Source text to IR, by libclang. The only room that knows libclang. */
+#ifndef FRONTEND_FRONTEND_H
+#define FRONTEND_FRONTEND_H
+
+#include "ir/ir.h"
+
+typedef struct frontend_diagnostic {
+    const char *text; /* "file:line:column: error: ..." */
+    bool is_error;
+} frontend_diagnostic;
+
+typedef struct frontend_result {
+    ir_unit *unit; /* NULL: nothing could be parsed at all */
+    unsigned diagnostic_count;
+    const frontend_diagnostic *diagnostics;
+} frontend_result;
+
+/**
+ * Parses `src` with the compiler flags given (a gcc or clang command line's; what libclang must
+ * not see is left out here). Everything returned lives in the arena.
+ * Functions of the main file get bodies, of headers only where called from the main file. A
+ * function in which the compiler reports an error has has_errors set: ill-formed statements vanish
+ * from libclang's tree, so nothing in it may be judged.
+ */
+frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
+                               const char *const *flags);
+
+/** Version of the libclang in use, for --version. */
+const char *frontend_version(arena *a);
+
+#endif

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The intermediate representation: one translation unit as trees of one node type.
+ *
+ * The frontend builds it, everything after only reads it. All of it lives in one arena and is
+ * never freed piecewise; names are stored once. It says what the source says: implicit conversions
+ * are dropped (types tell them), parentheses are dropped (the printer puts back what is needed),
+ * typedefs are looked through. What the frontend cannot say exactly is an IR_OPAQUE node, of which
+ * nothing may be assumed.
+ */
+#ifndef IR_IR_H
+#define IR_IR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "support/arena.h"
+#include "support/source.h"
+
+/** Bytes [begin, end) of the main file; begin == end: none (a header, a macro's body). */
+typedef struct ir_range {
+    uint32_t begin;
+    uint32_t end;
+} ir_range;
+
+/* ---- types --------------------------------------------------------------------------------- */
+
+typedef enum ir_type_kind {
+    IR_VOID,
+    IR_BOOLEAN,
+    IR_INTEGER, /* enumerations too */
+    IR_FLOATING,
+    IR_COMPLEX,
+    IR_POINTER,
+    IR_ARRAY,
+    IR_RECORD, /* struct and union */
+    IR_FUNCTION_TYPE,
+    IR_OTHER_TYPE /* vectors, __int128, _Float16, blocks, ...: nothing may be assumed */
+} ir_type_kind;
+
+typedef struct ir_type ir_type;
+typedef struct ir_record ir_record;
+
+typedef struct ir_field {
+    const char *name; /* "" where anonymous */
+    const ir_type *type;
+    int64_t offset; /* bytes from the record's start; -1 for a bit-field */
+    bool is_bit_field;
+} ir_field;
+
+struct ir_record {
+    const char *name; /* tag or typedef name; "" where it has none and cannot be spelled */
+    bool is_union;
+    bool is_complete;
+    unsigned field_count;
+    const ir_field *fields;
+};
+
+/** A canonical type. Equal unqualified types of one unit are equal by ir_type_equal. */
+struct ir_type {
+    ir_type_kind kind;
+    bool is_signed;    /* integers */
+    bool is_character; /* char, signed char, unsigned char: may alias anything */
+    bool is_const, is_volatile, is_restrict, is_atomic;
+    int64_t size;           /* bytes; -1 unknown: incomplete, variable-length */
+    int64_t count;          /* IR_ARRAY: elements; -1 unknown */
+    const ir_type *target;  /* pointee, element, result */
+    const ir_record *record;
+    const char *spelling; /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+};
+
+bool ir_type_equal(const ir_type *a, const ir_type *b); /* qualifiers apart */
+bool ir_type_is_scalar(const ir_type *type);            /* arithmetic or pointer */
+/** The element of an array of arrays ..., or the type itself. */
+const ir_type *ir_type_innermost(const ir_type *type);
+
+/* ---- variables and functions --------------------------------------------------------------- */
+
+typedef enum ir_storage {
+    IR_LOCAL,
+    IR_PARAMETER,
+    IR_GLOBAL,       /* external linkage or extern */
+    IR_STATIC,       /* static at file scope */
+    IR_STATIC_LOCAL, /* static in a function */
+    IR_THREAD_LOCAL
+} ir_storage;
+
+typedef struct ir_node ir_node;
+typedef struct ir_function ir_function;
+
+typedef struct ir_variable {
+    const char *name;
+    const ir_type *type;
+    ir_storage storage;
+    const ir_function *function; /* of locals and parameters */
+    unsigned id;                 /* dense in the unit */
+    ir_range range;              /* of its first declarator */
+    bool address_taken;          /* by &, or as an array that decays other than under a subscript
+                                    or as an argument */
+} ir_variable;
+
+struct ir_function {
+    const char *name;
+    const ir_type *type; /* IR_FUNCTION_TYPE; target is the result */
+    unsigned parameter_count;
+    ir_variable *const *parameters;
+    ir_node *body; /* IR_BLOCK; NULL where only declared */
+    unsigned id;   /* dense in the unit */
+    unsigned node_count; /* ids of the body's nodes are below it */
+    ir_range range;
+    bool is_static, is_variadic, is_noreturn;
+    bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
+    bool has_errors;     /* the compiler complained inside it: judge nothing in it */
+    bool is_in_main_file;
+};
+
+/* ---- nodes --------------------------------------------------------------------------------- */
+
+typedef enum ir_kind {
+    /* expressions: `type` is set */
+    IR_NUMBER,      /* text; value, where integer (enumerators and character constants too) */
+    IR_STRING,      /* text */
+    IR_VARIABLE,    /* variable */
+    IR_FUNCTION,    /* function */
+    IR_INDEX,       /* array, subscript (in this order, also for 3[a]) */
+    IR_MEMBER,      /* object or pointer, field; flag IR_ARROW where the child is a pointer */
+    IR_UNARY,       /* operand; op */
+    IR_BINARY,      /* left, right; op; the comma and && || too */
+    IR_ASSIGN,      /* target, value; op: IR_OP_NONE for =, IR_OP_ADD for +=, ... */
+    IR_CONDITIONAL, /* condition, then, else */
+    IR_CALL,        /* callee, arguments */
+    IR_CAST,        /* operand; type; written by the user */
+    IR_SIZEOF,      /* text; value, where constant */
+    IR_INITIALIZERS,/* { values } in source order; flag IR_DESIGNATED if any is designated */
+    IR_OPAQUE,      /* text says what it was; children are what it mentions, if known. Also as a
+                       statement (statement expressions, inline assembly, ...) */
+    /* statements */
+    IR_BLOCK,       /* statements */
+    IR_DECLARATION, /* IR_DECLARATORs */
+    IR_DECLARATOR,  /* variable; initialiser, if any */
+    IR_EXPRESSION,  /* an expression as a statement: the expression */
+    IR_IF,          /* condition, then, [else] */
+    IR_FOR,         /* always four: initialisation, condition, increment, body; what the source
+                       leaves out is IR_EMPTY; initialisation is a declaration or an expression */
+    IR_WHILE,       /* condition, body */
+    IR_DO,          /* body, condition */
+    IR_SWITCH,      /* value, body */
+    IR_CASE,        /* value, statement */
+    IR_DEFAULT,     /* statement */
+    IR_LABEL,       /* text; statement */
+    IR_GOTO,        /* text; computed: no text */
+    IR_RETURN,      /* [value] */
+    IR_BREAK,
+    IR_CONTINUE,
+    IR_EMPTY
+} ir_kind;
+
+typedef enum ir_operator {
+    IR_OP_NONE,
+    IR_OP_ADD, IR_OP_SUBTRACT, IR_OP_MULTIPLY, IR_OP_DIVIDE, IR_OP_REMAINDER,
+    IR_OP_SHIFT_LEFT, IR_OP_SHIFT_RIGHT,
+    IR_OP_BIT_AND, IR_OP_BIT_OR, IR_OP_BIT_XOR,
+    IR_OP_LESS, IR_OP_GREATER, IR_OP_LESS_EQUAL, IR_OP_GREATER_EQUAL, IR_OP_EQUAL, IR_OP_NOT_EQUAL,
+    IR_OP_AND, IR_OP_OR, IR_OP_COMMA,
+    /* unary */
+    IR_OP_PLUS, IR_OP_MINUS, IR_OP_NOT, IR_OP_BIT_NOT, IR_OP_DEREFERENCE, IR_OP_ADDRESS,
+    IR_OP_PRE_INCREMENT, IR_OP_PRE_DECREMENT, IR_OP_POST_INCREMENT, IR_OP_POST_DECREMENT,
+    IR_OP_REAL, IR_OP_IMAG
+} ir_operator;
+
+enum {
+    IR_ARROW = 1,
+    IR_DESIGNATED = 2,
+    IR_FROM_MACRO = 4, /* some of its tokens stand in a macro's body: its bytes cannot be edited.
+                          (An argument of a macro is the user's text, but counts here as well.) */
+    IR_HAS_VALUE = 8,  /* `value` is the integer constant it is */
+    IR_COMPOUND_LITERAL = 16 /* of IR_INITIALIZERS */
+};
+
+struct ir_node {
+    ir_kind kind;
+    ir_operator op;
+    unsigned flags;
+    unsigned id; /* dense in its function, in evaluation-independent preorder: indexes side tables */
+    unsigned child_count;
+    ir_node **children;
+    ir_node *parent; /* NULL for a body, and for what belongs to no function */
+    const ir_type *type;
+    ir_variable *variable;
+    ir_function *function;
+    const ir_field *field;
+    const char *text;
+    int64_t value;
+    ir_range range; /* of the expression or statement, without the `;` of expression statements,
+                       return, break, continue, goto and do; with it for declarations; the
+                       expansion's range where macros are concerned */
+};
+
+/* ---- the unit ------------------------------------------------------------------------------ */
+
+typedef enum ir_directive_kind {
+    IR_DIRECTIVE_CONDITIONAL, /* #if ... #endif: each of its lines */
+    IR_DIRECTIVE_PRAGMA,      /* also _Pragma */
+    IR_DIRECTIVE_OTHER        /* #define, #include, #line, ... */
+} ir_directive_kind;
+
+typedef struct ir_directive {
+    ir_directive_kind kind;
+    ir_range range; /* the logical line */
+    const char *text;
+} ir_directive;
+
+typedef struct ir_unit {
+    arena *arena;
+    const source *source;
+    unsigned function_count; /* those with a body in the main file, in source order, then others */
+    ir_function **functions;
+    unsigned variable_count; /* all, indexed by id */
+    ir_variable **variables;
+    unsigned directive_count; /* of the main file, in order */
+    const ir_directive *directives;
+    bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
+    unsigned error_count; /* compiler errors anywhere */
+} ir_unit;
+
+/* ---- looking around ------------------------------------------------------------------------ */
+
+static inline ir_node *ir_child(const ir_node *node, unsigned index) {
+    return index < node->child_count ? node->children[index] : NULL;
+}
+bool ir_is_expression(const ir_node *node);
+/** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
+bool ir_is_loop(const ir_node *node);
+/** Is the value of this expression used by what is around it? (not: an expression statement, the
+ *  left side of a comma, the header's initialisation and increment, a cast to void) */
+bool ir_value_is_used(const ir_node *node);
+bool ir_contains(const ir_node *outer, const ir_node *inner); /* by parent links; itself too */
+/** The variable at the bottom of an access path a, a[i], a.b, a->b, *a, &a[i], (T)a; or NULL. */
+ir_variable *ir_root_variable(const ir_node *node);
+const ir_function *ir_function_named(const ir_unit *unit, const char *name);
+
+/** Calls `visit` for node and all below it in preorder, children in evaluation-text order; a visit
+ *  that returns false keeps out of that node's children. */
+typedef bool (*ir_visitor)(ir_node *node, void *context);
+void ir_walk(ir_node *node, ir_visitor visit, void *context);
+
+/* ---- building: for the frontend, the text reader, and expressions made by substitution ------ */
+
+ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count);
+/** Sets parents, ids and node_count of a finished function. */
+void ir_finish_function(ir_function *function);
+/** A copy of an expression with each parameter of `function` replaced by the argument given (NULL:
+ *  left as it is). The copy's nodes have no ids and belong to no function. */
+ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
+                       ir_node *const *arguments);
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** IR as C text: for slices, guards and whatever else the translator writes itself. */
+#ifndef IR_IR_C_H
+#define IR_IR_C_H
+
+#include "ir/ir.h"
+#include "support/buffer.h"
+
+/** May give another spelling for a node (the shadow of an array, say): returns the C text of a
+ *  primary expression, or NULL for the node's own. */
+typedef const char *(*ir_c_rename)(const ir_node *node, void *context);
+
+/** Appends the expression as C, parenthesised where precedence needs it. Returns false, and
+ *  appends nothing, where it cannot be spelled (opaque nodes, types without a name). */
+bool ir_c_expression(buffer *out, const ir_node *expression, ir_c_rename rename, void *context);
+
+#endif

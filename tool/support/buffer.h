@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** A growing string of bytes. Always ends in a 0 that does not count. */
+#ifndef SUPPORT_BUFFER_H
+#define SUPPORT_BUFFER_H
+
+#include <stddef.h>
+
+typedef struct buffer {
+    char *data; /* owned; never NULL after the first append */
+    size_t length;
+    size_t capacity;
+} buffer; /* {0} is an empty one */
+
+void buffer_append(buffer *b, const char *text, size_t length);
+void buffer_text(buffer *b, const char *text);
+void buffer_format(buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void buffer_byte(buffer *b, char c);
+void buffer_free(buffer *b);
+
+#endif

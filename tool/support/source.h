@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One source file's bytes, and where its lines begin. */
+#ifndef SUPPORT_SOURCE_H
+#define SUPPORT_SOURCE_H
+
+#include <stdint.h>
+
+#include "support/arena.h"
+
+typedef struct source {
+    const char *path; /* as the user gave it */
+    const char *text; /* length bytes and a 0; BOM, CRLF and all */
+    uint32_t length;
+    uint32_t line_count;
+    const uint32_t *line_begin; /* [line_count] offsets */
+} source;
+
+typedef struct position {
+    unsigned line;   /* from 1 */
+    unsigned column; /* from 1, in bytes */
+} position;
+
+/** Reads a file ("-": standard input). NULL, and a message in *message, where it cannot be read,
+ *  is a directory, or has 4 GiB or more. */
+source *source_read(arena *a, const char *path, const char **message);
+source *source_from_text(arena *a, const char *path, const char *text, size_t length);
+position source_position(const source *s, uint32_t offset);
+
+#endif
