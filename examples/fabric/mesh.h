@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The cloth's triangle mesh and what follows from it. SI units throughout. */
+#ifndef FABRIC_MESH_H
+#define FABRIC_MESH_H
+
+typedef struct mesh {
+    int vertex_count;
+    int triangle_count;
+    int edge_count;
+    int hinge_count;
+    double (*position)[3]; /* [vertex_count] m, where the cloth starts */
+    double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
+    int (*triangle)[3];    /* [triangle_count] vertices, counter-clockwise in material coordinates */
+    int (*edge)[2];        /* [edge_count] vertices, first < second */
+    int (*hinge)[4];       /* [hinge_count] the shared edge's two vertices, then the two wings' */
+} mesh;
+
+/** Order of vertices; triangles, edges and hinges then follow their vertices' order. */
+typedef enum mesh_order { MESH_ORDER_GENERATED, MESH_ORDER_SORTED, MESH_ORDER_SHUFFLED } mesh_order;
+
+/**
+ * A Delaunay mesh of a square of the given side (m) in the plane z = 0, centred at the origin, with
+ * `boundary` of its `vertices` points on the border and the others inside, spread irregularly but
+ * evenly (libqhull; reproducible from the seed on any machine). It has 2 * vertices - 2 - boundary
+ * triangles. Returns 0, or -1 with a message in error[256].
+ */
+int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned seed, char *error);
+
+/** Edges and hinges from the triangles; at an edge of three triangles or more the first two make
+ *  the hinge. Counts such edges in *non_manifold. */
+int mesh_connect(mesh *m, int *non_manifold, char *error);
+
+/** Renumbers: sorted is reverse Cuthill-McKee; shuffled is random (seed). new_of_old, if not NULL,
+ *  [vertex_count] receives the permutation, so that results in different orders can be compared. */
+int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
+
+void mesh_free(mesh *m);
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What is simulated: read from a scene file (YAML, docs in scenes/README.md). SI units. */
+#ifndef FABRIC_SCENE_H
+#define FABRIC_SCENE_H
+
+#include "mesh.h"
+
+typedef enum collider_kind { COLLIDER_PLANE, COLLIDER_BOX, COLLIDER_SPHERE, COLLIDER_CYLINDER } collider_kind;
+
+typedef struct collider {
+    collider_kind kind;
+    double position[3];  /* m, centre (a point of the plane) at time 0 */
+    double velocity[3];  /* m/s */
+    double axis[3];      /* unit: plane's normal, cylinder's axis */
+    double size[3];      /* box: half edges; sphere and cylinder: radius, cylinder: half length */
+    double friction;     /* Coulomb coefficient */
+    double gap;          /* m, cloth rests at this distance */
+} collider;
+
+/** Pins hold the vertices whose material coordinates lie within [low, high]. */
+typedef struct pin {
+    double low[2];
+    double high[2];
+    double velocity[3]; /* m/s; 0: held where they are */
+} pin;
+
+typedef struct scene {
+    char name[64];
+    /* mesh */
+    int vertices, boundary;
+    double side;           /* m */
+    unsigned seed;
+    mesh_order order;
+    double origin[3];      /* m, where the sheet's centre is put */
+    double normal[3];      /* unit, the sheet's plane */
+    /* material */
+    double density;        /* kg/m^2 */
+    double stretch, shear; /* N/m */
+    double bend;           /* N m */
+    double stretch_damping, shear_damping, bend_damping; /* s times the stiffness' unit */
+    /* surroundings */
+    double gravity[3];     /* m/s^2 */
+    double drag;           /* kg/(m^2 s): force per area and relative velocity */
+    double wind[3];        /* m/s */
+    int pin_count;
+    pin *pins;
+    int collider_count;
+    collider *colliders;
+    /* time and solution */
+    double step;           /* s */
+    int steps;
+    double tolerance;      /* of the conjugate gradient, relative */
+    int max_iterations;
+} scene;
+
+/** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
+ *  "file:line: ..., expected ..." with the nearest valid name to standard error. */
+int scene_read(scene *s, const char *path);
+/** --set material.bend=0.01: the same keys with dots. -1 with a message on a wrong one. */
+int scene_set(scene *s, const char *assignment);
+void scene_free(scene *s);
+
+#endif

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One cloth in time: the loop of figure 2 of the paper, and its accounts. */
+#ifndef FABRIC_SIMULATION_H
+#define FABRIC_SIMULATION_H
+
+#include "mesh.h"
+#include "scene.h"
+
+typedef struct phase {
+    double seconds; /* wall */
+    long calls;
+} phase;
+
+typedef struct effect_account {
+    const char *name; /* "stretch", "shear", "bend", ... */
+    int active;
+    long elements;    /* triangles, hinges, ... it works on each step */
+    double seconds;   /* wall */
+} effect_account;
+
+typedef struct simulation simulation;
+
+/** Takes mesh and scene by reference: they must outlive it. NULL and a message in error[256]. */
+simulation *simulation_new(const mesh *m, const scene *s, char *error);
+void simulation_free(simulation *sim);
+
+/* The four phases of a step, in this order (figure 2). */
+void evaluateForces(simulation *sim);
+void collisionDetection(simulation *sim);
+void solveSystem(simulation *sim);
+void updateSystem(simulation *sim);
+
+/** One step: the four phases, timed. 0, or -1 with a message: no finite state could be reached. */
+int simulation_step(simulation *sim, char *error);
+
+/* What callers may look at; valid until simulation_free. */
+const double (*simulation_positions(const simulation *sim))[3];
+const double (*simulation_velocities(const simulation *sim))[3];
+double simulation_time(const simulation *sim);
+enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
+const phase *simulation_phases(const simulation *sim);              /* [PHASE_COUNT] */
+const effect_account *simulation_effects(const simulation *sim, int *count);
+long simulation_iterations(const simulation *sim);                  /* of conjugate gradients, all */
+long simulation_steps_taken(const simulation *sim);
+long simulation_steps_rejected(const simulation *sim);
+long simulation_matrix_blocks(const simulation *sim);               /* stored 3x3 blocks */
+
+#endif
