@@ -1,0 +1,14 @@
+# Shared by the benchmarks: where results go, medians, spreads. Sourced, from the repository's root.
+build=$PWD/build/release
+cpu=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1 | tr -cs 'A-Za-z0-9' '-' | sed 's/-$//')
+results=bench/results/$cpu-$(nproc)
+mkdir -p "$results"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# median, minimum and maximum of the numbers on standard input
+median() { sort -g | awk '{v[NR]=$1} END {if (NR) printf "%.6g\n", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2}'; }
+minimum() { sort -g | head -n 1; }
+maximum() { sort -g | tail -n 1; }
+ratio() { awk -v a="$1" -v b="$2" 'BEGIN {printf "%.3f\n", b > 0 ? a / b : 0}'; }
+load_note() { awk -v n="$(nproc)" '$1 > n * 0.5 {print "note: load average " $1 " before the run: figures are noisy"}' /proc/loadavg; }
