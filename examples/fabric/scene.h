@@ -5,16 +5,21 @@
 
 #include "mesh.h"
 
-typedef enum collider_kind { COLLIDER_PLANE, COLLIDER_BOX, COLLIDER_SPHERE, COLLIDER_CYLINDER } collider_kind;
+typedef enum collider_kind {
+    COLLIDER_PLANE,
+    COLLIDER_BOX,
+    COLLIDER_SPHERE,
+    COLLIDER_CYLINDER
+} collider_kind;
 
 typedef struct collider {
     collider_kind kind;
-    double position[3];  /* m, centre (a point of the plane) at time 0 */
-    double velocity[3];  /* m/s */
-    double axis[3];      /* unit: plane's normal, cylinder's axis */
-    double size[3];      /* box: half edges; sphere and cylinder: radius, cylinder: half length */
-    double friction;     /* Coulomb coefficient */
-    double gap;          /* m, cloth rests at this distance */
+    double position[3]; /* m, centre (a point of the plane) at time 0 */
+    double velocity[3]; /* m/s */
+    double axis[3];     /* unit: plane's normal, cylinder's axis */
+    double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
+    double friction;    /* Coulomb coefficient */
+    double gap;         /* m, cloth rests at this distance */
 } collider;
 
 /** Pins hold the vertices whose material coordinates lie within [low, high]. */
@@ -28,28 +33,28 @@ typedef struct scene {
     char name[64];
     /* mesh */
     int vertices, boundary;
-    double side;           /* m */
+    double side; /* m */
     unsigned seed;
     mesh_order order;
-    double origin[3];      /* m, where the sheet's centre is put */
-    double normal[3];      /* unit, the sheet's plane */
+    double origin[3]; /* m, where the sheet's centre is put */
+    double normal[3]; /* unit, the sheet's plane */
     /* material */
-    double density;        /* kg/m^2 */
-    double stretch, shear; /* N/m */
-    double bend;           /* N m */
+    double density;                                      /* kg/m^2 */
+    double stretch, shear;                               /* N/m */
+    double bend;                                         /* N m */
     double stretch_damping, shear_damping, bend_damping; /* s times the stiffness' unit */
     /* surroundings */
-    double gravity[3];     /* m/s^2 */
-    double drag;           /* kg/(m^2 s): force per area and relative velocity */
-    double wind[3];        /* m/s */
+    double gravity[3]; /* m/s^2 */
+    double drag;       /* kg/(m^2 s): force per area and relative velocity */
+    double wind[3];    /* m/s */
     int pin_count;
     pin *pins;
     int collider_count;
     collider *colliders;
     /* time and solution */
-    double step;           /* s */
+    double step; /* s */
     int steps;
-    double tolerance;      /* of the conjugate gradient, relative */
+    double tolerance; /* of the conjugate gradient, relative */
     int max_iterations;
 } scene;
 
@@ -59,5 +64,13 @@ int scene_read(scene *s, const char *path);
 /** --set material.bend=0.01: the same keys with dots. -1 with a message on a wrong one. */
 int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
+
+/** The scene's cloth: generated, placed by origin and normal, connected, numbered in its order.
+ *  new_of_old: as for mesh_reorder, [s->vertices] or NULL. 0, or -1 with a message in error[256].
+ */
+int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+
+/** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
+int scene_write(const scene *s, const char *path);
 
 #endif

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "scene.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene_value.h"
+
+/** The node at `path` (names and item numbers with dots between), or the nearest above it. */
+static const yaml_node_t *node_at(const scene_source *from, const char *path) {
+    const yaml_node_t *node = yaml_document_get_root_node(from->document);
+    while (*path) {
+        const size_t length = strcspn(path, ".");
+        int next = 0;
+        if (node->type == YAML_SEQUENCE_NODE)
+            next = node->data.sequence.items.start[atoi(path)];
+        else if (node->type == YAML_MAPPING_NODE)
+            for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
+                 pair < node->data.mapping.pairs.top; pair++) {
+                const yaml_node_t *key = yaml_document_get_node(from->document, pair->key);
+                if (key->data.scalar.length == length &&
+                    memcmp(key->data.scalar.value, path, length) == 0)
+                    next = pair->value;
+            }
+        if (next == 0)
+            break;
+        node = yaml_document_get_node(from->document, next);
+        path += length + (path[length] == '.');
+    }
+    return node;
+}
+
+/** What no single key's range can say, of a document whose keys are all valid. */
+static int check_whole(const scene_source *from, const scene *s) {
+    char path[PATH_SIZE];
+    if (s->boundary >= s->vertices)
+        return scene_complain(from, from->has_lines ? node_at(from, "mesh.boundary") : NULL,
+                              "'mesh.boundary' is %d, expected less than 'mesh.vertices', %d",
+                              s->boundary, s->vertices);
+    for (int k = 0; k < s->pin_count; k++) {
+        const pin *p = &s->pins[k];
+        snprintf(path, sizeof path, "pins.%d.low", k);
+        if (p->low[0] > p->high[0] || p->low[1] > p->high[1])
+            return scene_complain(from, from->has_lines ? node_at(from, path) : NULL,
+                                  "'%s' lies above 'high', expected a corner below it", path);
+    }
+    return 0;
+}
+
+static int complain_syntax(const scene_source *from, const yaml_parser_t *parser) {
+    if (from->has_lines)
+        fprintf(stderr, "%s:%zu: ", from->source, parser->problem_mark.line + 1);
+    else
+        fprintf(stderr, "--set %s: ", from->source);
+    fprintf(stderr, "not YAML: %s\n", parser->problem ? parser->problem : "out of memory");
+    return -1;
+}
+
+/** A file holds one document, not two. */
+static int check_end(const scene_source *from, yaml_parser_t *parser) {
+    yaml_document_t rest;
+    if (!yaml_parser_load(parser, &rest))
+        return complain_syntax(from, parser);
+    const yaml_node_t *root = yaml_document_get_root_node(&rest);
+    const int status =
+        root ? scene_complain(from, root, "a second document, expected the file's end") : 0;
+    yaml_document_delete(&rest);
+    return status;
+}
+
+static int read_document(scene *s, scene_source *from, FILE *file) {
+    yaml_parser_t parser;
+    yaml_document_t document;
+    int status = -1;
+    if (!yaml_parser_initialize(&parser))
+        return scene_complain(from, NULL, "out of memory");
+    yaml_parser_set_input_file(&parser, file);
+    if (!yaml_parser_load(&parser, &document))
+        complain_syntax(from, &parser);
+    else {
+        const yaml_node_t *root = yaml_document_get_root_node(&document);
+        from->document = &document;
+        if (!root)
+            scene_complain(from, NULL, "the file is empty, expected a scene");
+        else if (scene_read_mapping(from, root, scene_keys, s, "") == 0 &&
+                 check_end(from, &parser) == 0)
+            status = check_whole(from, s);
+        yaml_document_delete(&document);
+    }
+    yaml_parser_delete(&parser);
+    return status;
+}
+
+int scene_read(scene *s, const char *path) {
+    scene_source from = {path, 1, NULL};
+    *s = scene_defaults;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return scene_complain(&from, NULL, "cannot be read: %s", strerror(errno));
+    const int status = read_document(s, &from, file);
+    fclose(file);
+    if (status != 0)
+        scene_free(s);
+    return status;
+}
+
+void scene_free(scene *s) {
+    free(s->pins);
+    free(s->colliders);
+    *s = (scene){0};
+}
+
+/** The address of item `number` of a list, NULL after a message. */
+static void *find_item(const scene_source *from, const scene_key *key, char *target,
+                       const char *number) {
+    char *items, *end;
+    int count;
+    memcpy(&items, target + key->offset, sizeof items);
+    memcpy(&count, target + key->list->count_offset, sizeof count);
+    const long index = strtol(number, &end, 10);
+    if (end != number && *end == '\0' && index >= 0 && index < count)
+        return items + (size_t)index * key->list->item_size;
+    if (count == 0)
+        scene_complain(from, NULL, "'%s' has no items", key->name);
+    else
+        scene_complain(from, NULL, "'%s' has no item '%s', expected 0 to %d", key->name, number,
+                       count - 1);
+    return NULL;
+}
+
+/** Follows the dots of `path`, which it cuts up: to the key, the struct it is in, and its parent's
+ *  path. */
+static const scene_key *find_target(const scene_source *from, scene *s, char *path, void **target) {
+    const scene_key *keys = scene_keys;
+    char *word = path, parent[PATH_SIZE] = "";
+    int kind = -1;
+    *target = s;
+    for (;;) {
+        char *dot = strchr(word, '.');
+        if (dot)
+            *dot = '\0';
+        const scene_key *key = scene_find_key(from, NULL, keys, kind, word, parent);
+        if (!key || !dot)
+            return key;
+        if (!key->keys) {
+            scene_complain(from, NULL, "'%s' is a value and has no keys in it", key->name);
+            return NULL;
+        }
+        snprintf(parent, sizeof parent, "%s", key->name);
+        word = dot + 1;
+        keys = key->keys;
+        if (key->kind != VALUE_LIST)
+            continue;
+        dot = strchr(word, '.');
+        if (!dot) {
+            scene_complain(from, NULL, "'%s.%s' is an item: set one of its keys", key->name, word);
+            return NULL;
+        }
+        *dot = '\0';
+        if (!(*target = find_item(from, key, (char *)*target, word)))
+            return NULL;
+        snprintf(parent, sizeof parent, "%s.%.20s", key->name, word);
+        if (strcmp(keys->name, "kind") == 0)
+            kind = *(const int *)(const void *)((const char *)*target + keys->offset);
+        word = dot + 1;
+    }
+}
+
+static int set_value(const scene_source *from, scene *s, char *path, const char *value_path,
+                     const yaml_node_t *value) {
+    void *target;
+    const scene_key *key = find_target(from, s, path, &target);
+    if (!key)
+        return -1;
+    if (key->kind == VALUE_SECTION)
+        return scene_complain(from, NULL, "'%s' is a section: set one of its keys", key->name);
+    if (strcmp(key->name, "kind") == 0)
+        return scene_complain(from, NULL, "the kind of a collider cannot be set, only read");
+    if (scene_read_value(from, value, key, target, value_path) != 0)
+        return -1;
+    return check_whole(from, s);
+}
+
+int scene_set(scene *s, const char *assignment) {
+    scene_source from = {assignment, 0, NULL};
+    yaml_parser_t parser;
+    yaml_document_t document;
+    char path[PATH_SIZE], value_path[PATH_SIZE];
+    const char *equals = strchr(assignment, '=');
+    int status = -1;
+    if (!equals || equals == assignment || equals - assignment >= PATH_SIZE)
+        return scene_complain(&from, NULL, "expected KEY=VALUE, such as material.bend=0.01");
+    snprintf(path, sizeof path, "%.*s", (int)(equals - assignment), assignment);
+    snprintf(value_path, sizeof value_path, "%s", path);
+    if (!yaml_parser_initialize(&parser))
+        return scene_complain(&from, NULL, "out of memory");
+    yaml_parser_set_input_string(&parser, (const unsigned char *)equals + 1, strlen(equals + 1));
+    if (!yaml_parser_load(&parser, &document))
+        complain_syntax(&from, &parser);
+    else {
+        const yaml_node_t *root = yaml_document_get_root_node(&document);
+        from.document = &document;
+        status = root ? set_value(&from, s, path, value_path, root)
+                      : scene_complain(&from, NULL, "no value, expected KEY=VALUE");
+        yaml_document_delete(&document);
+    }
+    yaml_parser_delete(&parser);
+    return status;
+}

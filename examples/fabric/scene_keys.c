@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "scene_keys.h"
+
+#include "scene.h"
+
+#define ANY -1e300, 1e300, 0
+#define POSITIVE 0.0, 1e300, 1
+#define NOT_NEGATIVE 0.0, 1e300, 0
+#define BETWEEN(low, high) low, high, 0
+
+#define WHOLE(struct_, field, required, range)                                                     \
+    { #field, VALUE_WHOLE, offsetof(struct_, field), required, 1, range, 0, NULL, NULL, NULL }
+#define NUMBER(struct_, field, required, range)                                                    \
+    { #field, VALUE_NUMBER, offsetof(struct_, field), required, 1, range, 0, NULL, NULL, NULL }
+#define VECTOR(struct_, field, required, components)                                               \
+    {                                                                                              \
+#field, VALUE_VECTOR, offsetof(struct_, field), required, components, ANY, 0, NULL, NULL,  \
+            NULL                                                                                   \
+    }
+#define DIRECTION(struct_, field, required)                                                        \
+    { #field, VALUE_DIRECTION, offsetof(struct_, field), required, 3, ANY, 0, NULL, NULL, NULL }
+#define CHOICE(struct_, field, required, choices)                                                  \
+    { #field, VALUE_CHOICE, offsetof(struct_, field), required, 1, ANY, 0, choices, NULL, NULL }
+#define SECTION(name, required, keys)                                                              \
+    { name, VALUE_SECTION, 0, required, 1, ANY, 0, NULL, keys, NULL }
+#define LIST(struct_, field, keys, list)                                                           \
+    { #field, VALUE_LIST, offsetof(struct_, field), 0, 1, ANY, 0, NULL, keys, list }
+#define END                                                                                        \
+    { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
+
+static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
+static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", NULL};
+
+static const scene_key mesh_keys[] = {
+    WHOLE(scene, vertices, 1, BETWEEN(5, 2e7)),
+    WHOLE(scene, boundary, 1, BETWEEN(4, 1e7)),
+    NUMBER(scene, side, 1, POSITIVE),
+    {"seed", VALUE_SEED, offsetof(scene, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL, NULL},
+    CHOICE(scene, order, 0, orders),
+    VECTOR(scene, origin, 0, 3),
+    DIRECTION(scene, normal, 0),
+    END};
+
+static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
+                                          NUMBER(scene, stretch, 1, NOT_NEGATIVE),
+                                          NUMBER(scene, shear, 1, NOT_NEGATIVE),
+                                          NUMBER(scene, bend, 1, NOT_NEGATIVE),
+                                          NUMBER(scene, stretch_damping, 0, NOT_NEGATIVE),
+                                          NUMBER(scene, shear_damping, 0, NOT_NEGATIVE),
+                                          NUMBER(scene, bend_damping, 0, NOT_NEGATIVE),
+                                          END};
+
+static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
+                                              NUMBER(scene, drag, 0, NOT_NEGATIVE),
+                                              VECTOR(scene, wind, 0, 3), END};
+
+static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
+                                      WHOLE(scene, steps, 1, BETWEEN(0, 1e9)), END};
+
+static const scene_key solution_keys[] = {
+    {"tolerance", VALUE_NUMBER, offsetof(scene, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL, NULL, NULL},
+    WHOLE(scene, max_iterations, 0, BETWEEN(1, 1e9)),
+    END};
+
+static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2), VECTOR(pin, high, 1, 2),
+                                     VECTOR(pin, velocity, 0, 3), END};
+
+#define OF(kind) (1u << COLLIDER_##kind)
+static const scene_key collider_keys[] = {
+    CHOICE(collider, kind, 1, kinds),
+    VECTOR(collider, position, 0, 3),
+    VECTOR(collider, velocity, 0, 3),
+    {"normal", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, ANY, OF(PLANE), NULL, NULL, NULL},
+    {"axis", VALUE_DIRECTION, offsetof(collider, axis), 1, 3, ANY, OF(CYLINDER), NULL, NULL, NULL},
+    {"half_edges", VALUE_VECTOR, offsetof(collider, size), 1, 3, POSITIVE, OF(BOX), NULL, NULL,
+     NULL},
+    {"radius", VALUE_NUMBER, offsetof(collider, size), 1, 1, POSITIVE, OF(SPHERE) | OF(CYLINDER),
+     NULL, NULL, NULL},
+    {"half_length", VALUE_NUMBER, offsetof(collider, size[1]), 1, 1, POSITIVE, OF(CYLINDER), NULL,
+     NULL, NULL},
+    NUMBER(collider, friction, 0, NOT_NEGATIVE),
+    NUMBER(collider, gap, 0, NOT_NEGATIVE),
+    END};
+
+static const pin pin_defaults;
+static const collider collider_defaults = {.friction = 0.3, .gap = 0.005};
+static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pin_defaults};
+static const scene_list collider_list = {offsetof(scene, collider_count), sizeof(collider),
+                                         &collider_defaults};
+
+const scene_key scene_keys[] = {
+    {"name", VALUE_TEXT, offsetof(scene, name), 1, 1, ANY, 0, NULL, NULL, NULL},
+    SECTION("mesh", 1, mesh_keys),
+    SECTION("material", 1, material_keys),
+    SECTION("surroundings", 0, surroundings_keys),
+    LIST(scene, pins, pin_keys, &pin_list),
+    LIST(scene, colliders, collider_keys, &collider_list),
+    SECTION("time", 1, time_keys),
+    SECTION("solution", 0, solution_keys),
+    END};
+
+const scene scene_defaults = {.seed = 1,
+                              .order = MESH_ORDER_SORTED,
+                              .normal = {0.0, 0.0, 1.0},
+                              .tolerance = 1e-3,
+                              .max_iterations = 5000};

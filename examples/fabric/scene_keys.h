@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The keys of a scene file: one table that reading, setting and writing go by. */
+#ifndef FABRIC_SCENE_KEYS_H
+#define FABRIC_SCENE_KEYS_H
+
+#include <stddef.h>
+
+typedef enum value_kind {
+    VALUE_TEXT,      /* char[64] */
+    VALUE_WHOLE,     /* int */
+    VALUE_SEED,      /* unsigned */
+    VALUE_NUMBER,    /* double */
+    VALUE_VECTOR,    /* double[components] */
+    VALUE_DIRECTION, /* double[3], made a unit vector when read */
+    VALUE_CHOICE,    /* enum, or int: the number of the word in choices */
+    VALUE_SECTION,   /* keys of its own, in the same struct */
+    VALUE_LIST       /* items with keys of their own, in an allocated array */
+} value_kind;
+
+enum { TEXT_SIZE = 64, MOST_KEYS = 32 };
+
+typedef struct scene_key scene_key;
+
+/** A list's items and where the struct keeps them. */
+typedef struct scene_list {
+    size_t count_offset; /* of the int that counts the items */
+    size_t item_size;
+    const void *defaults; /* an item before its keys are read */
+} scene_list;
+
+struct scene_key {
+    const char *name;
+    value_kind kind;
+    size_t offset; /* in the struct of the scene, or of the list's item */
+    int required;
+    int components;             /* of a vector */
+    double low, high;           /* least and greatest value */
+    int above;                  /* low itself is out of range */
+    unsigned of_kinds;          /* items: bits of the `kind`s that have this key; 0: all */
+    const char *const *choices; /* NULL after the last */
+    const scene_key *keys;      /* of a section or of a list's items; no name after the last */
+    const scene_list *list;
+};
+
+/** A file's outermost keys; no name after the last. */
+extern const scene_key scene_keys[];
+
+/** What a scene is before its file is read (struct scene). */
+extern const struct scene scene_defaults;
+
+#endif

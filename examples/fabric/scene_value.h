@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** From a node of a YAML document to a field of the scene's struct, with messages. */
+#ifndef FABRIC_SCENE_VALUE_H
+#define FABRIC_SCENE_VALUE_H
+
+#include <yaml.h>
+
+#include "scene_keys.h"
+
+enum { PATH_SIZE = 128 };
+
+/** A document being read. Messages begin with "file:line: ", or, where there is no file, with
+ *  `source` and ": ". */
+typedef struct scene_source {
+    const char *source;
+    int has_lines;
+    yaml_document_t *document;
+} scene_source;
+
+/** Prints a message about the node (NULL: about no line) to standard error. Returns -1. */
+int scene_complain(const scene_source *from, const yaml_node_t *node, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** The key of this name that items of this kind have (kind < 0: any); NULL after a message that
+ *  names the valid ones. `path`: of what the key stands in, "" outermost. */
+const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *node,
+                                const scene_key *keys, int kind, const char *name,
+                                const char *path);
+
+/** Reads a mapping whose keys are `keys` into the struct at `target`. 0, or -1 after a message. */
+int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
+                       void *target, const char *path);
+
+/** Reads one value; a list replaces what was there. 0, or -1 after a message. `path`: its key's. */
+int scene_read_value(const scene_source *from, const yaml_node_t *node, const scene_key *key,
+                     void *target, const char *path);
+
+#endif

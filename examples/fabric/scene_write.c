@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "scene.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "scene_keys.h"
+
+static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
+                          int first_indent);
+
+/** As YAML's plain style takes it: quoted, with quotes doubled. */
+static void write_text(FILE *file, const char *text) {
+    fputc('\'', file);
+    for (; *text; text++)
+        fputs(*text == '\'' ? "''" : (const char[]){*text, '\0'}, file);
+    fputc('\'', file);
+}
+
+static void write_vector(FILE *file, const double *value, int components) {
+    for (int k = 0; k < components; k++)
+        fprintf(file, "%s%.17g", k == 0 ? "[" : ", ", value[k]);
+    fputc(']', file);
+}
+
+static void write_list(FILE *file, const scene_key *key, const char *source, int indent) {
+    const char *items;
+    int count;
+    memcpy(&items, source + key->offset, sizeof items);
+    memcpy(&count, source + key->list->count_offset, sizeof count);
+    if (count == 0)
+        fputs(" []", file);
+    for (int k = 0; k < count; k++) {
+        fprintf(file, "\n%*s- ", indent, "");
+        write_mapping(file, key->keys, items + (size_t)k * key->list->item_size, indent + 2, 0);
+    }
+}
+
+static void write_value(FILE *file, const scene_key *key, const char *source, int indent) {
+    const void *field = source + key->offset;
+    if (key->kind != VALUE_SECTION && key->kind != VALUE_LIST)
+        fputc(' ', file);
+    switch (key->kind) {
+    case VALUE_TEXT:
+        write_text(file, field);
+        break;
+    case VALUE_WHOLE:
+        fprintf(file, "%d", *(const int *)field);
+        break;
+    case VALUE_SEED:
+        fprintf(file, "%u", *(const unsigned *)field);
+        break;
+    case VALUE_NUMBER:
+        fprintf(file, "%.17g", *(const double *)field);
+        break;
+    case VALUE_VECTOR:
+    case VALUE_DIRECTION:
+        write_vector(file, field, key->components);
+        break;
+    case VALUE_CHOICE:
+        fputs(key->choices[*(const int *)field], file);
+        break;
+    case VALUE_SECTION:
+        fputc('\n', file);
+        write_mapping(file, key->keys, source, indent + 2, indent + 2);
+        break;
+    case VALUE_LIST:
+        write_list(file, key, source, indent + 2);
+        break;
+    }
+}
+
+/** Key by key, a line each; the last line is left open. */
+static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
+                          int first_indent) {
+    const int kind = strcmp(keys->name, "kind") == 0
+                         ? *(const int *)(const void *)((const char *)source + keys->offset)
+                         : 0;
+    for (const scene_key *key = keys; key->name; key++) {
+        if (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0)
+            continue;
+        if (key != keys)
+            fputc('\n', file);
+        fprintf(file, "%*s%s:", key == keys ? first_indent : indent, "", key->name);
+        write_value(file, key, source, indent);
+    }
+}
+
+int scene_write(const scene *s, const char *path) {
+    FILE *file = fopen(path, "wb");
+    if (!file)
+        return -1;
+    write_mapping(file, scene_keys, s, 0, 0);
+    fputc('\n', file);
+    const int failed = ferror(file), reason = errno;
+    if (fclose(file) == 0 && !failed)
+        return 0;
+    if (failed)
+        errno = reason;
+    return -1;
+}
