@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "support/buffer.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void reserve(buffer *b, size_t more) {
+    size_t needed = b->length + more + 1;
+    if (needed <= b->capacity)
+        return;
+    size_t capacity = b->capacity < 64 ? 64 : b->capacity;
+    while (capacity < needed)
+        capacity *= 2;
+    char *data = realloc(b->data, capacity);
+    if (data == NULL) {
+        fprintf(stderr, "redcc: out of memory (%zu bytes are needed)\n", capacity);
+        exit(EXIT_FAILURE);
+    }
+    b->data = data;
+    b->capacity = capacity;
+}
+
+void buffer_append(buffer *b, const char *text, size_t length) {
+    reserve(b, length);
+    if (length > 0)
+        memcpy(b->data + b->length, text, length);
+    b->length += length;
+    b->data[b->length] = 0;
+}
+
+void buffer_text(buffer *b, const char *text) {
+    buffer_append(b, text, strlen(text));
+}
+
+void buffer_byte(buffer *b, char c) {
+    buffer_append(b, &c, 1);
+}
+
+void buffer_format(buffer *b, const char *format, ...) {
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    if (length >= 0) {
+        reserve(b, (size_t)length);
+        vsnprintf(b->data + b->length, (size_t)length + 1, format, again);
+        b->length += (size_t)length;
+    }
+    va_end(again);
+}
+
+void buffer_free(buffer *b) {
+    free(b->data);
+    *b = (buffer){0};
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "support/source.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "support/buffer.h"
+
+static uint32_t count_lines(const char *text, size_t length) {
+    uint32_t count = 1;
+    for (size_t i = 0; i < length; i++)
+        count += text[i] == '\n';
+    return count;
+}
+
+/* Takes over `text`, which lives in the arena. */
+static source *make_source(arena *a, const char *path, const char *text, size_t length) {
+    source *s = ARENA_NEW(a, source);
+    s->path = arena_string(a, path);
+    s->text = text;
+    s->length = (uint32_t)length;
+    s->line_count = count_lines(text, length);
+    uint32_t *begin = ARENA_ARRAY(a, uint32_t, s->line_count);
+    uint32_t line = 0;
+    for (uint32_t i = 0; i < s->length; i++)
+        if (text[i] == '\n')
+            begin[++line] = i + 1;
+    s->line_begin = begin;
+    return s;
+}
+
+source *source_from_text(arena *a, const char *path, const char *text, size_t length) {
+    return make_source(a, path, arena_copy(a, text, length), length);
+}
+
+/* Appends the stream's bytes, one more than can be kept at most. Returns NULL or the message. */
+static const char *read_all(buffer *bytes, FILE *stream) {
+    char piece[1 << 14];
+    size_t count;
+    while (bytes->length <= UINT32_MAX && (count = fread(piece, 1, sizeof piece, stream)) > 0)
+        buffer_append(bytes, piece, count);
+    if (ferror(stream))
+        return strerror(errno);
+    return bytes->length > UINT32_MAX ? "the file is too large (4 GiB or more)" : NULL;
+}
+
+static source *read_stream(arena *a, const char *path, FILE *stream, const char **message) {
+    struct stat status;
+    if (fstat(fileno(stream), &status) == 0 && S_ISDIR(status.st_mode)) {
+        *message = arena_format(a, "%s: is a directory", path);
+        return NULL;
+    }
+    buffer bytes = {0};
+    const char *problem = read_all(&bytes, stream);
+    source *s = NULL;
+    if (problem != NULL)
+        *message = arena_format(a, "%s: %s", path, problem);
+    else
+        s = source_from_text(a, path, bytes.data, bytes.length);
+    buffer_free(&bytes);
+    return s;
+}
+
+source *source_read(arena *a, const char *path, const char **message) {
+    if (strcmp(path, "-") == 0)
+        return read_stream(a, path, stdin, message);
+    FILE *stream = fopen(path, "rb");
+    if (stream == NULL) {
+        *message = arena_format(a, "%s: %s", path, strerror(errno));
+        return NULL;
+    }
+    source *s = read_stream(a, path, stream, message);
+    fclose(stream);
+    return s;
+}
+
+position source_position(const source *s, uint32_t offset) {
+    uint32_t low = 0, high = s->line_count; /* line_begin[low] <= offset < line_begin[high] */
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (s->line_begin[middle] <= offset)
+            low = middle;
+        else
+            high = middle;
+    }
+    return (position){.line = low + 1, .column = offset - s->line_begin[low] + 1};
+}
