@@ -14,8 +14,8 @@ typedef struct phase {
 typedef struct effect_account {
     const char *name; /* "stretch", "shear", "bend", ... */
     int active;
-    long elements;    /* triangles, hinges, ... it works on each step */
-    double seconds;   /* wall */
+    long elements;  /* triangles, hinges, ... it works on each step */
+    double seconds; /* wall */
 } effect_account;
 
 typedef struct simulation simulation;
@@ -38,11 +38,11 @@ const double (*simulation_positions(const simulation *sim))[3];
 const double (*simulation_velocities(const simulation *sim))[3];
 double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
-const phase *simulation_phases(const simulation *sim);              /* [PHASE_COUNT] */
+const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-long simulation_iterations(const simulation *sim);                  /* of conjugate gradients, all */
+long simulation_iterations(const simulation *sim); /* of conjugate gradients, all */
 long simulation_steps_taken(const simulation *sim);
 long simulation_steps_rejected(const simulation *sim);
-long simulation_matrix_blocks(const simulation *sim);               /* stored 3x3 blocks */
+long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
 
 #endif

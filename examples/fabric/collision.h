@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Cloth against colliders and pins, as constraints on vertices' velocities.
+ *
+ * A vertex in contact is given its velocity along the normal, so that it ends the step at the gap;
+ * the contact ends when the constraint has pulled for two steps. Friction is Coulomb's: a vertex
+ * sticks (all its velocity is given: the collider's) while the tangential force is at most
+ * friction x normal force, else it slides, held back by that force, which enters the linear system
+ * with the normal force of the step before: as -c (v - v_collider) in the tangential plane with
+ * c = h friction force / slip speed, so that it never turns a motion round.
+ */
+#ifndef FABRIC_COLLISION_H
+#define FABRIC_COLLISION_H
+
+#include "constraint.h"
+#include "mesh.h"
+#include "scene.h"
+#include "system.h"
+
+enum { CONTACTS_PER_VERTEX = 3 };
+
+typedef struct contact {
+    int collider;
+    int sticks;        /* else slides */
+    int pulls;         /* steps in a row in which the constraint pulled */
+    double normal[3];  /* unit */
+    double speed;      /* m/s, given along the normal */
+    double force;      /* N, pressing, of the last accepted step */
+    double slip_speed; /* m/s, for the friction's c */
+} contact;
+
+typedef struct vertex_contacts {
+    int count;
+    contact list[CONTACTS_PER_VERTEX];
+} vertex_contacts;
+
+typedef struct collisions {
+    const scene *scene;
+    int vertex_count;
+    int *pin_of;             /* [vertices] index of the pin that holds it; -1: none */
+    double (*pinned_at)[3];  /* [vertices] m, where a pinned vertex was at time 0 */
+    double stick_speed;      /* m/s, slower than this a sliding vertex sticks */
+    vertex_contacts *before; /* [vertices] of the last accepted step; NULL without colliders */
+    vertex_contacts *now;    /* [vertices] of the step being taken */
+} collisions;
+
+/** The scene by reference. mass [vertices] kg; a vertex without mass, of no triangle, is held in
+ *  place. 0, or -1: out of memory. */
+int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
+void collisions_free(collisions *c);
+
+/** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.
+ *  Finds what vertices would come too near to a collider, and adds friction to the system. */
+void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
+                       const double (*v)[3], const double (*dv)[3], linear_system *system);
+
+/** Turns contacts and pins into constraints on dv. */
+void collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
+
+/** With dv solved: adds contacts that were not expected; returns how many. */
+int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
+                          const double (*v)[3], const double (*dv)[3]);
+
+/** Last resort for what was still missed: changes v so that x + h v stays out. */
+void collisions_keep_out(const collisions *c, double time, double h, const double (*x)[3],
+                         double (*v)[3]);
+
+/** Puts pinned vertices exactly where they are at `time`. */
+void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]);
+
+/** The step of h s is accepted, with velocities v after it; residual as the solver left it. Notes
+ *  the contacts' forces, and which stick or slide from now on. */
+void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
+                       const double (*residual)[3]);
+
+/** Contacts now; and of them, how many stick. Either may be NULL. */
+void collisions_count(const collisions *c, long *contacts, long *sticking);
+
+#endif

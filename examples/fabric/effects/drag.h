@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Air drag and wind. At each vertex of a triangle with unit normal n and (current) area a
+ *     f = -drag (a / 3) (n . (v - wind)) n      drag kg/(m^2 s)
+ * so that df/dv couples no two vertices: it is exact on A's diagonal.
+ */
+#ifndef FABRIC_DRAG_H
+#define FABRIC_DRAG_H
+
+#include "../system.h"
+#include "triangle.h"
+
+/** Adds the drag's part of A and b at positions x (m) and velocities v (m/s), for a step of h s. */
+void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
+                 const double (*x)[3], const double (*v)[3], linear_system *s);
+
+#endif

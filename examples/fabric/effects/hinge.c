@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Bending: the force and its derivatives (see hinge.h for the energy). */
+#include "hinge.h"
+
+#include "../vector.h"
+
+/* A wing lower than this part of the edge counts as this high: gradients grow as 1/height. */
+static const double lowest_wing = 1e-3;
+/* An edge shorter than this, in m, bends nothing. */
+static const double shortest_edge = 1e-12;
+
+/*
+ * The gradient of theta in the four corners. With e = x1 - x0, normals n1 = e x (x2 - x0) and
+ * n2 = (x3 - x0) x e, and t2, t3 how far along e the wings' feet are:
+ *     g2 = -|e| n1 / |n1|^2,   g3 = -|e| n2 / |n2|^2,
+ *     g0 = -(1 - t2) g2 - (1 - t3) g3,   g1 = -t2 g2 - t3 g3
+ * (Bridson, Marino and Fedkiw 2003; the sum is 0: no net force).
+ */
+static void angle_gradient(const double x0[3], const double x1[3], const double x2[3],
+                           const double x3[3], double g[4][3]) {
+    double e[3], a[3], b[3], n1[3], n2[3];
+    double ee, length, least, usable, s1, s2, t2, t3;
+    int c;
+    vector_subtract(x1, x0, e);
+    vector_subtract(x2, x0, a);
+    vector_subtract(x3, x0, b);
+    vector_cross(e, a, n1);
+    vector_cross(b, e, n2);
+    ee = vector_dot(e, e);
+    length = sqrt(ee);
+    usable = length > shortest_edge ? 1 : 0;
+    ee = usable > 0 ? ee : 1;
+    least = lowest_wing * ee * lowest_wing * ee;
+    s1 = vector_dot(n1, n1);
+    s2 = vector_dot(n2, n2);
+    s1 = -usable * length / (s1 > least ? s1 : least);
+    s2 = -usable * length / (s2 > least ? s2 : least);
+    t2 = vector_dot(a, e) / ee;
+    t3 = vector_dot(b, e) / ee;
+    for (c = 0; c < 3; c++) {
+        g[2][c] = s1 * n1[c];
+        g[3][c] = s2 * n2[c];
+        g[0][c] = -(1 - t2) * g[2][c] - (1 - t3) * g[3][c];
+        g[1][c] = -t2 * g[2][c] - t3 * g[3][c];
+    }
+}
+
+/*
+ * f = the hinge's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)
+ * (k,k) (k,l) (l,l) of the ascending vertices. Gauss-Newton: K = k g g', D = kd g g'; the term in
+ * theta's second derivative, which may be indefinite, is left out.
+ */
+static void hinge_force(const int corner[4], const int role[4], double stiffness, double damping,
+                        double angle, double h, const double (*x)[3], const double (*v)[3],
+                        double f[4][3], double df[10][3][3]) {
+    static const int first[10] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 3};
+    static const int second[10] = {0, 1, 2, 3, 1, 2, 3, 2, 3, 3};
+    const double both = h * h * stiffness + h * damping;
+    double g[4][3], sorted[4][3];
+    double rate, force;
+    int p, m, r, c;
+    angle_gradient(x[corner[0]], x[corner[1]], x[corner[2]], x[corner[3]], g);
+    rate = vector_dot(g[0], v[corner[0]]) + vector_dot(g[1], v[corner[1]]) +
+           vector_dot(g[2], v[corner[2]]) + vector_dot(g[3], v[corner[3]]);
+    force = -(h * stiffness * angle + both * rate);
+    for (p = 0; p < 4; p++)
+        for (c = 0; c < 3; c++) {
+            sorted[p][c] = g[role[p]][c];
+            f[p][c] = force * sorted[p][c];
+        }
+    for (m = 0; m < 10; m++)
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
+                df[m][r][c] = both * sorted[first[m]][r] * sorted[second[m]][c];
+}
+
+void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
+                  const double (*x)[3], const double (*v)[3], linear_system *s) {
+    int t, i, j, k, l, r, c;
+    int ii, ij, ik, il, jj, jk, jl, kk, kl, ll;
+    double f[4][3], df[10][3][3];
+    for (t = 0; t < e->count; t++) {
+        i = e->vertex[t][0];
+        j = e->vertex[t][1];
+        k = e->vertex[t][2];
+        l = e->vertex[t][3];
+        hinge_force(e->corner[t], e->role[t], material->bend * e->weight[t],
+                    material->bend_damping * e->weight[t], e->angle[t], h, x, v, f, df);
+        for (c = 0; c < 3; c++) {
+            s->b[i][c] += f[0][c];
+            s->b[j][c] += f[1][c];
+            s->b[k][c] += f[2][c];
+            s->b[l][c] += f[3][c];
+        }
+        ii = s->A.row_start[i];
+        ij = block_find(&s->A, i, j);
+        ik = block_find(&s->A, i, k);
+        il = block_find(&s->A, i, l);
+        jj = s->A.row_start[j];
+        jk = block_find(&s->A, j, k);
+        jl = block_find(&s->A, j, l);
+        kk = s->A.row_start[k];
+        kl = block_find(&s->A, k, l);
+        ll = s->A.row_start[l];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++) {
+                s->A.value[ii][r][c] += df[0][r][c];
+                s->A.value[ij][r][c] += df[1][r][c];
+                s->A.value[ik][r][c] += df[2][r][c];
+                s->A.value[il][r][c] += df[3][r][c];
+                s->A.value[jj][r][c] += df[4][r][c];
+                s->A.value[jk][r][c] += df[5][r][c];
+                s->A.value[jl][r][c] += df[6][r][c];
+                s->A.value[kk][r][c] += df[7][r][c];
+                s->A.value[kl][r][c] += df[8][r][c];
+                s->A.value[ll][r][c] += df[9][r][c];
+            }
+    }
+}

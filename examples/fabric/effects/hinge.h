@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Bending, with its damping, at every hinge: two triangles that share an edge.
+ *
+ * With the edge x0 x1, wings x2 and x3 and the angle theta between the triangles (0: flat)
+ *     C = sqrt(weight) theta,   E = k C^2 / 2   k N m,   weight = 3 |e|^2 / a  (no unit)
+ * where |e| is the edge's rest length and a the rest area of the two triangles together (discrete
+ * shells, Grinspun et al. 2003). Cloth is flat at rest. Damping: f = -kd dC (dC . v), kd N m s.
+ */
+#ifndef FABRIC_HINGE_H
+#define FABRIC_HINGE_H
+
+#include "../mesh.h"
+#include "../system.h"
+
+typedef struct hinge_elements {
+    int count;
+    int (*corner)[4]; /* [count] the edge's two vertices, then the wings' */
+    int (*vertex)[4]; /* [count] the same ascending, for A's stored half */
+    int (*role)[4];   /* [count] which corner each of `vertex` is */
+    double *weight;   /* [count] */
+    double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
+} hinge_elements;
+
+typedef struct hinge_material {
+    double bend;         /* N m */
+    double bend_damping; /* N m s */
+} hinge_material;
+
+/** The mesh's hinges; those whose triangles have no rest area are left out. 0, or -1: out of
+ *  memory. */
+int hinge_elements_init(hinge_elements *e, const mesh *m);
+void hinge_elements_free(hinge_elements *e);
+
+/** Brings e->angle to positions x: the angle nearest to the one remembered that differs from
+ *  atan2's by whole turns. Doing it twice changes nothing. */
+void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
+
+/** Adds the hinges' part of A and b at positions x (m) and velocities v (m/s), both [vertices], for
+ *  a step of h seconds; e->angle belongs to x. Every hinge's part of A is positive semidefinite. */
+void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
+                  const double (*x)[3], const double (*v)[3], linear_system *s);
+
+/** Energy of the angles remembered, in J. */
+double hinge_energy(const hinge_elements *e, const hinge_material *material);
+
+#endif

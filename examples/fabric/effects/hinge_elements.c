@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The hinges' rest shape, their angles and energy. */
+#include "hinge.h"
+
+#include <stdlib.h>
+
+#include "../vector.h"
+
+static const double pi = 3.14159265358979323846;
+
+static double rest_area(const double (*material)[2], int i, int j, int k) {
+    const double u1 = material[j][0] - material[i][0], v1 = material[j][1] - material[i][1];
+    const double u2 = material[k][0] - material[i][0], v2 = material[k][1] - material[i][1];
+    return fabs(u1 * v2 - u2 * v1) / 2;
+}
+
+/* 3 |e|^2 / a, or 0 for a hinge without area. */
+static double rest_weight(const double (*material)[2], const int corner[4]) {
+    const double u = material[corner[1]][0] - material[corner[0]][0];
+    const double v = material[corner[1]][1] - material[corner[0]][1];
+    const double square = u * u + v * v;
+    const double one = rest_area(material, corner[0], corner[1], corner[2]);
+    const double other = rest_area(material, corner[0], corner[1], corner[3]);
+    if (!(one > 1e-12 * square) || !(other > 1e-12 * square))
+        return 0;
+    return 3 * square / (one + other);
+}
+
+/* vertex = corner in ascending order; role[p] = which corner vertex[p] is. */
+static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
+    for (int p = 0; p < 4; p++) {
+        int at = p;
+        for (; at > 0 && vertex[at - 1] > corner[p]; at--) {
+            vertex[at] = vertex[at - 1];
+            role[at] = role[at - 1];
+        }
+        vertex[at] = corner[p];
+        role[at] = p;
+    }
+}
+
+int hinge_elements_init(hinge_elements *e, const mesh *m) {
+    const size_t count = (size_t)m->hinge_count + 1;
+    *e = (hinge_elements){0};
+    e->corner = calloc(count, sizeof *e->corner);
+    e->vertex = calloc(count, sizeof *e->vertex);
+    e->role = calloc(count, sizeof *e->role);
+    e->weight = calloc(count, sizeof *e->weight);
+    e->angle = calloc(count, sizeof *e->angle);
+    if (!e->corner || !e->vertex || !e->role || !e->weight || !e->angle) {
+        hinge_elements_free(e);
+        return -1;
+    }
+    for (int t = 0; t < m->hinge_count; t++) {
+        const int n = e->count;
+        e->weight[n] = rest_weight((const double(*)[2])m->material, m->hinge[t]);
+        if (e->weight[n] <= 0)
+            continue;
+        for (int p = 0; p < 4; p++)
+            e->corner[n][p] = m->hinge[t][p];
+        sort_corners(e->corner[n], e->vertex[n], e->role[n]);
+        e->count++;
+    }
+    return 0;
+}
+
+void hinge_elements_free(hinge_elements *e) {
+    free(e->corner);
+    free(e->vertex);
+    free(e->role);
+    free(e->weight);
+    free(e->angle);
+    *e = (hinge_elements){0};
+}
+
+/* In (-pi, pi]. atan2 keeps all digits near 0, where an arc cosine would lose half of them. */
+static double hinge_angle(const double (*x)[3], const int corner[4]) {
+    double e[3], a[3], b[3], n1[3], n2[3], across[3];
+    vector_subtract(x[corner[1]], x[corner[0]], e);
+    vector_subtract(x[corner[2]], x[corner[0]], a);
+    vector_subtract(x[corner[3]], x[corner[0]], b);
+    vector_cross(e, a, n1);
+    vector_cross(b, e, n2);
+    vector_cross(n1, n2, across);
+    const double length = vector_length(e);
+    return atan2(vector_dot(across, e), length * vector_dot(n1, n2));
+}
+
+void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int t = 0; t < e->count; t++) {
+        const double angle = hinge_angle(x, e->corner[t]);
+        const double turns = round((e->angle[t] - angle) / (2 * pi));
+        e->angle[t] = angle + 2 * pi * turns;
+    }
+}
+
+double hinge_energy(const hinge_elements *e, const hinge_material *material) {
+    double sum = 0;
+    for (int t = 0; t < e->count; t++)
+        sum += e->weight[t] * e->angle[t] * e->angle[t];
+    return material->bend * sum / 2;
+}

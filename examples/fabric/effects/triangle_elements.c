@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The triangles' rest shape, their places in A, energies and strain. */
+#include "triangle.h"
+
+#include <stdlib.h>
+
+#include "../vector.h"
+
+static void sort_three(const int in[3], int out[3]) {
+    const int low = in[0] < in[1] ? in[0] : in[1];
+    const int high = in[0] < in[1] ? in[1] : in[0];
+    out[0] = in[2] < low ? in[2] : low;
+    out[2] = in[2] > high ? in[2] : high;
+    out[1] = in[2] < low ? low : (in[2] > high ? high : in[2]);
+}
+
+/* cu, cv invert the material coordinates of the triangle's edges. 0 if it has no area. */
+static int rest_shape(const double (*material)[2], const int vertex[3], triangle_rest *rest) {
+    const double *o = material[vertex[0]], *p = material[vertex[1]], *q = material[vertex[2]];
+    const double u1 = p[0] - o[0], v1 = p[1] - o[1];
+    const double u2 = q[0] - o[0], v2 = q[1] - o[1];
+    const double determinant = u1 * v2 - u2 * v1;
+    const double first = u1 * u1 + v1 * v1, second = u2 * u2 + v2 * v2;
+    const double longest = first > second ? first : second;
+    if (!(fabs(determinant) > 1e-12 * longest))
+        return 0;
+    rest->cu[1] = v2 / determinant;
+    rest->cu[2] = -v1 / determinant;
+    rest->cu[0] = -(rest->cu[1] + rest->cu[2]);
+    rest->cv[1] = -u2 / determinant;
+    rest->cv[2] = u1 / determinant;
+    rest->cv[0] = -(rest->cv[1] + rest->cv[2]);
+    rest->area = fabs(determinant) / 2;
+    return 1;
+}
+
+int triangle_elements_init(triangle_elements *e, const mesh *m) {
+    *e = (triangle_elements){0};
+    e->vertex = calloc((size_t)m->triangle_count + 1, sizeof *e->vertex);
+    e->rest = calloc((size_t)m->triangle_count + 1, sizeof *e->rest);
+    if (!e->vertex || !e->rest) {
+        triangle_elements_free(e);
+        return -1;
+    }
+    for (int t = 0; t < m->triangle_count; t++) {
+        sort_three(m->triangle[t], e->vertex[e->count]);
+        e->count +=
+            rest_shape((const double(*)[2])m->material, e->vertex[e->count], &e->rest[e->count]);
+    }
+    return 0;
+}
+
+int triangle_elements_place(triangle_elements *e, const block_matrix *A) {
+    e->block = calloc((size_t)e->count + 1, sizeof *e->block);
+    if (!e->block)
+        return -1;
+    for (int t = 0; t < e->count; t++)
+        for (int p = 0, m = 0; p < 3; p++)
+            for (int q = p; q < 3; q++, m++)
+                e->block[t][m] = block_find(A, e->vertex[t][p], e->vertex[t][q]);
+    return 0;
+}
+
+void triangle_elements_free(triangle_elements *e) {
+    free(e->vertex);
+    free(e->block);
+    free(e->rest);
+    *e = (triangle_elements){0};
+}
+
+void triangle_energies(const triangle_elements *e, const triangle_material *material,
+                       const double (*x)[3], double *stretch, double *shear) {
+    double along = 0, slanted = 0;
+    for (int t = 0; t < e->count; t++) {
+        double wu[3], wv[3];
+        triangle_derivatives(&e->rest[t], x, e->vertex[t][0], e->vertex[t][1], e->vertex[t][2], wu,
+                             wv);
+        const double u = vector_length(wu) - 1, v = vector_length(wv) - 1;
+        const double s = vector_dot(wu, wv);
+        along += e->rest[t].area * (u * u + v * v);
+        slanted += e->rest[t].area * s * s;
+    }
+    if (stretch)
+        *stretch = material->stretch * along / 2;
+    if (shear)
+        *shear = material->shear * slanted / 2;
+}
+
+double triangle_greatest_strain(const triangle_elements *e, const double (*x)[3]) {
+    double greatest = -1;
+    int broken = 0;
+#pragma omp parallel for schedule(static) reduction(max : greatest, broken)
+    for (int t = 0; t < e->count; t++) {
+        double wu[3], wv[3];
+        triangle_derivatives(&e->rest[t], x, e->vertex[t][0], e->vertex[t][1], e->vertex[t][2], wu,
+                             wv);
+        const double u = vector_length(wu) - 1, v = vector_length(wv) - 1;
+        const double larger = u > v ? u : v;
+        if (!isfinite(u) || !isfinite(v))
+            broken = 1;
+        if (larger > greatest)
+            greatest = larger;
+    }
+    return broken ? NAN : greatest;
+}

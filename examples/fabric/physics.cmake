@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The sources of the cloth's physics, with simulation.h as its face.
+set(FABRIC_PHYSICS_SOURCES)
+foreach(source
+    simulation.c simulation_state.c collision.c shape.c constraint.c solver.c solver_precondition.c
+    system.c sparse_product.c full_product.c
+    effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
+    effects/drag.c)
+  list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
+endforeach()
+# Built without OpenMP, its pragmas on regular loops mean nothing.
+set_source_files_properties(${FABRIC_PHYSICS_SOURCES} PROPERTIES
+                            COMPILE_OPTIONS -Wno-unknown-pragmas)

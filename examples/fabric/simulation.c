@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * The loop of figure 2 of the paper: backward Euler, linearised at the state the step starts from
+ * (Baraff and Witkin 1998). A step that fails - no solution, or a cloth that is torn apart - is
+ * taken again at half the length; lengths are the scene's step over powers of two, so every frame
+ * ends on the scene's grid of times.
+ */
+#include "simulation.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "clock.h"
+#include "effects/drag.h"
+#include "simulation_state.h"
+#include "vector.h"
+
+/* A step may stretch no triangle by more than this part of its rest length, unless it ends below
+ * the second. */
+static const double greatest_growth = 0.25;
+static const double harmless_strain = 0.5;
+/* A contact not foreseen is added and the system solved again, this many times in a step. */
+enum { most_solutions = 3 };
+/* After this many steps in a row without trouble a halved length is doubled. */
+enum { steps_before_growth = 3 };
+
+static const double (*read_only(double (*a)[3]))[3] {
+    return (const double(*)[3])a;
+}
+
+static void add_triangle_forces(simulation *sim) {
+    const double start = clock_seconds();
+    triangle_forces(&sim->triangles, &sim->triangle_material, sim->h, read_only(sim->x),
+                    read_only(sim->v), &sim->system);
+    /* One loop makes both: where both are active each is charged half. */
+    const double seconds = clock_seconds() - start;
+    const int both = sim->effects[EFFECT_STRETCH].active && sim->effects[EFFECT_SHEAR].active;
+    if (!sim->effects[EFFECT_SHEAR].active || both)
+        sim->effects[EFFECT_STRETCH].seconds += both ? seconds / 2 : seconds;
+    if (sim->effects[EFFECT_SHEAR].active)
+        sim->effects[EFFECT_SHEAR].seconds += both ? seconds / 2 : seconds;
+}
+
+static void add_hinge_forces(simulation *sim) {
+    const double start = clock_seconds();
+    hinge_update_angles(&sim->hinges, read_only(sim->x));
+    hinge_forces(&sim->hinges, &sim->hinge_material, sim->h, read_only(sim->x), read_only(sim->v),
+                 &sim->system);
+    sim->effects[EFFECT_BEND].seconds += clock_seconds() - start;
+}
+
+static void add_drag(simulation *sim) {
+    const double start = clock_seconds();
+    drag_forces(&sim->triangles, sim->scene->drag, sim->scene->wind, sim->h, read_only(sim->x),
+                read_only(sim->v), &sim->system);
+    sim->effects[EFFECT_DRAG].seconds += clock_seconds() - start;
+}
+
+void evaluateForces(simulation *sim) {
+    sim->h = sim->scene->step * sim->ticks / TICKS_PER_STEP;
+    const double start = clock_seconds();
+    system_reset(&sim->system, sim->mass, sim->scene->gravity, sim->h);
+    sim->effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
+    if (sim->has_triangle_forces)
+        add_triangle_forces(sim);
+    if (sim->has_hinge_forces)
+        add_hinge_forces(sim);
+    if (sim->effects[EFFECT_DRAG].active)
+        add_drag(sim);
+}
+
+void collisionDetection(simulation *sim) {
+    const double start = clock_seconds();
+    const double scale = sim->h / sim->guess_h;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            sim->dv[i][a] = scale * sim->guess[i][a];
+    collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
+                      read_only(sim->v), read_only(sim->dv), &sim->system);
+    collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
+    sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
+}
+
+void solveSystem(simulation *sim) {
+    const double fall = vector_length(sim->scene->gravity) * sim->h;
+    const solver_limits limits = {
+        .tolerance = sim->scene->tolerance,
+        /* At rest b is nearly 0: what gravity does in a step is the scale of what matters. */
+        .floor = 1e-3 * sim->scene->tolerance * fall * sqrt(sim->total_mass),
+        .max_iterations = sim->scene->max_iterations,
+    };
+    for (int n = 0; n < most_solutions; n++) {
+        sim->solver_status = solver_solve(&sim->solver, &sim->system, &sim->constraints, &limits,
+                                          sim->dv, &sim->iterations);
+        if (sim->solver_status != SOLVER_CONVERGED || n + 1 == most_solutions ||
+            collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
+                                  read_only(sim->v), read_only(sim->dv)) == 0)
+            return;
+        collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
+    }
+}
+
+/* x_next and v_next; returns whether all of them are finite. */
+static int move(simulation *sim) {
+    const int count = sim->mesh->vertex_count;
+    const double end = sim->scene->step * ((double)sim->frame +
+                                           (double)(sim->ticks_done + sim->ticks) / TICKS_PER_STEP);
+    int broken = 0;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++)
+        vector_add_scaled(sim->v[i], 1, sim->dv[i], sim->v_next[i]);
+    collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
+                        sim->v_next);
+#pragma omp parallel for schedule(static) reduction(max : broken)
+    for (int i = 0; i < count; i++) {
+        vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);
+        for (int a = 0; a < 3; a++)
+            if (!isfinite(sim->x_next[i][a]) || !isfinite(sim->v_next[i][a]))
+                broken = 1;
+    }
+    collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
+    return !broken;
+}
+
+/* The step ends in a state the cloth may be in. At the shortest length anything finite will do. */
+static int acceptable(const simulation *sim, int finite, double strain) {
+    if (!finite || !isfinite(strain))
+        return 0;
+    if (sim->ticks == 1)
+        return 1;
+    return sim->solver_status == SOLVER_CONVERGED &&
+           (strain < harmless_strain || strain - sim->strain < greatest_growth);
+}
+
+static void accept(simulation *sim, double strain) {
+    const size_t count = (size_t)sim->mesh->vertex_count;
+    collisions_accept(&sim->collisions, sim->h, sim->mass, read_only(sim->v_next),
+                      read_only(sim->solver.residual));
+    memcpy(sim->x, sim->x_next, sizeof *sim->x * count);
+    memcpy(sim->v, sim->v_next, sizeof *sim->v * count);
+    memcpy(sim->guess, sim->dv, sizeof *sim->guess * count);
+    sim->guess_h = sim->h;
+    sim->strain = strain;
+    sim->steps_taken++;
+    sim->easy_steps++;
+    sim->ticks_done += sim->ticks;
+    if (sim->easy_steps >= steps_before_growth && sim->ticks < TICKS_PER_STEP &&
+        sim->ticks_done % (2 * sim->ticks) == 0) {
+        sim->ticks *= 2;
+        sim->easy_steps = 0;
+    }
+    if (sim->ticks_done == TICKS_PER_STEP) {
+        sim->ticks_done = 0;
+        sim->frame++;
+    }
+}
+
+static void reject(simulation *sim) {
+    sim->steps_rejected++;
+    sim->easy_steps = 0;
+    if (sim->ticks > 1)
+        sim->ticks /= 2;
+}
+
+void updateSystem(simulation *sim) {
+    const int finite = move(sim);
+    const double strain = triangle_greatest_strain(&sim->triangles, read_only(sim->x_next));
+    sim->accepted = acceptable(sim, finite, strain);
+    if (sim->accepted)
+        accept(sim, strain);
+    else
+        reject(sim);
+}
+
+static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
+    const double start = clock_seconds();
+    run(sim);
+    sim->phases[index].seconds += clock_seconds() - start;
+    sim->phases[index].calls++;
+}
+
+int simulation_step(simulation *sim, char *error) {
+    const long frame = sim->frame;
+    while (sim->frame == frame) {
+        const int shortest = sim->ticks == 1;
+        run_phase(sim, PHASE_FORCES, evaluateForces);
+        run_phase(sim, PHASE_COLLISIONS, collisionDetection);
+        run_phase(sim, PHASE_SOLVE, solveSystem);
+        run_phase(sim, PHASE_UPDATE, updateSystem);
+        if (!sim->accepted && shortest) {
+            snprintf(error, 256, "no finite state after %g s, even in steps of %g s",
+                     simulation_time(sim), sim->h);
+            return -1;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Making, ending and looking at a simulation; simulation.c runs it. */
+#include "simulation_state.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "vector.h"
+
+/* A third of each triangle's mass to each of its vertices. */
+static void share_mass(simulation *sim) {
+    for (int t = 0; t < sim->triangles.count; t++)
+        for (int p = 0; p < 3; p++)
+            sim->mass[sim->triangles.vertex[t][p]] +=
+                sim->scene->density * sim->triangles.rest[t].area / 3;
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sim->total_mass += sim->mass[i];
+}
+
+/* Only elements with a force couple vertices in A. */
+static int lay_out_system(simulation *sim) {
+    element_list lists[2];
+    int count = 0;
+    if (sim->has_triangle_forces)
+        lists[count++] = (element_list){sim->triangles.count, 3, &sim->triangles.vertex[0][0]};
+    if (sim->has_hinge_forces)
+        lists[count++] = (element_list){sim->hinges.count, 4, &sim->hinges.vertex[0][0]};
+    if (system_init(&sim->system, sim->mesh->vertex_count, count, lists) != 0)
+        return -1;
+    return sim->has_triangle_forces ? triangle_elements_place(&sim->triangles, &sim->system.A) : 0;
+}
+
+static int allocate_state(simulation *sim) {
+    const size_t n = (size_t)sim->mesh->vertex_count + 1;
+    sim->mass = calloc(n, sizeof *sim->mass);
+    sim->x = calloc(n, sizeof *sim->x);
+    sim->v = calloc(n, sizeof *sim->v);
+    sim->guess = calloc(n, sizeof *sim->guess);
+    sim->dv = calloc(n, sizeof *sim->dv);
+    sim->x_next = calloc(n, sizeof *sim->x_next);
+    sim->v_next = calloc(n, sizeof *sim->v_next);
+    if (!sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv || !sim->x_next || !sim->v_next)
+        return -1;
+    return 0;
+}
+
+/* At rest, but for moving pins; expected to fall freely in the first step. */
+static void set_start(simulation *sim) {
+    const scene *s = sim->scene;
+    memcpy(sim->x, sim->mesh->position, sizeof *sim->x * (size_t)sim->mesh->vertex_count);
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            sim->guess[i][a] = s->step * s->gravity[a];
+    collisions_place_pins(&sim->collisions, 0, sim->x, sim->v);
+    sim->ticks = TICKS_PER_STEP;
+    sim->h = s->step;
+    sim->guess_h = s->step;
+    sim->strain = triangle_greatest_strain(&sim->triangles, (const double(*)[3])sim->x);
+    hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
+}
+
+static int pinned_count(const simulation *sim) {
+    int count = 0;
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        count += sim->collisions.pin_of[i] >= 0;
+    return count;
+}
+
+static void set_effect(simulation *sim, int effect, const char *name, int active, int elements) {
+    sim->effects[effect] = (effect_account){name, active, active ? elements : 0, 0};
+}
+
+static void plan_effects(simulation *sim) {
+    const scene *s = sim->scene;
+    const triangle_material *t = &sim->triangle_material;
+    const int triangles = sim->triangles.count, vertices = sim->mesh->vertex_count;
+    const int damps_triangles = t->stretch_damping > 0 || t->shear_damping > 0;
+    const int damps_hinges = sim->hinge_material.bend_damping > 0;
+    const int pinned = pinned_count(sim);
+    set_effect(sim, EFFECT_STRETCH, "stretch", t->stretch > 0, triangles);
+    set_effect(sim, EFFECT_SHEAR, "shear", t->shear > 0, triangles);
+    set_effect(sim, EFFECT_BEND, "bend", sim->hinge_material.bend > 0, sim->hinges.count);
+    set_effect(sim, EFFECT_DAMPING, "damping", damps_triangles || damps_hinges,
+               (damps_triangles ? triangles : 0) + (damps_hinges ? sim->hinges.count : 0));
+    set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
+    set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
+    set_effect(sim, EFFECT_WIND, "wind", s->drag > 0 && vector_length(s->wind) > 0, triangles);
+    set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
+    set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
+}
+
+static int build(simulation *sim) {
+    const scene *s = sim->scene;
+    const int vertices = sim->mesh->vertex_count;
+    sim->triangle_material =
+        (triangle_material){s->stretch, s->shear, s->stretch_damping, s->shear_damping};
+    sim->hinge_material = (hinge_material){s->bend, s->bend_damping};
+    sim->has_triangle_forces =
+        s->stretch > 0 || s->shear > 0 || s->stretch_damping > 0 || s->shear_damping > 0;
+    sim->has_hinge_forces = s->bend > 0 || s->bend_damping > 0;
+    if (allocate_state(sim) != 0 || triangle_elements_init(&sim->triangles, sim->mesh) != 0 ||
+        (sim->has_hinge_forces && hinge_elements_init(&sim->hinges, sim->mesh) != 0))
+        return -1;
+    share_mass(sim);
+    if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
+        solver_init(&sim->solver, vertices) != 0 ||
+        collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
+        return -1;
+    set_start(sim);
+    plan_effects(sim);
+    return 0;
+}
+
+simulation *simulation_new(const mesh *m, const scene *s, char *error) {
+    simulation *sim = calloc(1, sizeof *sim);
+    if (sim) {
+        sim->mesh = m;
+        sim->scene = s;
+        if (build(sim) == 0 && isfinite(sim->strain))
+            return sim;
+        if (sim->strain != 0 && !isfinite(sim->strain)) {
+            snprintf(error, 256, "the mesh has a position that is not finite");
+            simulation_free(sim);
+            return NULL;
+        }
+    }
+    simulation_free(sim);
+    snprintf(error, 256, "out of memory for a simulation of %d vertices", m->vertex_count);
+    return NULL;
+}
+
+void simulation_free(simulation *sim) {
+    if (!sim)
+        return;
+    triangle_elements_free(&sim->triangles);
+    hinge_elements_free(&sim->hinges);
+    system_free(&sim->system);
+    collisions_free(&sim->collisions);
+    constraints_free(&sim->constraints);
+    solver_free(&sim->solver);
+    free(sim->mass);
+    free(sim->x);
+    free(sim->v);
+    free(sim->guess);
+    free(sim->dv);
+    free(sim->x_next);
+    free(sim->v_next);
+    free(sim);
+}
+
+const double (*simulation_positions(const simulation *sim))[3] {
+    return (const double(*)[3])sim->x;
+}
+
+const double (*simulation_velocities(const simulation *sim))[3] {
+    return (const double(*)[3])sim->v;
+}
+
+double simulation_time(const simulation *sim) {
+    return sim->scene->step * ((double)sim->frame + (double)sim->ticks_done / TICKS_PER_STEP);
+}
+
+const phase *simulation_phases(const simulation *sim) {
+    return sim->phases;
+}
+
+const effect_account *simulation_effects(const simulation *sim, int *count) {
+    *count = EFFECT_COUNT;
+    return sim->effects;
+}
+
+long simulation_iterations(const simulation *sim) {
+    return sim->iterations;
+}
+
+long simulation_steps_taken(const simulation *sim) {
+    return sim->steps_taken;
+}
+
+long simulation_steps_rejected(const simulation *sim) {
+    return sim->steps_rejected;
+}
+
+long simulation_matrix_blocks(const simulation *sim) {
+    return sim->system.A.block_count;
+}

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What a simulation consists of: for simulation.c and its tests, not for callers. */
+#ifndef FABRIC_SIMULATION_STATE_H
+#define FABRIC_SIMULATION_STATE_H
+
+#include "collision.h"
+#include "constraint.h"
+#include "effects/hinge.h"
+#include "effects/triangle.h"
+#include "simulation.h"
+#include "solver.h"
+#include "system.h"
+
+enum {
+    EFFECT_STRETCH,
+    EFFECT_SHEAR,
+    EFFECT_BEND,
+    EFFECT_DAMPING, /* of the three above; its seconds are within theirs */
+    EFFECT_GRAVITY,
+    EFFECT_DRAG,
+    EFFECT_WIND, /* its seconds are within drag's */
+    EFFECT_PINS,
+    EFFECT_CONTACT,
+    EFFECT_COUNT
+};
+
+/** A step may be halved ten times: time within it is counted in these. */
+enum { TICKS_PER_STEP = 1024 };
+
+struct simulation {
+    const mesh *mesh;
+    const scene *scene;
+
+    /* what the scene calls for */
+    triangle_elements triangles; /* for stretch, shear, drag, strain */
+    hinge_elements hinges;       /* none without bending */
+    triangle_material triangle_material;
+    hinge_material hinge_material;
+    int has_triangle_forces, has_hinge_forces;
+    double *mass; /* [vertices] kg */
+    double total_mass;
+
+    /* state, accepted */
+    double (*x)[3]; /* [vertices] m */
+    double (*v)[3]; /* [vertices] m/s */
+    double strain;  /* greatest */
+    long frame;     /* whole steps of the scene done */
+    int ticks_done; /* of the step under way */
+
+    /* the step being taken */
+    int ticks;           /* its length */
+    double h;            /* the same in s */
+    double (*guess)[3];  /* [vertices] m/s, dv of the last step accepted */
+    double guess_h;      /* that step's length, s */
+    double (*dv)[3];     /* [vertices] m/s */
+    double (*x_next)[3]; /* [vertices] m */
+    double (*v_next)[3]; /* [vertices] m/s */
+    linear_system system;
+    collisions collisions;
+    constraints constraints;
+    solver solver;
+    solver_status solver_status;
+    int accepted;   /* what updateSystem decided */
+    int easy_steps; /* accepted in a row at this length */
+
+    /* accounts */
+    phase phases[PHASE_COUNT];
+    effect_account effects[EFFECT_COUNT];
+    long iterations, steps_taken, steps_rejected;
+};
+
+#endif

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * An iteration is two parallel sweeps: the product A p, and everything else. The second sweep works
+ * on chunks of vertices, three passes one after the other in one parallel region; every thread sums
+ * the chunks' partial sums itself, in order, so that all have the same step lengths at once.
+ */
+#include "solver.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "solver_precondition.h"
+#include "sparse_product.h"
+#include "vector.h"
+
+enum { chunk_size = 64 }; /* vertices; part of the result's bits, so not to be tuned by machine */
+
+void solver_free(solver *s) {
+    free(s->residual);
+    free(s->preconditioned);
+    free(s->direction);
+    free(s->product);
+    free(s->inverse);
+    free(s->sum_direction);
+    free(s->sum_residual);
+    *s = (solver){0};
+}
+
+int solver_init(solver *s, int count) {
+    const size_t n = (size_t)count + 1;
+    *s = (solver){.count = count, .chunks = (count + chunk_size - 1) / chunk_size};
+    s->residual = calloc(n, sizeof *s->residual);
+    s->preconditioned = calloc(n, sizeof *s->preconditioned);
+    s->direction = calloc(n, sizeof *s->direction);
+    s->product = calloc(n, sizeof *s->product);
+    s->inverse = calloc(n, sizeof *s->inverse);
+    s->sum_direction = calloc((size_t)s->chunks + 1, sizeof *s->sum_direction);
+    s->sum_residual = calloc((size_t)s->chunks + 1, sizeof *s->sum_residual);
+    if (s->residual && s->preconditioned && s->direction && s->product && s->inverse &&
+        s->sum_direction && s->sum_residual)
+        return 0;
+    solver_free(s);
+    return -1;
+}
+
+static double sum_in_order(const double *partial, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += partial[k];
+    return sum;
+}
+
+static int chunk_end(const solver *s, int chunk) {
+    const int end = (chunk + 1) * chunk_size;
+    return end < s->count ? end : s->count;
+}
+
+/* residual = b - product, preconditioned = P residual; returns r'Pr. Clears product. */
+static double start_residual(solver *s, const double (*b)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < s->chunks; chunk++) {
+        double sum = 0;
+        for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+            vector_subtract(b[i], s->product[i], s->residual[i]);
+            precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
+            sum += vector_dot(s->residual[i], s->preconditioned[i]);
+            for (int c = 0; c < 3; c++)
+                s->product[i][c] = 0;
+        }
+        s->sum_residual[chunk] = sum;
+    }
+    return sum_in_order(s->sum_residual, s->chunks);
+}
+
+/* dv = S dv + z; returns whether any z is not 0. */
+static int apply_constraints(const constraints *c, double (*dv)[3]) {
+    int driven = 0;
+#pragma omp parallel for schedule(static) reduction(max : driven)
+    for (int i = 0; i < c->count; i++) {
+        if (c->given[i] == 0)
+            continue;
+        const double guess[3] = {dv[i][0], dv[i][1], dv[i][2]};
+        for (int a = 0; a < 3; a++) {
+            dv[i][a] = vector_dot(c->S[i][a], guess) + c->z[i][a];
+            if (c->z[i][a] != 0)
+                driven = 1;
+        }
+    }
+    return driven;
+}
+
+static void clear(double (*y)[3], int count) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++)
+        y[i][0] = y[i][1] = y[i][2] = 0;
+}
+
+static void copy(const double (*from)[3], double (*to)[3], int count) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = from[i][c];
+}
+
+/* p'Ap of one chunk. */
+static double direction_sum(const solver *s, int chunk) {
+    double sum = 0;
+    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++)
+        sum += vector_dot(s->direction[i], s->product[i]);
+    return sum;
+}
+
+/* dv += alpha p, r -= alpha A p, Pr; returns r'Pr of one chunk. */
+static double advance(solver *s, int chunk, double alpha, double (*dv)[3]) {
+    double sum = 0;
+    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+        vector_add_scaled(dv[i], alpha, s->direction[i], dv[i]);
+        vector_add_scaled(s->residual[i], -alpha, s->product[i], s->residual[i]);
+        precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
+        sum += vector_dot(s->residual[i], s->preconditioned[i]);
+    }
+    return sum;
+}
+
+/* p = Pr + beta p, and product = 0 for the next iteration. */
+static void turn(solver *s, int chunk, double beta) {
+    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+        vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
+        for (int c = 0; c < 3; c++)
+            s->product[i][c] = 0;
+    }
+}
+
+/* All of an iteration but the product. *rz = r'Pr, before and after; returns p'Ap. A p'Ap that is
+ * not positive changes nothing but the direction. */
+static double iterate(solver *s, double (*dv)[3], double *rz) {
+    const double before = *rz;
+#pragma omp parallel
+    {
+        double curvature, after;
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            s->sum_direction[chunk] = direction_sum(s, chunk);
+        curvature = sum_in_order(s->sum_direction, s->chunks);
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            s->sum_residual[chunk] = advance(s, chunk, curvature > 0 ? before / curvature : 0, dv);
+        after = sum_in_order(s->sum_residual, s->chunks);
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            turn(s, chunk, after / before);
+    }
+    *rz = sum_in_order(s->sum_residual, s->chunks);
+    return sum_in_order(s->sum_direction, s->chunks);
+}
+
+/* |b - A z| in the preconditioner's norm, squared: what the residual is measured against. */
+static double reference_square(solver *s, const linear_system *system, const constraints *c,
+                               int driven) {
+    if (driven)
+        half_product(&system->A, (const double(*)[3])c->z, s->product);
+    return start_residual(s, (const double(*)[3])system->b);
+}
+
+solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
+                           const solver_limits *limits, double (*dv)[3], long *iterations) {
+    preconditioner_build(&system->A, c, s->inverse);
+    const int driven = apply_constraints(c, dv);
+    clear(s->product, s->count);
+    const double reference = reference_square(s, system, c, driven);
+    half_product(&system->A, (const double(*)[3])dv, s->product);
+    double rz = start_residual(s, (const double(*)[3])system->b);
+    copy((const double(*)[3])s->preconditioned, s->direction, s->count);
+
+    const double relative = limits->tolerance * limits->tolerance * reference;
+    const double absolute = limits->floor * limits->floor;
+    const double goal = relative > absolute ? relative : absolute;
+    for (int k = 0;; k++) {
+        if (!isfinite(rz) || !isfinite(reference))
+            return SOLVER_NOT_FINITE;
+        if (rz <= goal)
+            return SOLVER_CONVERGED;
+        if (k == limits->max_iterations)
+            return SOLVER_TOO_MANY_ITERATIONS;
+        half_product(&system->A, (const double(*)[3])s->direction, s->product);
+        ++*iterations;
+        const double curvature = iterate(s, dv, &rz);
+        if (!isfinite(curvature))
+            return SOLVER_NOT_FINITE;
+        if (!(curvature > 0))
+            return SOLVER_BREAKDOWN;
+    }
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "solver_precondition.h"
+
+#include <math.h>
+
+#include "vector.h"
+
+/* out = left right, each 3x3 */
+static void multiply(const double left[3][3], const double right[3][3], double out[3][3]) {
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++)
+            out[r][c] =
+                left[r][0] * right[0][c] + left[r][1] * right[1][c] + left[r][2] * right[2][c];
+}
+
+/* The inverse of a symmetric positive definite matrix, by its cofactors; 0 for any other. The
+ * leading minors tell which it is (Sylvester). */
+static void invert(const double a[3][3], double inverse[3][3]) {
+    const double minor = a[0][0] * a[1][1] - a[0][1] * a[0][1];
+    double column[3][3];
+    vector_cross(a[1], a[2], column[0]);
+    vector_cross(a[2], a[0], column[1]);
+    vector_cross(a[0], a[1], column[2]);
+    const double determinant = vector_dot(a[0], column[0]);
+    const int definite = a[0][0] > 0 && minor > 0 && determinant > 0 && isfinite(determinant);
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++)
+            inverse[r][c] = definite ? column[c][r] / determinant : 0;
+}
+
+static void invert_free(const double a[3][3], const double S[3][3], int given, double out[3][3]) {
+    double half[3][3], within[3][3], inverse[3][3];
+    if (given == 0) {
+        invert(a, out);
+        return;
+    }
+    multiply(S, a, half);
+    multiply(half, S, within);
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++)
+            within[r][c] += (r == c ? 1.0 : 0.0) * a[0][0] - a[0][0] * S[r][c];
+    invert(within, inverse);
+    multiply(S, inverse, half);
+    multiply(half, S, out);
+}
+
+void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < A->row_count; i++) {
+        double P[3][3];
+        invert_free((const double(*)[3])A->value[A->row_start[i]], (const double(*)[3])c->S[i],
+                    c->given[i], P);
+        for (int r = 0, m = 0; r < 3; r++)
+            for (int k = r; k < 3; k++, m++)
+                inverse[i][m] = c->given[i] < 3 ? (P[r][k] + P[k][r]) / 2 : 0;
+    }
+}

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "system.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Sorts the first `count` of `column` and drops repetitions; returns how many are left. */
+static int sort_unique(int *column, int count) {
+    int kept = 0;
+    for (int k = 0; k < count; k++) {
+        const int c = column[k];
+        int at = kept;
+        while (at > 0 && column[at - 1] > c)
+            at--;
+        if (at > 0 && column[at - 1] == c)
+            continue;
+        memmove(&column[at + 1], &column[at], sizeof(int) * (size_t)(kept - at));
+        column[at] = c;
+        kept++;
+    }
+    return kept;
+}
+
+/* Gives every pair (smaller, larger) of vertices that share an element, diagonals not included, to
+ * the row of the smaller: counts them where column is NULL, else stores and advances next. */
+static void visit_pairs(int list_count, const element_list *lists, int *next, int *column) {
+    for (int l = 0; l < list_count; l++)
+        for (int e = 0; e < lists[l].count; e++) {
+            const int *v = lists[l].vertex + (size_t)e * (size_t)lists[l].size;
+            for (int a = 0; a < lists[l].size; a++)
+                for (int b = 0; b < lists[l].size; b++) {
+                    if (v[a] >= v[b])
+                        continue;
+                    if (column)
+                        column[next[v[a]]] = v[b];
+                    next[v[a]]++;
+                }
+        }
+}
+
+/* The columns of each row with repetitions, then without: *column and row_start are the result. */
+static int find_columns(int rows, int list_count, const element_list *lists, int *row_start,
+                        int **column) {
+    int *first = calloc((size_t)rows + 1, sizeof *first);
+    int *next = calloc((size_t)rows + 1, sizeof *next);
+    int *wide = NULL;
+    int total = 0, kept = 0;
+    int status = -1;
+    if (!first || !next)
+        goto done;
+    visit_pairs(list_count, lists, next, NULL);
+    for (int i = 0; i < rows; i++) {
+        first[i] = total;
+        total += next[i] + 1; /* and the diagonal */
+        next[i] = first[i] + 1;
+    }
+    wide = malloc(sizeof *wide * ((size_t)total + 1));
+    if (!wide)
+        goto done;
+    visit_pairs(list_count, lists, next, wide);
+    for (int i = 0; i < rows; i++) {
+        wide[first[i]] = i;
+        const int count = sort_unique(&wide[first[i]], next[i] - first[i]);
+        memmove(&wide[kept], &wide[first[i]], sizeof *wide * (size_t)count);
+        row_start[i] = kept;
+        kept += count;
+    }
+    row_start[rows] = kept;
+    *column = wide;
+    wide = NULL;
+    status = 0;
+done:
+    free(first);
+    free(next);
+    free(wide);
+    return status;
+}
+
+void block_matrix_free(block_matrix *A) {
+    free(A->row_start);
+    free(A->column);
+    free(A->value);
+    *A = (block_matrix){0};
+}
+
+void system_free(linear_system *s) {
+    block_matrix_free(&s->A);
+    free(s->b);
+    s->b = NULL;
+}
+
+int system_init(linear_system *s, int vertex_count, int list_count, const element_list *lists) {
+    *s = (linear_system){0};
+    s->A.row_count = vertex_count;
+    s->A.row_start = calloc((size_t)vertex_count + 1, sizeof *s->A.row_start);
+    s->b = calloc((size_t)vertex_count + 1, sizeof *s->b);
+    if (!s->A.row_start || !s->b ||
+        find_columns(vertex_count, list_count, lists, s->A.row_start, &s->A.column) != 0) {
+        system_free(s);
+        return -1;
+    }
+    s->A.block_count = s->A.row_start[vertex_count];
+    s->A.value = calloc((size_t)s->A.block_count + 1, sizeof *s->A.value);
+    if (!s->A.value) {
+        system_free(s);
+        return -1;
+    }
+    return 0;
+}
+
+void system_reset(linear_system *s, const double *mass, const double gravity[3], double h) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < s->A.row_count; i++) {
+        const int diagonal = s->A.row_start[i];
+        const int end = s->A.row_start[i + 1];
+        memset(s->A.value[diagonal], 0, sizeof *s->A.value * (size_t)(end - diagonal));
+        for (int c = 0; c < 3; c++) {
+            s->A.value[diagonal][c][c] = mass[i];
+            s->b[i][c] = h * mass[i] * gravity[c];
+        }
+    }
+}
+
+/* Row lengths of the complete matrix, as row starts. */
+static void complete_row_starts(const block_matrix *half, int *row_start) {
+    for (int i = 0; i < half->row_count; i++)
+        for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
+            row_start[i + 1]++;
+            if (half->column[k] != i)
+                row_start[half->column[k] + 1]++;
+        }
+    for (int i = 0; i < half->row_count; i++)
+        row_start[i + 1] += row_start[i];
+}
+
+int block_matrix_complete(const block_matrix *half, block_matrix *full) {
+    const int rows = half->row_count;
+    const size_t blocks = 2 * (size_t)half->block_count - (size_t)rows;
+    *full = (block_matrix){.row_count = rows, .block_count = (int)blocks};
+    full->row_start = calloc((size_t)rows + 1, sizeof *full->row_start);
+    full->column = calloc(blocks + 1, sizeof *full->column);
+    full->value = calloc(blocks + 1, sizeof *full->value);
+    int *next = calloc((size_t)rows + 1, sizeof *next);
+    if (!full->row_start || !full->column || !full->value || !next) {
+        block_matrix_free(full);
+        free(next);
+        return -1;
+    }
+    complete_row_starts(half, full->row_start);
+    memcpy(next, full->row_start, sizeof *next * (size_t)rows);
+    /* Rows in ascending order: what comes from rows above, the transposed blocks, is left of the
+     * diagonal and is there before the row's own blocks, so columns ascend. */
+    for (int i = 0; i < rows; i++)
+        for (int k = half->row_start[i]; k < half->row_start[i + 1]; k++) {
+            const int j = half->column[k];
+            full->column[next[i]] = j;
+            memcpy(full->value[next[i]++], half->value[k], sizeof *half->value);
+            if (j == i)
+                continue;
+            full->column[next[j]] = i;
+            for (int r = 0; r < 3; r++)
+                for (int c = 0; c < 3; c++)
+                    full->value[next[j]][r][c] = half->value[k][c][r];
+            next[j]++;
+        }
+    free(next);
+    return 0;
+}

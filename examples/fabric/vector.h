@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Vectors of three doubles. Results are written last: an output may be one of the inputs. */
+#ifndef FABRIC_VECTOR_H
+#define FABRIC_VECTOR_H
+
+#include <math.h>
+
+static inline double vector_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double vector_length(const double a[3]) {
+    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+static inline void vector_subtract(const double a[3], const double b[3], double difference[3]) {
+    difference[0] = a[0] - b[0];
+    difference[1] = a[1] - b[1];
+    difference[2] = a[2] - b[2];
+}
+
+static inline void vector_cross(const double a[3], const double b[3], double product[3]) {
+    const double x = a[1] * b[2] - a[2] * b[1];
+    const double y = a[2] * b[0] - a[0] * b[2];
+    const double z = a[0] * b[1] - a[1] * b[0];
+    product[0] = x;
+    product[1] = y;
+    product[2] = z;
+}
+
+/** sum = a + factor * b */
+static inline void vector_add_scaled(const double a[3], double factor, const double b[3],
+                                     double sum[3]) {
+    sum[0] = a[0] + factor * b[0];
+    sum[1] = a[1] + factor * b[1];
+    sum[2] = a[2] + factor * b[2];
+}
+
+#endif
