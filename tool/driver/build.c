@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/build.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+
+/* One run of the compiler whose messages are held back until it is known to count. */
+typedef struct attempt {
+    int status;
+    const char *output;
+    const char *error;
+} attempt;
+
+static attempt try_command(session *s, const word_list *words, const char *input) {
+    unsigned number = s->attempts++;
+    attempt made = {0, arena_format(s->memory, "%s/output-%u", s->folder, number),
+                    arena_format(s->memory, "%s/error-%u", s->folder, number)};
+    made.status = session_run(s, words, (process_streams){input, made.output, made.error});
+    return made;
+}
+
+static void show_attempt(const session *s, const attempt *made) {
+    if (s->show)
+        return;
+    file_show(made->output, stdout);
+    file_show(made->error, stderr);
+}
+
+/* A signal to this process, or one that ended the compiler, ends the build: nothing is tried again.
+ */
+static bool was_interrupted(const attempt *made) {
+    return process_signal() || made->status == -SIGINT || made->status == -SIGTERM;
+}
+
+/* Messages go through a file and would lose their colours. */
+static void add_colour(session *s, word_list *list) {
+    const char *terminal = getenv("TERM");
+    bool chosen = false;
+    for (unsigned i = 0; i < s->command.count; i++)
+        chosen |= strncmp(s->command.items[i].text, "-fdiagnostics-", 14) == 0 ||
+                  strstr(s->command.items[i].text, "color-diagnostics") != NULL;
+    if (!chosen && isatty(STDERR_FILENO) && terminal && strcmp(terminal, "dumb") != 0)
+        words_add(s->memory, list, "-fdiagnostics-color=always");
+}
+
+bool build_can_add_runtime(const session *s) {
+    return s->command.links && s->tools.library && !s->real.is_foreign &&
+           !(s->command.meaning & OPTION_NO_RUNTIME);
+}
+
+/* The runtime and OpenMP, as needed: a program in which nothing was translated links as ever. */
+static void add_runtime(session *s, word_list *list) {
+    arena *a = s->memory;
+    if (!build_can_add_runtime(s))
+        return;
+    if (s->command.language)
+        words_add(a, list, "-xnone");
+    words_add(a, list, "-Wl,--push-state,--as-needed");
+    words_add(a, list, s->tools.library);
+    size_t length = strlen(s->tools.library);
+    if (length > 3 && strcmp(s->tools.library + length - 3, ".so") == 0)
+        words_add(a, list, arena_format(a, "-Wl,-rpath,%s", path_folder(a, s->tools.library)));
+    const char *openmp = NULL;
+    if (s->real.is_clang && !s->show)
+        openmp = compiler_openmp(a, &s->real, s->folder);
+    words_add(a, list, openmp ? openmp : "-lgomp");
+    words_add(a, list, "-lpthread");
+    words_add(a, list, "-lm");
+    words_add(a, list, "-Wl,--pop-state");
+}
+
+/* The command as it was given; a link gets the runtime, and where that does not work does without.
+ */
+static _Noreturn void build_original(session *s) {
+    if (!build_can_add_runtime(s))
+        session_become_compiler(s);
+    word_list with_runtime = {0}, plain = {0};
+    session_add_original(s, &with_runtime);
+    add_colour(s, &with_runtime);
+    add_runtime(s, &with_runtime);
+    attempt first = try_command(s, &with_runtime, s->input);
+    if (first.status == 0 || was_interrupted(&first)) {
+        show_attempt(s, &first);
+        session_end(s, first.status);
+    }
+    session_add_original(s, &plain);
+    attempt second = try_command(s, &plain, s->input);
+    show_attempt(s, second.status == 0 ? &second : &first);
+    session_end(s, second.status == 0 ? 0 : first.status);
+}
+
+/* Adds the command with its one source replaced by the translated text. */
+static void add_replaced(session *s, word_list *list, const translation *t) {
+    words_add_all(s->memory, list, &s->real.words);
+    translation_add_before(s, list, t);
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        if (one == t->source && !t->is_input)
+            words_add(s->memory, list, t->text);
+        else if (!(one->meaning & OPTION_DEPENDENCY))
+            item_add(s->memory, list, one);
+    }
+    translation_add_after(s, list, t);
+    add_colour(s, list);
+    add_runtime(s, list);
+}
+
+/* Adds the compilation of one translated text by itself: to `object`, or (NULL) to where the
+ * command's -c or -S would put it. */
+static void add_alone(session *s, word_list *list, const translation *t, const char *object) {
+    arena *a = s->memory;
+    words_add_all(a, list, &s->real.words);
+    translation_add_before(s, list, t);
+    command_add_options(a, list, &s->command, OPTION_DEPENDENCY | OPTION_LINKER);
+    translation_add_after(s, list, t);
+    add_colour(s, list);
+    if (object) {
+        words_add(a, list, "-c");
+        words_add(a, list, "-o");
+        words_add(a, list, object);
+    }
+    words_add(a, list, "-x");
+    words_add(a, list, "c");
+    words_add(a, list, t->is_input ? "-" : t->text);
+}
+
+/* Compiles a translated text; on success its messages are shown, on failure nothing is. */
+static bool compile(session *s, const translation *t, const word_list *words, attempt *made) {
+    *made = try_command(s, words, t->is_input ? t->text : NULL);
+    if (was_interrupted(made))
+        session_end(s, made->status);
+    if (made->status == 0 && !translation_read_same(s, t)) {
+        session_explain(s, "%s: compiled as it is: the compiler would find other headers",
+                        t->source->text);
+        made->status = -1;
+        made->error = NULL;
+    }
+    if (made->status == 0)
+        show_attempt(s, made);
+    translation_keep(s, t, made->status == 0, made->status == 0 ? NULL : made->error);
+    return made->status == 0;
+}
+
+/* Has the compiler write the dependency files that the command asks for, of the sources themselves:
+ * their names, and what is in them, are then its own. */
+static bool write_dependencies(session *s) {
+    if (!(s->command.meaning & OPTION_DEPENDENCY))
+        return true;
+    word_list words = {0};
+    session_add_original(s, &words);
+    words_add(s->memory, &words, "-fsyntax-only");
+    return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
+}
+
+static void regret(const session *s, const translation *t) {
+    session_warn(s,
+                 "%s: the translated text does not compile, the source itself does and was taken; "
+                 "please report this with what REDCC_KEEP=DIR keeps of it",
+                 t->source->text);
+}
+
+/* Compiles one source again, itself, after its translated text failed; ends the process. */
+static _Noreturn void fall_back(session *s, const translation *t, const attempt *failed) {
+    if (s->command.links)
+        build_original(s); /* a link may have failed for reasons of the user's */
+    word_list words = {0};
+    session_add_original(s, &words);
+    int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
+    if (status == 0 && failed->error)
+        regret(s, t);
+    session_end(s, status);
+}
+
+static _Noreturn void build_one(session *s, const translation *t) {
+    word_list words = {0};
+    attempt made;
+    add_replaced(s, &words, t);
+    if (!write_dependencies(s))
+        build_original(s);
+    if (!compile(s, t, &words, &made))
+        fall_back(s, t, &made);
+    session_end(s, 0);
+}
+
+/* The translation that stands for this item of the command, NULL where there is none. */
+static const translation *translation_of(const item *one, const translation *translations,
+                                         const bool *done, unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        if (done[i] && translations[i].source == one)
+            return &translations[i];
+    return NULL;
+}
+
+static const char *object_of(session *s, const translation *t) {
+    return arena_format(s->memory, "%s.o", t->text);
+}
+
+/* -c or -S of several sources: each translated text by itself, the others together. */
+static _Noreturn void build_separately(session *s, const translation *translations,
+                                       const bool *done, unsigned count) {
+    word_list rest = {0};
+    bool any = false;
+    words_add_all(s->memory, &rest, &s->real.words);
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        if (translation_of(one, translations, done, count))
+            continue;
+        item_add(s->memory, &rest, one);
+        any |= one->kind == INPUT_C || one->kind == INPUT_COMPILE;
+    }
+    int status = any ? session_run(s, &rest, (process_streams){s->input, NULL, NULL}) : 0;
+    session_end(s, status);
+}
+
+/* Links: the objects of the translated texts stand where their sources stood. */
+static _Noreturn void build_linked(session *s, const translation *translations, const bool *done,
+                                   unsigned count) {
+    arena *a = s->memory;
+    word_list words = {0};
+    words_add_all(a, &words, &s->real.words);
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        const translation *t = translation_of(one, translations, done, count);
+        if (!t) {
+            if (!(one->meaning & OPTION_DEPENDENCY))
+                item_add(a, &words, one);
+            continue;
+        }
+        words_add(a, &words, "-xnone");
+        words_add(a, &words, object_of(s, t));
+        if (one->language)
+            words_add(a, &words, arena_format(a, "-x%s", one->language));
+    }
+    add_colour(s, &words);
+    add_runtime(s, &words);
+    attempt made = try_command(s, &words, s->input);
+    if (made.status != 0 && !was_interrupted(&made))
+        build_original(s);
+    show_attempt(s, &made);
+    session_end(s, made.status);
+}
+
+static _Noreturn void build_several(session *s, const translation *translations, unsigned count) {
+    bool *done = ARENA_ARRAY(s->memory, bool, count);
+    if (s->command.links && (s->command.meaning & OPTION_AUXILIARY)) {
+        session_explain(s, "compiled as it is: files beside the objects are asked for");
+        build_original(s);
+    }
+    if (!write_dependencies(s))
+        build_original(s);
+    for (unsigned i = 0; i < count; i++) {
+        const translation *t = &translations[i];
+        if (!t->text)
+            continue;
+        word_list words = {0};
+        attempt made;
+        add_alone(s, &words, t, s->command.links ? object_of(s, t) : NULL);
+        done[i] = compile(s, t, &words, &made);
+    }
+    if (s->command.links)
+        build_linked(s, translations, done, count);
+    build_separately(s, translations, done, count);
+}
+
+_Noreturn void build(session *s, const translation *translations, unsigned count) {
+    unsigned translated = 0;
+    for (unsigned i = 0; i < count; i++) {
+        translated += translations[i].text != NULL;
+        if (!translations[i].text)
+            translation_keep(s, &translations[i], false, NULL);
+    }
+    if (process_signal())
+        session_end(s, -process_signal());
+    if (translated == 0)
+        build_original(s);
+    if (s->command.compiled == 1)
+        build_one(s, &translations[0]);
+    build_several(s, translations, count);
+}

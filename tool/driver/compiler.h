@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Which real compiler to run, without ever running this program again. */
+#ifndef DRIVER_COMPILER_H
+#define DRIVER_COMPILER_H
+
+#include <stdbool.h>
+
+#include "driver/words.h"
+
+typedef struct compiler {
+    word_list words; /**< "gcc", or "ccache", "gcc": what stands before the arguments */
+    unsigned taken;  /**< how many of the words given named the compiler (launcher form) */
+    bool is_clang;
+    bool is_cxx;     /**< takes a C file for C++ */
+    bool is_foreign; /**< compiles for another machine than this */
+    bool found;      /**< false: nothing but this program itself goes by the name */
+} compiler;
+
+/** Chooses: the first of the words given, where it is a compiler's name (launcher form); $REDCC_CC;
+ *  the name this program was called by, where a link of that name stands for it; cc. `self` is this
+ *  program's path; what leads back to it is skipped. */
+compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words);
+
+/** The compiler's OpenMP library, by its path; NULL where there is none (clang comes without). Asks
+ *  the compiler; what it says passes through a file in `scratch_folder`. */
+const char *compiler_openmp(arena *a, const compiler *c, const char *scratch_folder);
+
+#endif

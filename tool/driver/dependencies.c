@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/dependencies.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "driver/files.h"
+
+static const char *without_dot_slash(const char *path) {
+    while (path[0] == '.' && path[1] == '/') {
+        path += 2;
+        while (*path == '/')
+            path++;
+    }
+    return path;
+}
+
+/* Reads one file name of a rule: "\ " is a space, "\#" a '#', "$$" a '$'. */
+static const char *read_name(const char *text, buffer *name) {
+    while (*text && !isspace((unsigned char)*text)) {
+        if (text[0] == '\\' && (text[1] == ' ' || text[1] == '#' || text[1] == '\t'))
+            text++;
+        else if (text[0] == '\\' && text[1] == '\n')
+            break;
+        else if (text[0] == '$' && text[1] == '$')
+            text++;
+        buffer_byte(name, *text++);
+    }
+    return text;
+}
+
+bool dependencies_read(arena *a, const char *path, word_list *list) {
+    const char *text = file_read(a, path, NULL);
+    const char *colon = text ? strstr(text, ": ") : NULL;
+    if (!colon)
+        return false;
+    text = colon + 1;
+    while (*text && *text != '\n') {
+        if (text[0] == '\\' && text[1] == '\n')
+            text += 2;
+        if (*text == ' ' || *text == '\t') {
+            text++;
+            continue;
+        }
+        if (!*text || *text == '\n')
+            break;
+        buffer name = {0};
+        text = read_name(text, &name);
+        if (name.length > 0)
+            words_add(a, list, without_dot_slash(arena_copy(a, name.data, name.length)));
+        buffer_free(&name);
+    }
+    return list->count > 0;
+}
+
+static bool ends_in(const char *text, const char *end) {
+    size_t length = strlen(text), end_length = strlen(end);
+    return length >= end_length && strcmp(text + length - end_length, end) == 0;
+}
+
+/* The list without the source itself, where it stands first as its own, and the runtime's header.
+ */
+static word_list headers_of(arena *a, const word_list *list, const char *source) {
+    word_list headers = {0};
+    bool seen = false;
+    for (unsigned i = 0; i < list->count; i++) {
+        const char *name = list->items[i];
+        if (!seen && strcmp(name, without_dot_slash(source)) == 0)
+            seen = true;
+        else if (!ends_in(name, "/redcc/runtime.h"))
+            words_add(a, &headers, name);
+    }
+    return headers;
+}
+
+bool dependencies_equal(arena *a, const word_list *original, const char *source,
+                        const word_list *translated, const char *text) {
+    word_list left = headers_of(a, original, source);
+    word_list right = headers_of(a, translated, text);
+    if (left.count != right.count)
+        return false;
+    for (unsigned i = 0; i < left.count; i++)
+        if (strcmp(left.items[i], right.items[i]) != 0)
+            return false;
+    return true;
+}
+
+static bool is_word_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+static bool mentions(const char *text, size_t length, const char *word) {
+    size_t word_length = strlen(word);
+    const char *end = text + length;
+    for (const char *at = text; (at = memmem(at, (size_t)(end - at), word, word_length)); at++)
+        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[word_length]))
+            return true;
+    return false;
+}
+
+bool dependencies_mention_openmp(arena *a, const word_list *files) {
+    for (unsigned i = 0; i < files->count; i++) {
+        size_t length;
+        const char *text = file_read(a, files->items[i], &length);
+        if (!text || mentions(text, length, "omp") || mentions(text, length, "_OPENMP"))
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Files and folders, paths, and the private folder for temporaries. */
+#ifndef DRIVER_FILES_H
+#define DRIVER_FILES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "support/arena.h"
+
+/** The bytes of a file and a 0 after them; *length is set where length is not NULL. NULL where it
+ *  cannot be read. */
+char *file_read(arena *a, const char *path, size_t *length);
+
+/** Whether both can be read and hold the same bytes. */
+bool file_equal(arena *a, const char *left, const char *right);
+
+/** Copies through a temporary beside `to` and a rename: nobody sees half a file. */
+bool file_copy(arena *a, const char *from, const char *to);
+
+/** Copies a file's bytes to a stream; a file that is not there has none. */
+void file_show(const char *path, FILE *stream);
+
+/** Creates the folder that `path` is to lie in, and those above it. */
+bool folder_create_for(arena *a, const char *path);
+
+/** What stands after the last slash; what stands before it ("" without a slash, "/" for the root).
+ */
+const char *path_base(const char *path);
+const char *path_folder(arena *a, const char *path);
+
+/** Whether `path` names a file, not a folder, that this process may execute. */
+bool path_is_executable(const char *path);
+
+/** A new folder that only this user can enter, below $TMPDIR or /tmp; NULL where there can be none.
+ */
+const char *temporary_create(arena *a);
+
+/** Removes a folder and all that is in it. */
+void temporary_remove(const char *folder);
+
+#endif

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/installation.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+
+/* The library folder as configured ("lib", "lib64", "lib/x86_64-linux-gnu"), below the prefix. */
+#ifndef REDCC_LIBRARY_FOLDER
+#define REDCC_LIBRARY_FOLDER "lib"
+#endif
+
+/* Where things lie, relative to a root. */
+typedef struct layout {
+    const char *translator;
+    const char *library;
+    const char *include;
+} layout;
+
+static const layout layouts[] = {
+    {"bin/redcc", REDCC_LIBRARY_FOLDER, "include"}, /* installed; the root is the prefix */
+    {"bin/redcc", "lib", "include"},
+    {"tool/redcc", "runtime", "include"}, /* built; the root is the build folder */
+};
+
+/* The real path of a file in `folder`, NULL if it cannot be read. */
+static const char *existing(arena *a, const char *folder, const char *name) {
+    char real[PATH_MAX];
+    const char *path = arena_format(a, "%s/%s", folder, name);
+    return access(path, R_OK) == 0 && realpath(path, real) ? arena_string(a, real) : NULL;
+}
+
+static void look_below(arena *a, const char *root, const layout *l, installation *found) {
+    const char *library = arena_format(a, "%s/%s", root, l->library);
+    const char *include = arena_format(a, "%s/%s", root, l->include);
+    if (!found->translator)
+        found->translator = existing(a, root, l->translator);
+    if (!found->library)
+        found->library = existing(a, library, "libredcc_rt.a");
+    if (!found->library)
+        found->library = existing(a, library, "libredcc_rt.so");
+    if (!found->include && existing(a, include, "redcc/runtime.h"))
+        found->include = existing(a, root, l->include);
+}
+
+installation installation_find(arena *a) {
+    enum { LAYOUT_COUNT = sizeof layouts / sizeof layouts[0] };
+    installation found = {NULL, NULL, NULL, NULL};
+    char self[PATH_MAX];
+    if (realpath("/proc/self/exe", self))
+        found.self = arena_string(a, self);
+    const char *given = getenv("REDCC_ROOT");
+    if (given && *given) {
+        for (unsigned i = 0; i < LAYOUT_COUNT; i++)
+            look_below(a, given, &layouts[i], &found);
+        return found;
+    }
+    if (!found.self)
+        return found;
+    const char *folder = path_folder(a, found.self);
+    look_below(a, arena_format(a, "%s/..", folder), &layouts[0], &found);
+    look_below(a, arena_format(a, "%s/..", folder), &layouts[1], &found);
+    look_below(a, arena_format(a, "%s/../..", folder), &layouts[2], &found);
+    return found;
+}

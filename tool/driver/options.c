@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/options.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* In the order of strcmp; tests/driver/test_options.c walks it. What is not listed has no argument
+ * and goes to the compiler alone. Sources: the option summaries of gcc 12 and clang 19. */
+static const option options[] = {
+    {"-###", OPTION_NO_OBJECT},
+    {"--", OPTION_JOINED | OPTION_GIVE_UP},
+    {"--coverage", OPTION_AUXILIARY},
+    {"--help", OPTION_JOINED | OPTION_NO_OBJECT},
+    {"--param", OPTION_ARGUMENT},
+    {"--param=", OPTION_JOINED},
+    {"--print-", OPTION_JOINED | OPTION_NO_OBJECT},
+    {"--sysroot", OPTION_ARGUMENT | OPTION_PARSE},
+    {"--sysroot=", OPTION_JOINED | OPTION_PARSE},
+    {"--target-help", OPTION_NO_OBJECT},
+    {"--version", OPTION_NO_OBJECT},
+    {"-A", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-B", OPTION_ARGUMENT | OPTION_JOINED},
+    {"-C", OPTION_GIVE_UP},
+    {"-CC", OPTION_GIVE_UP},
+    {"-D", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-E", OPTION_NO_OBJECT},
+    {"-F", OPTION_ARGUMENT | OPTION_JOINED},
+    {"-G", OPTION_ARGUMENT | OPTION_JOINED},
+    {"-H", 0},
+    {"-I", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-I-", OPTION_GIVE_UP},
+    {"-L", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
+    {"-M", OPTION_NO_OBJECT | OPTION_DEPENDENCY},
+    {"-MD", OPTION_DEPENDENCY},
+    {"-MF", OPTION_ARGUMENT | OPTION_JOINED | OPTION_DEPENDENCY},
+    {"-MG", OPTION_DEPENDENCY},
+    {"-MJ", OPTION_ARGUMENT | OPTION_JOINED | OPTION_GIVE_UP},
+    {"-MM", OPTION_NO_OBJECT | OPTION_DEPENDENCY},
+    {"-MMD", OPTION_DEPENDENCY},
+    {"-MP", OPTION_DEPENDENCY},
+    {"-MQ", OPTION_ARGUMENT | OPTION_JOINED | OPTION_DEPENDENCY},
+    {"-MT", OPTION_ARGUMENT | OPTION_JOINED | OPTION_DEPENDENCY},
+    {"-O", OPTION_JOINED | OPTION_PARSE},
+    {"-P", OPTION_GIVE_UP},
+    {"-Q", OPTION_GIVE_UP},
+    {"-R", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
+    {"-S", OPTION_NO_LINK},
+    {"-T", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
+    {"-U", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-Wl,", OPTION_JOINED | OPTION_LINKER},
+    {"-Wp,", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-Wp,-D", OPTION_JOINED | OPTION_PARSE},
+    {"-Wp,-M", OPTION_JOINED | OPTION_DEPENDENCY},
+    {"-Wp,-U", OPTION_JOINED | OPTION_PARSE},
+    {"-Xarch_device", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-Xarch_host", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-Xassembler", OPTION_ARGUMENT},
+    {"-Xclang", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-Xlinker", OPTION_ARGUMENT | OPTION_LINKER},
+    {"-Xpreprocessor", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-ansi", OPTION_PARSE},
+    {"-arch", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-aux-info", OPTION_ARGUMENT | OPTION_AUXILIARY},
+    {"-c", OPTION_NO_LINK},
+    {"-cc1", OPTION_NO_OBJECT},
+    {"-cc1as", OPTION_NO_OBJECT},
+    {"-dumpbase", OPTION_ARGUMENT | OPTION_AUXILIARY},
+    {"-dumpbase-ext", OPTION_ARGUMENT | OPTION_AUXILIARY},
+    {"-dumpdir", OPTION_ARGUMENT | OPTION_AUXILIARY},
+    {"-dumpfullversion", OPTION_NO_OBJECT},
+    {"-dumpmachine", OPTION_NO_OBJECT},
+    {"-dumpspecs", OPTION_NO_OBJECT},
+    {"-dumpversion", OPTION_NO_OBJECT},
+    {"-e", OPTION_ARGUMENT | OPTION_LINKER},
+    {"-emit-ast", OPTION_GIVE_UP},
+    {"-emit-llvm", OPTION_GIVE_UP},
+    {"-fbuild-session", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-fcallgraph-info", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-fdebug-prefix-map=", OPTION_JOINED | OPTION_PREFIX_MAP},
+    {"-fdirectives-only", OPTION_GIVE_UP},
+    {"-fdump-", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-ffile-prefix-map=", OPTION_JOINED | OPTION_PREFIX_MAP},
+    {"-ffreestanding", OPTION_GIVE_UP},
+    {"-fmodules", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-fno-builtin", OPTION_JOINED | OPTION_PARSE},
+    {"-fno-openmp", OPTION_GIVE_UP},
+    {"-fno-signed-char", OPTION_PARSE},
+    {"-fno-unsigned-char", OPTION_PARSE},
+    {"-fopenacc", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-fopenmp", OPTION_PARSE | OPTION_OPENMP},
+    {"-fopenmp-", OPTION_JOINED},
+    {"-fopenmp-simd", OPTION_GIVE_UP},
+    {"-fopenmp-targets=", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-fopenmp=", OPTION_JOINED | OPTION_PARSE | OPTION_OPENMP},
+    {"-fopt-info", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-fpreprocessed", OPTION_GIVE_UP},
+    {"-fprofile-", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-fsave-optimization-record", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-fshort-enums", OPTION_PARSE},
+    {"-fshort-wchar", OPTION_PARSE},
+    {"-fsigned-char", OPTION_PARSE},
+    {"-fstack-usage", OPTION_AUXILIARY},
+    {"-fsyntax-only", OPTION_NO_OBJECT},
+    {"-ftest-coverage", OPTION_AUXILIARY},
+    {"-ftime-trace", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-ftree-parallelize-loops=", OPTION_JOINED},
+    {"-funsigned-char", OPTION_PARSE},
+    {"-fworking-directory", OPTION_GIVE_UP},
+    {"-gcc-toolchain", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-gsplit-dwarf", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-help", OPTION_NO_OBJECT},
+    {"-idirafter", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-imacros", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-imultilib", OPTION_ARGUMENT | OPTION_JOINED | OPTION_GIVE_UP},
+    {"-include", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-include-pch", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-iplugindir=", OPTION_JOINED},
+    {"-iprefix", OPTION_ARGUMENT | OPTION_JOINED | OPTION_GIVE_UP},
+    {"-iquote", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-isysroot", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-isystem", OPTION_ARGUMENT | OPTION_JOINED | OPTION_PARSE},
+    {"-ivfsoverlay", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-iwithprefix", OPTION_ARGUMENT | OPTION_JOINED | OPTION_GIVE_UP},
+    {"-iwithprefixbefore", OPTION_ARGUMENT | OPTION_JOINED | OPTION_GIVE_UP},
+    {"-iwithsysroot", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-l", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
+    {"-m", OPTION_JOINED | OPTION_PARSE},
+    {"-m16", OPTION_GIVE_UP},
+    {"-m31", OPTION_GIVE_UP},
+    {"-m32", OPTION_GIVE_UP},
+    {"-mcmodel=kernel", OPTION_GIVE_UP},
+    {"-miamcu", OPTION_GIVE_UP},
+    {"-mllvm", OPTION_ARGUMENT},
+    {"-mx32", OPTION_GIVE_UP},
+    {"-nodefaultlibs", OPTION_NO_RUNTIME | OPTION_GIVE_UP},
+    {"-nolibc", OPTION_NO_RUNTIME | OPTION_GIVE_UP},
+    {"-nostartfiles", OPTION_LINKER},
+    {"-nostdinc", OPTION_PARSE},
+    {"-nostdlib", OPTION_NO_RUNTIME | OPTION_GIVE_UP},
+    {"-o", OPTION_ARGUMENT | OPTION_JOINED},
+    {"-pg", 0},
+    {"-print-", OPTION_JOINED | OPTION_NO_OBJECT},
+    {"-pthread", OPTION_PARSE},
+    {"-r", OPTION_NO_RUNTIME},
+    {"-rdynamic", OPTION_LINKER},
+    {"-s", OPTION_LINKER},
+    {"-save-temps", OPTION_JOINED | OPTION_AUXILIARY},
+    {"-specs", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-specs=", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-std=", OPTION_JOINED | OPTION_PARSE},
+    {"-symbolic", OPTION_LINKER},
+    {"-target", OPTION_ARGUMENT | OPTION_GIVE_UP},
+    {"-traditional", OPTION_JOINED | OPTION_GIVE_UP},
+    {"-trigraphs", OPTION_PARSE},
+    {"-u", OPTION_ARGUMENT | OPTION_JOINED | OPTION_LINKER},
+    {"-undef", OPTION_PARSE},
+    {"-wrapper", OPTION_ARGUMENT},
+    {"-x", OPTION_ARGUMENT | OPTION_JOINED},
+    {"-z", OPTION_ARGUMENT | OPTION_LINKER},
+};
+
+enum { OPTION_COUNT = sizeof options / sizeof options[0] };
+
+/* Orders the first `length` bytes of `word` against a whole name. */
+static int compare(const char *word, size_t length, const char *name) {
+    int order = strncmp(word, name, length);
+    if (order != 0)
+        return order;
+    return name[length] == 0 ? 0 : -1;
+}
+
+static const option *find_exactly(const char *word, size_t length) {
+    size_t first = 0, end = OPTION_COUNT;
+    while (first < end) {
+        size_t middle = first + (end - first) / 2;
+        int order = compare(word, length, options[middle].name);
+        if (order == 0)
+            return &options[middle];
+        if (order < 0)
+            end = middle;
+        else
+            first = middle + 1;
+    }
+    return NULL;
+}
+
+const option *option_find(const char *word) {
+    size_t length = strlen(word);
+    const option *found = find_exactly(word, length);
+    while (!found && length > 2) {
+        found = find_exactly(word, --length);
+        if (found && !(found->meaning & OPTION_JOINED))
+            found = NULL;
+    }
+    return found;
+}
+
+const option *option_at(unsigned index) {
+    return index < OPTION_COUNT ? &options[index] : NULL;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the options of gcc and clang mean to a compiler wrapper: one sorted table. */
+#ifndef DRIVER_OPTIONS_H
+#define DRIVER_OPTIONS_H
+
+enum option_meaning {
+    OPTION_ARGUMENT = 1 << 0,  /**< written alone, it takes the next word */
+    OPTION_JOINED = 1 << 1,    /**< text may follow it in the same word */
+    OPTION_PARSE = 1 << 2,     /**< the translator must see it to read the source as the compiler */
+    OPTION_NO_OBJECT = 1 << 3, /**< nothing is compiled to code (-E, -M, --version) */
+    OPTION_NO_LINK = 1 << 4,   /**< stops before the linker (-c, -S) */
+    OPTION_GIVE_UP = 1 << 5,   /**< no source is translated */
+    OPTION_DEPENDENCY = 1 << 6, /**< asks for a dependency file, or says what goes into it */
+    OPTION_LINKER = 1 << 7,     /**< means nothing where one source is compiled to an object */
+    OPTION_AUXILIARY = 1 << 8,  /**< more files are written, named after the output */
+    OPTION_NO_RUNTIME = 1 << 9, /**< a link to which no library may be added */
+    OPTION_OPENMP = 1 << 10,    /**< the user's own OpenMP pragmas are on */
+    OPTION_PREFIX_MAP = 1 << 11 /**< OLD=NEW, applied to file names in the object */
+};
+
+/** One option; several where the name is the beginning of a family ("-W"). */
+typedef struct option {
+    const char *name;
+    unsigned meaning; /**< of enum option_meaning */
+} option;
+
+/** The entry for a word of the command line: the exact name, else the longest beginning that may
+ *  have text joined to it; NULL where the table has none (such an option means nothing to us). */
+const option *option_find(const char *word);
+
+/** Entry number `index` in the table's order, NULL after the last: for the test that walks it. */
+const option *option_at(unsigned index);
+
+#endif

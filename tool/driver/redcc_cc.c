@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * redcc-cc: takes what a C compiler takes and gives what it gives, with the reduction loops of each
+ * C source made parallel by redcc. Where anything stands in the way the compiler runs as if this
+ * program were not there.
+ */
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "driver/build.h"
+#include "driver/files.h"
+
+/* How many redcc-cc stand above this one: one may (the compiler is a script that calls it by its
+ * other name), two go round in a circle. */
+static const char depth_variable[] = "REDCC_CC_DEPTH";
+
+static const char help_text[] =
+    "Usage: redcc-cc [COMPILER] ARGUMENTS...\n"
+    "Compiles C as COMPILER does ($REDCC_CC, else cc), irregular reduction loops made parallel.\n"
+    "ARGUMENTS are the compiler's; its own --help and --version are reached by these names.\n"
+    "  --redcc-show     print the commands that would run, run nothing\n"
+    "  --redcc-help     print this\n"
+    "  --redcc-version  print the version of redcc-cc\n"
+    "Environment: REDCC_CC, REDCC_OPTS, REDCC_DISABLE=1, REDCC_KEEP=DIR, REDCC_REPORT=FILE,\n"
+    "REDCC_ROOT=PREFIX. The manual page redcc-cc(1) explains them.\n";
+
+static int enter(void) {
+    const char *value = getenv(depth_variable);
+    int depth = value ? atoi(value) : 0;
+    char text[16];
+    snprintf(text, sizeof text, "%d", depth + 1);
+    setenv(depth_variable, text, 1);
+    return depth;
+}
+
+static bool is_disabled(void) {
+    const char *value = getenv("REDCC_DISABLE");
+    return value && *value && strcmp(value, "0") != 0;
+}
+
+static bool is_option_of_ours(session *s, const char *word) {
+    if (strcmp(word, "--redcc-help") == 0) {
+        fputs(help_text, stdout);
+        exit(0);
+    }
+    if (strcmp(word, "--redcc-version") == 0) {
+        puts("redcc-cc " REDCC_VERSION);
+        exit(0);
+    }
+    if (strcmp(word, "--redcc-show") != 0)
+        return false;
+    s->show = true;
+    return true;
+}
+
+static void read_arguments(session *s, unsigned count, char **words) {
+    word_list expanded = {0};
+    for (unsigned i = 0; i < count; i++) {
+        if (is_option_of_ours(s, words[i]))
+            continue;
+        words_add(s->memory, &s->given, words[i]);
+        s->verbose |= strcmp(words[i], "-v") == 0;
+    }
+    words_expand(s->memory, s->given.count, words_argv(s->memory, &s->given), &expanded);
+    s->command = command_parse(s->memory, &expanded, s->real.is_cxx);
+}
+
+/* A source from standard input is read by the translator and the compiler: it goes to a file. */
+static bool store_input(session *s) {
+    const char *path = arena_format(s->memory, "%s/input", s->folder);
+    FILE *file = fopen(path, "wb");
+    char part[65536];
+    size_t count;
+    if (!file)
+        return false;
+    while ((count = fread(part, 1, sizeof part, stdin)) > 0)
+        fwrite(part, 1, count, file);
+    s->input = path;
+    bool good = !ferror(file) && !ferror(stdin);
+    return fclose(file) == 0 && good;
+}
+
+static bool reads_input(const command *c) {
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->items[i].kind == INPUT_C && strcmp(c->items[i].text, "-") == 0)
+            return true;
+    return false;
+}
+
+/* What is in the way of translating any source of this command; NULL: nothing. */
+static const char *general_obstacle(const session *s) {
+    if (s->command.c_count == 0)
+        return "no C source";
+    if (s->command.meaning & OPTION_GIVE_UP)
+        return "an option that redcc cannot follow";
+    if (s->real.is_foreign)
+        return "the compiler is for another machine";
+    return NULL;
+}
+
+static bool is_complete(const session *s) {
+    if (s->tools.translator && s->tools.library && s->tools.include)
+        return true;
+    session_warn(s, "%s not found beside %s; compiled as it is",
+                 !s->tools.translator ? "redcc"
+                 : !s->tools.library  ? "libredcc_rt"
+                                      : "runtime.h",
+                 s->tools.self ? s->tools.self : "redcc-cc");
+    return false;
+}
+
+static _Noreturn void translate_and_build(session *s) {
+    translation *translations = ARENA_ARRAY(s->memory, translation, s->command.c_count);
+    unsigned count = 0;
+    session_read_options(s);
+    for (unsigned i = 0; i < s->command.count && !process_signal(); i++)
+        if (s->command.items[i].kind == INPUT_C) {
+            translations[count] = translate(s, &s->command.items[i], count);
+            count++;
+        }
+    build(s, translations, count);
+}
+
+static _Noreturn void run(session *s) {
+    char here[PATH_MAX];
+    bool probe = command_is_probe(&s->command, getcwd(here, sizeof here) ? here : "");
+    if (is_disabled() || probe || !(s->command.compiles || s->command.links))
+        session_become_compiler(s);
+    const char *why = general_obstacle(s);
+    if (why && s->command.c_count > 0)
+        session_explain(s, "compiled as it is: %s", why);
+    bool translates = !why && is_complete(s);
+    if (!translates && !build_can_add_runtime(s))
+        session_become_compiler(s);
+    process_catch_signals();
+    s->folder = s->show ? "TEMPORARY" : temporary_create(s->memory);
+    if (!s->folder) {
+        session_explain(s, "compiled as it is: no temporary folder: %s", strerror(errno));
+        session_become_compiler(s);
+    }
+    if (!translates)
+        build(s, NULL, 0);
+    if (reads_input(&s->command) && !store_input(s)) {
+        session_warn(s, "standard input could not be kept in %s", s->folder);
+        session_end(s, 1);
+    }
+    translate_and_build(s);
+}
+
+int main(int argc, char **argv) {
+    session s;
+    memset(&s, 0, sizeof s);
+    s.memory = arena_new();
+    s.tools = installation_find(s.memory);
+    s.real = compiler_choose(s.memory, s.tools.self, (unsigned)argc, argv);
+    if (!s.real.found) {
+        fputs("redcc-cc: error: no compiler but redcc-cc itself was found; REDCC_CC names it\n",
+              stderr);
+        return 1;
+    }
+    int depth = enter();
+    read_arguments(&s, (unsigned)argc - 1 - s.real.taken, argv + 1 + s.real.taken);
+    if (depth == 0)
+        run(&s);
+    if (depth == 1)
+        session_become_compiler(&s);
+    fprintf(stderr,
+            "redcc-cc: error: the compiler '%s' calls redcc-cc again; REDCC_CC must name the "
+            "compiler itself\n",
+            s.real.words.items[0]);
+    return 1;
+}

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/session.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "driver/files.h"
+
+/* Above this many bytes a command line goes through a response file; Linux takes 2 MiB at the
+ * default stack limit, the environment included. */
+enum { COMMAND_BYTES_MAX = 512 * 1024 };
+
+void session_read_options(session *s) {
+    const char *text = getenv("REDCC_OPTS");
+    if (text)
+        words_split(s->memory, text, &s->options);
+    for (unsigned i = 0; i < s->options.count; i++) {
+        const char *word = s->options.items[i];
+        if (strncmp(word, "--order=", 8) == 0)
+            s->contracts = strcmp(word + 8, "any") == 0;
+        else if (strcmp(word, "--order") == 0 && i + 1 < s->options.count)
+            s->contracts = strcmp(s->options.items[i + 1], "any") == 0;
+    }
+}
+
+static void show(const session *s, const word_list *words, process_streams streams) {
+    (void)s;
+    buffer line = {0};
+    for (unsigned i = 0; i < words->count; i++) {
+        if (i > 0)
+            buffer_byte(&line, ' ');
+        word_for_shell(&line, words->items[i]);
+    }
+    if (streams.input)
+        buffer_format(&line, " <%s", streams.input);
+    puts(line.data ? line.data : "");
+    buffer_free(&line);
+}
+
+static word_list through_response_file(session *s, const word_list *words) {
+    word_list head = {0}, rest = {0};
+    size_t bytes = 0;
+    for (unsigned i = 0; i < words->count; i++) {
+        bytes += strlen(words->items[i]) + 1 + sizeof(char *);
+        words_add(s->memory, i < s->real.words.count ? &head : &rest, words->items[i]);
+    }
+    if (bytes < COMMAND_BYTES_MAX || !s->folder)
+        return *words;
+    const char *path = arena_format(s->memory, "%s/arguments", s->folder);
+    if (!words_write(&rest, path))
+        return *words;
+    words_add(s->memory, &head, arena_format(s->memory, "@%s", path));
+    return head;
+}
+
+int session_run(session *s, const word_list *words, process_streams streams) {
+    if (s->show) {
+        show(s, words, streams);
+        return 0;
+    }
+    word_list fitting = through_response_file(s, words);
+    return process_run(s->memory, &fitting, streams);
+}
+
+static void say(const char *level, const char *format, va_list values) {
+    buffer line = {0};
+    char text[4096];
+    vsnprintf(text, sizeof text, format, values);
+    buffer_format(&line, "redcc-cc: %s: %s\n", level, text);
+    fputs(line.data, stderr);
+    buffer_free(&line);
+}
+
+void session_warn(const session *s, const char *format, ...) {
+    (void)s;
+    va_list values;
+    va_start(values, format);
+    say("warning", format, values);
+    va_end(values);
+}
+
+void session_explain(const session *s, const char *format, ...) {
+    if (!s->verbose)
+        return;
+    va_list values;
+    va_start(values, format);
+    say("note", format, values);
+    va_end(values);
+}
+
+_Noreturn void session_end(session *s, int status) {
+    if (s->folder && !s->show)
+        temporary_remove(s->folder);
+    if (process_signal())
+        status = -process_signal();
+    arena_free(s->memory);
+    process_end_as(status);
+}
+
+void session_add_original(session *s, word_list *list) {
+    words_add_all(s->memory, list, &s->real.words);
+    words_add_all(s->memory, list, &s->given);
+}
+
+_Noreturn void session_become_compiler(session *s) {
+    word_list words = {0};
+    session_add_original(s, &words);
+    if (s->show) {
+        show(s, &words, (process_streams){NULL, NULL, NULL});
+        exit(0);
+    }
+    if (s->input) { /* what was read cannot be read again: the compiler gets the copy */
+        int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
+        session_end(s, status);
+    }
+    if (s->folder)
+        temporary_remove(s->folder);
+    if (process_signal())
+        process_end_as(-process_signal());
+    process_become(s->memory, &words);
+}

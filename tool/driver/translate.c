@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/translate.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "driver/dependencies.h"
+#include "driver/files.h"
+#include "driver/report_log.h"
+
+static const char *environment(const char *name) {
+    const char *value = getenv(name);
+    return value && *value ? value : NULL;
+}
+
+static const char *temporary(session *s, const translation *t, const char *name) {
+    return arena_format(s->memory, "%s/%s", t->folder, name);
+}
+
+/* The first line of a file that holds a message, for a message of ours. */
+static const char *first_line(session *s, const char *path) {
+    char *text = file_read(s->memory, path, NULL);
+    if (!text || !*text)
+        return "no message";
+    text[strcspn(text, "\n")] = 0;
+    return text;
+}
+
+static bool wants_remarks(const session *s) {
+    for (unsigned i = 0; i < s->options.count; i++)
+        if (strncmp(s->options.items[i], "--report", 8) == 0)
+            return true;
+    return false;
+}
+
+static int run_translator(session *s, const translation *t, const char *messages) {
+    arena *a = s->memory;
+    word_list words = {0};
+    words_add(a, &words, s->tools.translator);
+    words_add(a, &words, t->is_input ? "-" : t->source->text);
+    words_add(a, &words, "-o");
+    words_add(a, &words, t->text);
+    words_add_all(a, &words, &s->options);
+    if (t->report) {
+        words_add(a, &words, "--report=json");
+        words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
+    }
+    words_add(a, &words, "--");
+    command_add_parse_options(a, &words, &s->command);
+    return session_run(s, &words, (process_streams){s->input, messages, messages});
+}
+
+typedef enum outcome { OUTCOME_FAILED, OUTCOME_UNCHANGED, OUTCOME_CHANGED } outcome;
+
+static outcome try_translator(session *s, const translation *t) {
+    const char *messages = temporary(s, t, "translator");
+    int status = run_translator(s, t, messages);
+    if (process_signal())
+        return OUTCOME_FAILED;
+    if (s->show)
+        return OUTCOME_CHANGED;
+    if (status == 1) {
+        /* most often the source has an error, which the compiler is about to show */
+        session_explain(s, "%s: compiled as it is: redcc: %s", t->source->text,
+                        first_line(s, messages));
+        return OUTCOME_FAILED;
+    }
+    if (status != 0) {
+        session_warn(s, "%s: compiled as it is: redcc failed: %s", t->source->text,
+                     first_line(s, messages));
+        return OUTCOME_FAILED;
+    }
+    if (wants_remarks(s))
+        file_show(messages, stderr);
+    return file_equal(s->memory, t->file, t->text) ? OUTCOME_UNCHANGED : OUTCOME_CHANGED;
+}
+
+/* Lists the files that the source is made of, as the compiler finds them. */
+static bool list_files(session *s, translation *t) {
+    arena *a = s->memory;
+    const char *rule = temporary(s, t, "original.d");
+    word_list words = {0};
+    words_add_all(a, &words, &s->real.words);
+    command_add_options(a, &words, &s->command,
+                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
+    words_add(a, &words, "-M");
+    words_add(a, &words, "-MF");
+    words_add(a, &words, rule);
+    words_add(a, &words, "-MT");
+    words_add(a, &words, "x");
+    words_add(a, &words, "-x");
+    words_add(a, &words, "c");
+    words_add(a, &words, t->source->text);
+    process_streams quiet = {s->input, "/dev/null", "/dev/null"};
+    return session_run(s, &words, quiet) == 0 && (s->show || dependencies_read(a, rule, &t->read));
+}
+
+static bool mentions_openmp(session *s, const translation *t) {
+    word_list files = {0};
+    words_add(s->memory, &files, t->file);
+    for (unsigned i = 0; i < t->read.count; i++)
+        if (!t->is_input || strcmp(t->read.items[i], "-") != 0)
+            words_add(s->memory, &files, t->read.items[i]);
+    return dependencies_mention_openmp(s->memory, &files);
+}
+
+/* Why the text cannot be compiled in the source's place; NULL: it can. */
+static const char *obstacle(session *s, translation *t) {
+    if (!list_files(s, t))
+        return "its headers could not be listed";
+    if (!(s->command.meaning & OPTION_OPENMP) && !s->show && mentions_openmp(s, t))
+        return "it mentions OpenMP, which is off (-fopenmp turns it on, and redcc with it)";
+    if (!s->show && !compiler_openmp(s->memory, &s->real, t->folder))
+        return "the compiler has no OpenMP library";
+    return NULL;
+}
+
+translation translate(session *s, const item *source, unsigned number) {
+    translation t;
+    memset(&t, 0, sizeof t);
+    t.source = source;
+    t.is_input = strcmp(source->text, "-") == 0;
+    t.file = t.is_input ? s->input : source->text;
+    t.folder = arena_format(s->memory, "%s/%u", s->folder, number);
+    if (!s->show && mkdir(t.folder, 0700) != 0)
+        return t;
+    t.text = temporary(s, &t, t.is_input ? "stdin.c" : path_base(source->text));
+    if (environment("REDCC_REPORT"))
+        t.report = arena_format(s->memory, "%s.json", t.text);
+    outcome result = try_translator(s, &t);
+    const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
+    if (why)
+        session_explain(s, "%s: compiled as it is: %s", source->text, why);
+    if (why || result == OUTCOME_FAILED)
+        t.report = NULL;
+    if (why || result != OUTCOME_CHANGED)
+        t.text = NULL;
+    return t;
+}
+
+/* The folder where an #include "x.h" of the source is looked for first, spelled so that no header
+ * found otherwise has the same spelling. */
+static const char *quote_folder(session *s, const translation *t) {
+    const char *folder = path_folder(s->memory, t->source->text);
+    return *folder ? folder : "./.";
+}
+
+void translation_add_before(session *s, word_list *list, const translation *t) {
+    if (t->is_input)
+        return; /* compiled as standard input again: headers are looked for where they were */
+    words_add(s->memory, list, "-iquote");
+    words_add(s->memory, list, quote_folder(s, t));
+    /* Parts the folder above from the first -I: the compiler would take the two for one and use the
+     * spelling of the latter in __FILE__. */
+    words_add(s->memory, list, "-iquote");
+    words_add(s->memory, list, t->folder);
+}
+
+/* How the user's own prefix maps, the last that fits, spell a path. */
+static const char *mapped(session *s, const char *path) {
+    const char *spelling = path;
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        if (!(one->meaning & OPTION_PREFIX_MAP))
+            continue;
+        const char *old = item_argument(one);
+        size_t length = strcspn(old, "=");
+        if (old[length] == '=' && strncmp(path, old, length) == 0)
+            spelling = arena_format(s->memory, "%s%s", old + length + 1, path + length);
+    }
+    return spelling;
+}
+
+void translation_add_after(session *s, word_list *list, const translation *t) {
+    arena *a = s->memory;
+    if (!(s->command.meaning & OPTION_OPENMP))
+        words_add(a, list, "-fopenmp");
+    if (!s->contracts)
+        words_add(a, list, "-ffp-contract=off");
+    words_add(a, list, "-idirafter");
+    words_add(a, list, s->tools.include);
+    if (!t->is_input && !strchr(t->text, '=')) { /* the compiler takes what stands before a '=' */
+        if (strcmp(quote_folder(s, t), "./.") == 0)
+            words_add(a, list, arena_format(a, "-ffile-prefix-map=././=%s", mapped(s, "")));
+        words_add(a, list,
+                  arena_format(a, "-ffile-prefix-map=%s=%s", t->text, mapped(s, t->source->text)));
+    }
+    words_add(a, list, "-MD");
+    words_add(a, list, "-MF");
+    words_add(a, list, temporary(s, t, "translated.d"));
+    words_add(a, list, "-MT");
+    words_add(a, list, "x");
+}
+
+bool translation_read_same(session *s, const translation *t) {
+    word_list read = {0};
+    if (s->show)
+        return true;
+    return dependencies_read(s->memory, temporary(s, t, "translated.d"), &read) &&
+           dependencies_equal(s->memory, &t->read, t->source->text, &read,
+                              t->is_input ? t->source->text : t->text);
+}
+
+/* DIR/src/x.c for src/x.c, DIR/up/x.c for ../x.c, DIR/home/me/x.c for /home/me/x.c. */
+static const char *kept_path(session *s, const char *folder, const translation *t) {
+    const char *path = t->is_input ? "stdin.c" : t->source->text;
+    buffer kept = {0};
+    buffer_text(&kept, folder);
+    while (*path) {
+        size_t length = strcspn(path, "/");
+        if (length == 2 && strncmp(path, "..", 2) == 0)
+            buffer_text(&kept, "/up");
+        else if (length > 0 && !(length == 1 && *path == '.')) {
+            buffer_byte(&kept, '/');
+            buffer_append(&kept, path, length);
+        }
+        path += length + (path[length] == '/');
+    }
+    const char *copy = arena_string(s->memory, kept.data);
+    buffer_free(&kept);
+    return copy;
+}
+
+void translation_keep(session *s, const translation *t, bool used, const char *messages) {
+    const char *log = environment("REDCC_REPORT");
+    const char *folder = environment("REDCC_KEEP");
+    if (s->show)
+        return;
+    if (log && t->report && (used || !t->text) && !report_log_append(s->memory, t->report, log))
+        session_warn(s, "cannot append to '%s'", log);
+    if (!folder || !t->text)
+        return;
+    const char *path = kept_path(s, folder, t);
+    bool good = folder_create_for(s->memory, path) && file_copy(s->memory, t->text, path);
+    if (good && messages)
+        good = file_copy(s->memory, messages, arena_format(s->memory, "%s.messages", path));
+    if (!good)
+        session_warn(s, "cannot keep '%s'", path);
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Lists of words: command lines, response files, options in the environment. */
+#ifndef DRIVER_WORDS_H
+#define DRIVER_WORDS_H
+
+#include <stdbool.h>
+
+#include "support/arena.h"
+#include "support/buffer.h"
+#include "support/vector.h"
+
+/** A list that grows in an arena; the words are borrowed or live there too. */
+typedef VECTOR(const char *) word_list;
+
+void words_add(arena *a, word_list *list, const char *word);
+void words_add_all(arena *a, word_list *list, const word_list *more);
+
+/** The list as execvp takes it: items, then NULL. */
+char **words_argv(arena *a, const word_list *list);
+
+/** Adds the words of `text`: parted by white space, quoted with ' or ", or by a backslash (the
+ * rules of gcc's response files). */
+void words_split(arena *a, const char *text, word_list *list);
+
+/** Adds `count` words, each @FILE replaced by what the file holds, as gcc does: an @FILE that
+ * cannot be read stays as it is. Returns whether any was replaced. */
+bool words_expand(arena *a, unsigned count, char *const *given, word_list *list);
+
+/** Writes the words to `path` as a response file. Returns false where it cannot be written. */
+bool words_write(const word_list *list, const char *path);
+
+/** Appends one word as a shell would have to read it. */
+void word_for_shell(buffer *b, const char *word);
+
+#endif
