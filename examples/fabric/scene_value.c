@@ -242,7 +242,7 @@ static int has_key(const scene_key *key, int kind) {
 const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *node,
                                 const scene_key *keys, int kind, const char *name,
                                 const char *path) {
-    const char *names[MOST_KEYS];
+    const char *names[MOST_KEYS] = {NULL};
     char expected[MESSAGE_SIZE] = "";
     int count = 0;
     for (; keys->name; keys++) {

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* fabric mesh: generates, renumbers and describes meshes in OBJ files. */
+#include "mesh.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands/commands.h"
+#include "output/obj.h"
+
+enum { ERROR_SIZE = 256 };
+
+enum { OUTPUT, VERTICES, BOUNDARY, SIDE, SEED, ORDER };
+static const option mesh_options[] = {
+    [OUTPUT] = {"-o", "FILE.obj", "where the mesh goes (generate, reorder)"},
+    [VERTICES] = {"--vertices", "N", "generate: vertices (default 2602)"},
+    [BOUNDARY] = {"--boundary", "N", "generate: of these, on the border (default 220)"},
+    [SIDE] = {"--side", "M", "generate: the square's side in metres (default 1)"},
+    [SEED] = {"--seed", "N", "generate, reorder: seed of what is random (default 1)"},
+    [ORDER] = {"--order", "ORDER", "generated, sorted (by neighbourhood) or shuffled"},
+    {NULL, NULL, NULL}};
+
+static const char *const actions[] = {"generate", "reorder", "info", NULL};
+enum { GENERATE, REORDER, INFO };
+
+static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
+
+/** What the command line asks for. */
+typedef struct request {
+    int action; /* -1: not said yet */
+    const char *input;
+    const char *output;
+    long vertices, boundary, seed;
+    double side;
+    mesh_order order;
+} request;
+
+static int take_word(const command *self, const options *o, request *r) {
+    if (r->action < 0) {
+        r->action = options_choice(o, "the action", actions);
+        return r->action < 0 ? -1 : 0;
+    }
+    if (r->action != GENERATE && !r->input) {
+        r->input = o->value;
+        return 0;
+    }
+    options_complain(self, "what is '%s' for? %s", o->value, self->synopsis);
+    return -1;
+}
+
+static int take_option(const command *self, int option_number, const options *o, request *r) {
+    int number;
+    switch (option_number) {
+    case OUTPUT:
+        r->output = o->value;
+        return 0;
+    case VERTICES:
+        return options_whole(o, "--vertices", 5, 20000000, &r->vertices);
+    case BOUNDARY:
+        return options_whole(o, "--boundary", 4, 10000000, &r->boundary);
+    case SIDE:
+        return options_number(o, "--side", 1e-9, &r->side);
+    case SEED:
+        return options_whole(o, "--seed", 0, 4294967295, &r->seed);
+    case ORDER:
+        number = options_choice(o, "--order", orders);
+        r->order = (mesh_order)number;
+        return number < 0 ? -1 : 0;
+    default:
+        return take_word(self, o, r);
+    }
+}
+
+static int check_request(const command *self, const request *r) {
+    if (r->action < 0)
+        return options_complain(self, "generate, reorder or info? %s", self->synopsis);
+    if (r->action != GENERATE && !r->input)
+        return options_complain(self, "which mesh? %s", self->synopsis);
+    if (r->action != INFO && !r->output)
+        return options_complain(self, "where to? -o FILE.obj");
+    return 0;
+}
+
+/** Smallest and largest angle of all triangles, degrees. */
+static void angle_range(const mesh *m, double *least, double *greatest) {
+    *least = 180.0;
+    *greatest = 0.0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int k = 0; k < 3; k++) {
+            const double *apex = m->material[m->triangle[t][k]];
+            const double *b = m->material[m->triangle[t][(k + 1) % 3]];
+            const double *c = m->material[m->triangle[t][(k + 2) % 3]];
+            const double u[2] = {b[0] - apex[0], b[1] - apex[1]};
+            const double v[2] = {c[0] - apex[0], c[1] - apex[1]};
+            const double angle = atan2(fabs(u[0] * v[1] - u[1] * v[0]), u[0] * v[0] + u[1] * v[1]);
+            *least = fmin(*least, angle * 57.29577951308232);
+            *greatest = fmax(*greatest, angle * 57.29577951308232);
+        }
+}
+
+/** Largest distance of two neighbours' numbers, and the mean. */
+static void edge_spans(const mesh *m, int *longest, double *mean) {
+    double sum = 0.0;
+    *longest = 0;
+    for (int e = 0; e < m->edge_count; e++) {
+        const int span = abs(m->edge[e][1] - m->edge[e][0]);
+        *longest = span > *longest ? span : *longest;
+        sum += span;
+    }
+    *mean = m->edge_count > 0 ? sum / m->edge_count : 0.0;
+}
+
+static void print_info(const mesh *m, int non_manifold) {
+    int longest;
+    double mean, least, greatest;
+    edge_spans(m, &longest, &mean);
+    angle_range(m, &least, &greatest);
+    printf("vertices:  %d\n", m->vertex_count);
+    printf("triangles: %d\n", m->triangle_count);
+    printf("edges:     %d, of which %d on the border and %d of more than two triangles\n",
+           m->edge_count, m->edge_count - m->hinge_count, non_manifold);
+    printf("hinges:    %d\n", m->hinge_count);
+    printf("angles:    %.1f to %.1f degrees\n", least, greatest);
+    printf("bandwidth: %d, neighbours are %.1f apart in the mean\n", longest, mean);
+}
+
+static int perform(const request *r) {
+    char error[ERROR_SIZE] = "";
+    mesh m = {0};
+    int non_manifold = 0;
+    int status = 0;
+    if (r->action == GENERATE)
+        status = mesh_generate(&m, (int)r->vertices, (int)r->boundary, r->side, (unsigned)r->seed,
+                               error);
+    else if (obj_read(&m, r->input) != 0)
+        return EXIT_FAILURE;
+    if (status == 0)
+        status = mesh_connect(&m, &non_manifold, error);
+    if (status == 0 && r->action != INFO)
+        status = mesh_reorder(&m, r->order, (unsigned)r->seed, NULL, error);
+    if (status != 0)
+        fprintf(stderr, "mesh: %s\n", error);
+    else if (r->action == INFO)
+        print_info(&m, non_manifold);
+    else
+        status = obj_write(&m, r->output);
+    mesh_free(&m);
+    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+static int run(const command *self, int argc, char **argv) {
+    options o = {self, argc, argv, 0, NULL, 0};
+    request r = {-1, NULL, NULL, 2602, 220, 1, 1.0, MESH_ORDER_GENERATED};
+    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
+        if (next == OPTIONS_HELP)
+            return EXIT_SUCCESS;
+        if (next == OPTIONS_WRONG || take_option(self, next, &o, &r) != 0)
+            return EXIT_USAGE;
+    }
+    const int wrong = check_request(self, &r);
+    return wrong != 0 ? wrong : perform(&r);
+}
+
+const command mesh_command = {"mesh", "generate|reorder IN.obj|info IN.obj [options]",
+                              "Generates, renumbers and describes meshes in OBJ files.",
+                              mesh_options, run};

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* fabric plan: what a scene calls for, without running it. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "commands/commands.h"
+#include "simulation.h"
+
+enum { ERROR_SIZE = 256 };
+
+enum { SET };
+static const option plan_options[] = {
+    [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0"},
+    {NULL, NULL, NULL}};
+
+static double mebibytes(double bytes) {
+    return bytes / (1024.0 * 1024.0);
+}
+
+static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
+    int count;
+    const effect_account *effects = simulation_effects(sim, &count);
+    const double blocks = (double)simulation_matrix_blocks(sim);
+    const double mesh_bytes =
+        (double)m->vertex_count * (sizeof *m->position + sizeof *m->material) +
+        (double)m->triangle_count * sizeof *m->triangle + (double)m->edge_count * sizeof *m->edge +
+        (double)m->hinge_count * sizeof *m->hinge;
+    printf("%s: %d steps of %g s\n", s->name, s->steps, s->step);
+    printf("mesh: %d particles, %d triangles, %d edges, %d hinges, %.2f MiB\n", m->vertex_count,
+           m->triangle_count, m->edge_count, m->hinge_count, mebibytes(mesh_bytes));
+    printf("matrix: %.0f blocks of 3 x 3, %.0f bytes (%.2f MiB)\n", blocks,
+           blocks * 9.0 * sizeof(double), mebibytes(blocks * 9.0 * sizeof(double)));
+    printf("%-20s %-8s %10s\n", "effect", "active", "elements");
+    for (int k = 0; k < count; k++)
+        printf("%-20s %-8s %10ld\n", effects[k].name, effects[k].active ? "yes" : "no",
+               effects[k].active ? effects[k].elements : 0);
+}
+
+static int plan(const scene *s) {
+    char error[ERROR_SIZE] = "";
+    mesh m = {0};
+    if (scene_mesh(s, &m, NULL, error) != 0) {
+        fprintf(stderr, "%s: mesh: %s\n", s->name, error);
+        return EXIT_FAILURE;
+    }
+    simulation *sim = simulation_new(&m, s, error);
+    if (sim)
+        print_plan(s, &m, sim);
+    else
+        fprintf(stderr, "%s: %s\n", s->name, error);
+    const int status = sim ? EXIT_SUCCESS : EXIT_FAILURE;
+    simulation_free(sim);
+    mesh_free(&m);
+    return status;
+}
+
+static int run(const command *self, int argc, char **argv) {
+    options o = {self, argc, argv, 0, NULL, 0};
+    const char *name = NULL, *settings[MOST_SETTINGS];
+    int setting_count = 0;
+    for (int next; (next = options_next(&o)) != OPTIONS_END;)
+        switch (next) {
+        case SET:
+            if (setting_count == MOST_SETTINGS)
+                return options_complain(self, "more than %d times --set", MOST_SETTINGS);
+            settings[setting_count++] = o.value;
+            break;
+        case OPTIONS_WORD:
+            if (name)
+                return options_complain(self, "one scene at a time, not '%s' as well", o.value);
+            name = o.value;
+            break;
+        case OPTIONS_HELP:
+            return EXIT_SUCCESS;
+        default:
+            return EXIT_USAGE;
+        }
+    if (!name)
+        return options_complain(self, "which scene? %s", self->synopsis);
+    scene s;
+    if (read_scene(&s, name, settings, setting_count) != 0)
+        return EXIT_FAILURE;
+    const int status = plan(&s);
+    scene_free(&s);
+    return status;
+}
+
+const command plan_command = {"plan", "SCENE [options]",
+                              "Tells what a scene calls for: effects with their elements, matrix "
+                              "blocks, bytes.",
+                              plan_options, run};

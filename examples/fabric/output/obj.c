@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "output/obj.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mesh_parts.h"
+
+int obj_write(const mesh *m, const char *path) {
+    char *beside = malloc(strlen(path) + sizeof ".partial");
+    if (!beside) {
+        fprintf(stderr, "%s: out of memory\n", path);
+        return -1;
+    }
+    sprintf(beside, "%s.partial", path); /* its room was made for this */
+    FILE *file = fopen(beside, "w");
+    int failed = !file;
+    if (file) {
+        for (int v = 0; v < m->vertex_count; v++)
+            fprintf(file, "v %.17g %.17g %.17g\n", m->position[v][0], m->position[v][1],
+                    m->position[v][2]);
+        for (int v = 0; v < m->vertex_count; v++)
+            fprintf(file, "vt %.17g %.17g\n", m->material[v][0], m->material[v][1]);
+        for (int t = 0; t < m->triangle_count; t++) {
+            const int *c = m->triangle[t];
+            fprintf(file, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1, c[2] + 1,
+                    c[2] + 1);
+        }
+        failed = ferror(file);
+        failed = fclose(file) != 0 || failed || rename(beside, path) != 0;
+        if (failed)
+            remove(beside);
+    }
+    if (failed)
+        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+    free(beside);
+    return failed ? -1 : 0;
+}
+
+/** A file being read, line by line; first counted, then filled into the mesh. */
+typedef struct obj_reader {
+    const char *path;
+    long line;
+    int vertices, materials, triangles;
+    double (*material)[2]; /* [materials] of the vt lines */
+    mesh *into;            /* NULL: only count */
+} obj_reader;
+
+static int complain(const obj_reader *r, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static int complain(const obj_reader *r, const char *format, ...) {
+    va_list arguments;
+    fprintf(stderr, "%s:%ld: ", r->path, r->line);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    return -1;
+}
+
+static int read_numbers(const obj_reader *r, const char *text, double *number, int count) {
+    for (int k = 0; k < count; k++) {
+        char *end;
+        number[k] = strtod(text, &end);
+        if (end == text || !isfinite(number[k]))
+            return complain(r, "expected %d finite numbers", count);
+        text = end;
+    }
+    return 0;
+}
+
+/** A reference as a number from 0; negative ones count from the last one read. -1 when wrong. */
+static int resolve(long reference, int count) {
+    if (reference < 0)
+        reference += count + 1;
+    return reference >= 1 && reference <= count ? (int)(reference - 1) : -1;
+}
+
+/** One corner: "vertex", "vertex/material" or with "/normal" after it. NULL after a message. */
+static const char *read_corner(const obj_reader *r, const char *text, int *vertex, int *material) {
+    char *end;
+    *vertex = resolve(strtol(text, &end, 10), r->vertices);
+    *material = -1;
+    if (end == text || *vertex < 0) {
+        complain(r, "expected the number of a vertex from 1 to %d", r->vertices);
+        return NULL;
+    }
+    if (*end == '/' && end[1] != '/') {
+        const char *second = end + 1;
+        *material = resolve(strtol(second, &end, 10), r->materials);
+        if (end == second || *material < 0) {
+            complain(r, "expected the number of a vt line from 1 to %d", r->materials);
+            return NULL;
+        }
+    }
+    return end + strcspn(end, " \t\r\n");
+}
+
+static int read_face(obj_reader *r, const char *text) {
+    int corner[3], material[3];
+    for (int k = 0; k < 3; k++)
+        if (!(text = read_corner(r, text, &corner[k], &material[k])))
+            return -1;
+    if (text[strspn(text, " \t\r\n")] != '\0')
+        return complain(r, "a face with more than three corners, expected a triangle");
+    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
+        return complain(r, "a triangle with one vertex twice");
+    if (r->into)
+        for (int k = 0; k < 3; k++) {
+            r->into->triangle[r->triangles][k] = corner[k];
+            if (material[k] >= 0)
+                memcpy(r->into->material[corner[k]], r->material[material[k]], sizeof *r->material);
+        }
+    r->triangles++;
+    return 0;
+}
+
+static int read_line(obj_reader *r, const char *line) {
+    double number[3];
+    if (strncmp(line, "v ", 2) == 0) {
+        if (read_numbers(r, line + 2, number, 3) != 0)
+            return -1;
+        if (r->into) {
+            memcpy(r->into->position[r->vertices], number, sizeof number);
+            memcpy(r->into->material[r->vertices], number, sizeof *r->into->material);
+        }
+        r->vertices++;
+    } else if (strncmp(line, "vt ", 3) == 0) {
+        if (read_numbers(r, line + 3, number, 2) != 0)
+            return -1;
+        if (r->into)
+            memcpy(r->material[r->materials], number, sizeof *r->material);
+        r->materials++;
+    } else if (strncmp(line, "f ", 2) == 0)
+        return read_face(r, line + 2);
+    return 0;
+}
+
+static int read_lines(obj_reader *r, FILE *file) {
+    char *line = NULL;
+    size_t size = 0;
+    int status = 0;
+    rewind(file);
+    r->line = 0;
+    r->vertices = r->materials = r->triangles = 0;
+    while (status == 0 && getline(&line, &size, file) >= 0) {
+        r->line++;
+        status = read_line(r, line);
+    }
+    free(line);
+    return status;
+}
+
+static int read_file(obj_reader *r, mesh *m, FILE *file) {
+    if (read_lines(r, file) != 0)
+        return -1;
+    if (r->vertices == 0 || r->triangles == 0)
+        return complain(r, "the file ends with %d vertices and %d triangles, expected some",
+                        r->vertices, r->triangles);
+    r->material = malloc((size_t)r->materials * sizeof *r->material + 1);
+    if (!r->material || mesh_allocate(m, r->vertices, r->triangles) != 0) {
+        free(r->material);
+        return complain(r, "out of memory");
+    }
+    r->into = m;
+    const int status = read_lines(r, file);
+    free(r->material);
+    if (status != 0)
+        mesh_free(m);
+    return status;
+}
+
+int obj_read(mesh *m, const char *path) {
+    obj_reader r = {.path = path};
+    *m = (mesh){0};
+    FILE *file = fopen(path, "r");
+    if (!file) {
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+        return -1;
+    }
+    const int status = read_file(&r, m, file);
+    fclose(file);
+    return status;
+}

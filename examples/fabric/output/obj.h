@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Meshes as Wavefront OBJ files: v positions, vt material coordinates, f triangles. */
+#ifndef FABRIC_OUTPUT_OBJ_H
+#define FABRIC_OUTPUT_OBJ_H
+
+#include "mesh.h"
+
+/** Writes vertices and triangles beside `path`, then renames; numbers keep every bit. 0, or -1
+ *  after a message on standard error. */
+int obj_write(const mesh *m, const char *path);
+
+/**
+ * Reads vertices, material coordinates and triangles; no edges or hinges yet (mesh_connect). A file
+ * without vt gives each vertex its x and y. Lines of other kinds are passed over. 0, or -1 after
+ * "file:line: ..." on standard error. mesh_free frees it.
+ */
+int obj_read(mesh *m, const char *path);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Pictures in memory, and as PNG files. */
+#ifndef FABRIC_OUTPUT_PICTURE_H
+#define FABRIC_OUTPUT_PICTURE_H
+
+typedef struct picture {
+    int width, height;
+    unsigned char *rgb; /* [height][width][3], top row first */
+} picture;
+
+/** White. 0, or -1 when memory is out; picture_free frees it. */
+int picture_new(picture *p, int width, int height);
+void picture_free(picture *p);
+
+/** Half as wide and high (both even): each pixel the mean of four. 0, or -1 when memory is out. */
+int picture_halve(const picture *p, picture *half);
+
+/** Copies `from` so that its upper left corner is at (x, y); what lies outside is cut off. */
+void picture_paste(picture *onto, const picture *from, int x, int y);
+
+/** Writes digits, '.', '=', ' ', 's' and 't' in dark grey, 5 by 7 dots of `dot` pixels each, its
+ *  upper left corner at (x, y). */
+void picture_text(picture *p, int x, int y, int dot, const char *text);
+
+/** Writes beside `path`, then renames. 0, or -1 after a message on standard error. */
+int picture_write_png(const picture *p, const char *path);
+
+#endif

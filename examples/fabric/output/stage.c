@@ -1,0 +1,261 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "output/stage.h"
+
+#include <GL/gl.h>
+#include <GL/osmesa.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "output/solids.h"
+
+struct stage {
+    const scene *of;
+    int width, height;
+    OSMesaContext context;
+    unsigned char *pixels; /* [height][width][4] */
+    GLuint weave;
+};
+
+static const GLfloat BACKGROUND[3] = {0.93f, 0.945f, 0.96f};
+static const GLfloat LIGHT[4] = {-0.45f, -0.55f, 1.0f, 0.0f}; /* towards it; 0: infinitely far */
+static const double REPEAT = 0.16; /* m, of the pattern woven into the cloth */
+enum { WEAVE = 64 };
+
+/** A checked cloth: two stripes cross. */
+static GLuint make_weave(void) {
+    static const double light[3] = {244.0, 240.0, 230.0}, dark[3] = {38.0, 98.0, 140.0};
+    unsigned char texel[WEAVE][WEAVE][3];
+    GLuint name;
+    for (int y = 0; y < WEAVE; y++)
+        for (int x = 0; x < WEAVE; x++) {
+            const double share = 0.5 * ((x < WEAVE / 2) + (y < WEAVE / 2));
+            for (int c = 0; c < 3; c++)
+                texel[y][x][c] = (unsigned char)(light[c] + share * (dark[c] - light[c]));
+        }
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, WEAVE, WEAVE, 0, GL_RGB, GL_UNSIGNED_BYTE, texel);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    return name;
+}
+
+static void set_light(void) {
+    static const GLfloat ambient[4] = {0.36f, 0.37f, 0.40f, 1.0f};
+    static const GLfloat key[4] = {0.66f, 0.64f, 0.60f, 1.0f};
+    static const GLfloat fill[4] = {0.16f, 0.17f, 0.20f, 1.0f};
+    static const GLfloat fill_from[4] = {0.9f, -0.5f, 0.25f, 0.0f};
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, key);
+    glLightfv(GL_LIGHT0, GL_POSITION, LIGHT);
+    glLightfv(GL_LIGHT1, GL_DIFFUSE, fill);
+    glLightfv(GL_LIGHT1, GL_POSITION, fill_from);
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glEnable(GL_LIGHT1);
+    glEnable(GL_NORMALIZE);
+}
+
+static void set_material(GLenum side, float red, float green, float blue) {
+    const GLfloat color[4] = {red, green, blue, 1.0f};
+    glMaterialfv(side, GL_AMBIENT_AND_DIFFUSE, color);
+}
+
+stage *stage_new(const scene *s, int width, int height) {
+    stage *st = calloc(1, sizeof *st);
+    if (!st) {
+        fprintf(stderr, "render: out of memory\n");
+        return NULL;
+    }
+    st->of = s;
+    st->width = width;
+    st->height = height;
+    st->pixels = malloc(4 * (size_t)width * (size_t)height);
+    st->context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+    if (!st->pixels || !st->context ||
+        !OSMesaMakeCurrent(st->context, st->pixels, GL_UNSIGNED_BYTE, width, height)) {
+        fprintf(stderr, "render: OSMesa cannot draw pictures of %d by %d\n", width, height);
+        stage_free(st);
+        return NULL;
+    }
+    OSMesaPixelStore(OSMESA_Y_UP, 0);
+    st->weave = make_weave();
+    return st;
+}
+
+void stage_free(stage *st) {
+    if (!st)
+        return;
+    if (st->context)
+        OSMesaDestroyContext(st->context);
+    free(st->pixels);
+    free(st);
+}
+
+static void look(const camera *from) {
+    const double near = 0.25 * from->depth[0], far = 4.0 * from->depth[1] + 20.0;
+    GLdouble view[16] = {0.0};
+    for (int k = 0; k < 3; k++) {
+        view[4 * k] = from->right[k];
+        view[4 * k + 1] = from->up[k];
+        view[4 * k + 2] = from->back[k];
+    }
+    view[15] = 1.0;
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glFrustum(-near * from->slope[0], near * from->slope[0], -near * from->slope[1],
+              near * from->slope[1], near, far);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixd(view);
+    glTranslated(-from->eye[0], -from->eye[1], -from->eye[2]);
+}
+
+/** The sum of the normals of the triangles around each vertex, weighted by their areas. */
+static void sum_normals(const stage_cloth *cloth, float *normal) {
+    memset(normal, 0, 3 * (size_t)cloth->vertex_count * sizeof *normal);
+    for (int t = 0; t < cloth->triangle_count; t++) {
+        const int *corner = &cloth->triangle[3 * (size_t)t];
+        const double *a = &cloth->position[3 * (size_t)corner[0]];
+        const double *b = &cloth->position[3 * (size_t)corner[1]];
+        const double *c = &cloth->position[3 * (size_t)corner[2]];
+        for (int k = 0; k < 3; k++) {
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            const float n = (float)((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]));
+            normal[3 * (size_t)corner[0] + (size_t)k] += n;
+            normal[3 * (size_t)corner[1] + (size_t)k] += n;
+            normal[3 * (size_t)corner[2] + (size_t)k] += n;
+        }
+    }
+}
+
+static int draw_cloth(const stage *st, const stage_cloth *cloth) {
+    float *normal = malloc(3 * (size_t)cloth->vertex_count * sizeof *normal);
+    if (!normal)
+        return -1;
+    sum_normals(cloth, normal);
+    glEnable(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, st->weave);
+    glMatrixMode(GL_TEXTURE);
+    glLoadIdentity();
+    glScaled(1.0 / REPEAT, 1.0 / REPEAT, 1.0);
+    glMatrixMode(GL_MODELVIEW);
+    set_material(GL_FRONT, 1.0f, 1.0f, 1.0f);
+    set_material(GL_BACK, 1.0f, 0.86f, 0.76f);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glVertexPointer(3, GL_DOUBLE, 0, cloth->position);
+    glNormalPointer(GL_FLOAT, 0, normal);
+    glTexCoordPointer(2, GL_FLOAT, 0, cloth->material);
+    glDrawElements(GL_TRIANGLES, 3 * cloth->triangle_count, GL_UNSIGNED_INT, cloth->triangle);
+    glFinish(); /* the normals are freed next */
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+    glDisableClientState(GL_NORMAL_ARRAY);
+    glDisableClientState(GL_VERTEX_ARRAY);
+    glDisable(GL_TEXTURE_2D);
+    free(normal);
+    return 0;
+}
+
+static void draw_bare_cloth(const stage_cloth *cloth) {
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(3, GL_DOUBLE, 0, cloth->position);
+    glDrawElements(GL_TRIANGLES, 3 * cloth->triangle_count, GL_UNSIGNED_INT, cloth->triangle);
+    glDisableClientState(GL_VERTEX_ARRAY);
+}
+
+static void draw_solids(const stage *st, double time) {
+    for (int k = 0; k < st->of->collider_count; k++) {
+        const collider *c = &st->of->colliders[k];
+        if (c->kind == COLLIDER_BOX)
+            set_material(GL_FRONT_AND_BACK, 0.62f, 0.44f, 0.30f);
+        else
+            set_material(GL_FRONT_AND_BACK, 0.80f, 0.52f, 0.28f);
+        solids_draw(c, time);
+    }
+}
+
+/** Flattens what follows onto the plane, away from the light. */
+static void flatten(const double normal[3], double offset) {
+    double slope = 0.0, matrix[16] = {0.0};
+    for (int k = 0; k < 3; k++)
+        slope += normal[k] * (double)LIGHT[k];
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++)
+            matrix[4 * column + row] =
+                (row == column ? 1.0 : 0.0) - (double)LIGHT[row] * normal[column] / slope;
+        matrix[12 + row] = (double)LIGHT[row] * offset / slope;
+    }
+    matrix[15] = 1.0;
+    glMultMatrixd(matrix);
+}
+
+/** Darkens the plane where cloth or solids stand in its light; each pixel once (the stencil). */
+static void draw_shadows(const stage *st, const collider *plane, const stage_cloth *cloth,
+                         double time) {
+    double offset = 0.001; /* m above the plane, so as not to be hidden by it */
+    double towards_light = 0.0;
+    for (int k = 0; k < 3; k++) {
+        offset += plane->axis[k] * (plane->position[k] + time * plane->velocity[k]);
+        towards_light += plane->axis[k] * (double)LIGHT[k];
+    }
+    if (towards_light < 0.1)
+        return;
+    glDisable(GL_LIGHTING);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    glColor4f(0.10f, 0.12f, 0.18f, 0.28f);
+    glPushMatrix();
+    flatten(plane->axis, offset);
+    draw_bare_cloth(cloth);
+    draw_solids(st, time);
+    glPopMatrix();
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_BLEND);
+    glEnable(GL_LIGHTING);
+}
+
+static void take_picture(const stage *st, picture *p) {
+    glFinish();
+    for (size_t k = 0; k < (size_t)st->width * (size_t)st->height; k++)
+        memcpy(p->rgb + 3 * k, st->pixels + 4 * k, 3);
+}
+
+int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p) {
+    const double middle[3] = {from->eye[0] - from->back[0] * from->depth[1],
+                              from->eye[1] - from->back[1] * from->depth[1], 0.0};
+    if (picture_new(p, st->width, st->height) != 0) {
+        fprintf(stderr, "render: out of memory\n");
+        return -1;
+    }
+    glViewport(0, 0, st->width, st->height);
+    glClearColor(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    look(from);
+    set_light();
+    for (int k = 0; k < st->of->collider_count; k++) {
+        const collider *c = &st->of->colliders[k];
+        if (c->kind != COLLIDER_PLANE)
+            continue;
+        solids_draw_plane(c, time, middle, 2.0 * from->depth[1], BACKGROUND);
+        draw_shadows(st, c, cloth, time);
+    }
+    draw_solids(st, time);
+    if (draw_cloth(st, cloth) != 0) {
+        fprintf(stderr, "render: out of memory\n");
+        picture_free(p);
+        return -1;
+    }
+    take_picture(st, p);
+    return 0;
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A cloth's state in a file: final.state with every bit of it, frames with what a picture needs.
+ *
+ * The file is a header of 64 bytes and a payload, all numbers as the writing machine has them:
+ *
+ *   0  char[8]  "FABRICST"
+ *   8  uint32   0x01020304, to tell the byte order
+ *  12  uint32   version of this format: 1
+ *  16  uint32   what the payload has: the bits of state_part
+ *  20  int32    vertices
+ *  24  int32    triangles
+ *  28  uint32   0
+ *  32  double   time, s
+ *  40  int64    step
+ *  48  uint64   bytes of payload
+ *  56  uint64   checksum: FNV-1a, 64 bits, of header (with 0 here) and payload
+ *
+ * Payload, in this order, each part where its bit is set (positions always): positions
+ * [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3] (double, m/s),
+ * triangles [triangles][3] (int32, vertices), original numbers [vertices] (int32: of each vertex in
+ * the mesh as generated, by which states of one cloth in two orders are compared).
+ */
+#ifndef FABRIC_OUTPUT_STATE_H
+#define FABRIC_OUTPUT_STATE_H
+
+typedef enum state_part {
+    STATE_VELOCITIES = 1,
+    STATE_TRIANGLES = 2,
+    STATE_ORIGINAL = 4,
+    STATE_SINGLE = 8 /* positions are float in the file, double in memory; not with velocities */
+} state_part;
+
+typedef struct state {
+    int vertex_count;
+    int triangle_count;
+    double time; /* s */
+    long step;
+    unsigned parts;         /* bits of state_part */
+    const double *position; /* [3 * vertex_count] m */
+    const double *velocity; /* [3 * vertex_count] m/s; NULL without STATE_VELOCITIES */
+    const int *triangle;    /* [3 * triangle_count]; NULL without STATE_TRIANGLES */
+    const int *original;    /* [vertex_count]; NULL without STATE_ORIGINAL */
+    void *memory;           /* what state_read allocated: state_free's, not for others */
+} state;
+
+/** Writes beside `path`, then renames: a file of that name is always whole. 0, or -1 after a
+ *  message on standard error. */
+int state_write(const state *s, const char *path);
+
+/** Reads and checks all of it; state_free frees it. 0, or -1 after a message on standard error that
+ *  says what is wrong with the file: not a state, torn, damaged, another version. */
+int state_read(state *s, const char *path);
+
+void state_free(state *s);
+
+#endif

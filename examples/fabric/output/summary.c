@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "output/summary.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *summary_phase_name(int phase_number) {
+    static const char *const names[PHASE_COUNT] = {[PHASE_FORCES] = "forces",
+                                                   [PHASE_COLLISIONS] = "collisions",
+                                                   [PHASE_SOLVE] = "solve",
+                                                   [PHASE_UPDATE] = "update"};
+    return names[phase_number];
+}
+
+static json_t *phases_of(const simulation *sim) {
+    json_t *phases = json_object();
+    const phase *accounts = simulation_phases(sim);
+    for (int k = 0; k < PHASE_COUNT; k++)
+        json_object_set_new(phases, summary_phase_name(k),
+                            json_pack("{s:f, s:I}", "seconds", accounts[k].seconds, "calls",
+                                      (json_int_t)accounts[k].calls));
+    return phases;
+}
+
+/** Active effects with their accounts, or the names of the others. */
+static json_t *effects_of(const simulation *sim, int active) {
+    int count;
+    json_t *list = json_array();
+    const effect_account *effects = simulation_effects(sim, &count);
+    for (int k = 0; k < count; k++) {
+        if ((effects[k].active != 0) != active)
+            continue;
+        json_array_append_new(list, active ? json_pack("{s:s, s:I, s:f}", "name", effects[k].name,
+                                                       "elements", (json_int_t)effects[k].elements,
+                                                       "seconds", effects[k].seconds)
+                                           : json_string(effects[k].name));
+    }
+    return list;
+}
+
+static json_t *summary_of(const run_account *run) {
+    const mesh *m = run->cloth;
+    return json_pack(
+        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, "
+        "s:o, s:o, s:o}",
+        "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
+        run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
+        m->edge_count, "hinges", m->hinge_count, "simulated_seconds", simulation_time(run->sim),
+        "steps", "taken", (json_int_t)simulation_steps_taken(run->sim), "rejected",
+        (json_int_t)simulation_steps_rejected(run->sim), "cg_iterations",
+        (json_int_t)simulation_iterations(run->sim), "matrix_blocks",
+        (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
+        "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "phases",
+        phases_of(run->sim), "effects", effects_of(run->sim, 1), "inactive_effects",
+        effects_of(run->sim, 0));
+}
+
+int summary_write(const run_account *run, const char *path) {
+    json_t *summary = summary_of(run);
+    char *beside = malloc(strlen(path) + sizeof ".partial");
+    int status = -1;
+    if (summary && beside) {
+        sprintf(beside, "%s.partial", path); /* its room was made for this */
+        if (json_dump_file(summary, beside, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) == 0 &&
+            rename(beside, path) == 0)
+            status = 0;
+        else
+            fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+    } else
+        fprintf(stderr, "%s: out of memory\n", path);
+    json_decref(summary);
+    free(beside);
+    return status;
+}
+
+void summary_print(const run_account *run) {
+    const simulation *sim = run->sim;
+    const phase *phases = simulation_phases(sim);
+    printf("%s: %d particles, %d triangles; %ld steps taken, %ld rejected; %.3f s simulated\n",
+           run->of->name, run->cloth->vertex_count, run->cloth->triangle_count,
+           simulation_steps_taken(sim), simulation_steps_rejected(sim), simulation_time(sim));
+    printf("%.3f s on %d thread%s, %ld iterations of conjugate gradients\n", run->step_seconds,
+           run->threads, run->threads == 1 ? "" : "s", simulation_iterations(sim));
+    for (int k = 0; k < PHASE_COUNT; k++)
+        printf("  %-12s %9.3f s %8ld calls\n", summary_phase_name(k), phases[k].seconds,
+               phases[k].calls);
+}
