@@ -47,31 +47,40 @@ static void angle_gradient(const double x0[3], const double x1[3], const double 
 
 /*
  * f = the hinge's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)
- * (k,k) (k,l) (l,l) of the ascending vertices. Gauss-Newton: K = k g g', D = kd g g'; the term in
- * theta's second derivative, which may be indefinite, is left out.
+ * (k,k) (k,l) (l,l) of the ascending vertices. Gauss-Newton: h^2 K + h D = d d' with
+ * d = sqrt(h^2 k + h kd) g; the term in theta's second derivative, which may be indefinite, is left
+ * out.
  */
 static void hinge_force(const int corner[4], const int role[4], double stiffness, double damping,
                         double angle, double h, const double (*x)[3], const double (*v)[3],
                         double f[4][3], double df[10][3][3]) {
-    static const int first[10] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 3};
-    static const int second[10] = {0, 1, 2, 3, 1, 2, 3, 2, 3, 3};
     const double both = h * h * stiffness + h * damping;
-    double g[4][3], sorted[4][3];
+    const double root = sqrt(both);
+    double g[4][3], d[4][3];
     double rate, force;
-    int p, m, r, c;
+    int p, r, c;
     angle_gradient(x[corner[0]], x[corner[1]], x[corner[2]], x[corner[3]], g);
     rate = vector_dot(g[0], v[corner[0]]) + vector_dot(g[1], v[corner[1]]) +
            vector_dot(g[2], v[corner[2]]) + vector_dot(g[3], v[corner[3]]);
     force = -(h * stiffness * angle + both * rate);
     for (p = 0; p < 4; p++)
         for (c = 0; c < 3; c++) {
-            sorted[p][c] = g[role[p]][c];
-            f[p][c] = force * sorted[p][c];
+            f[p][c] = force * g[role[p]][c];
+            d[p][c] = root * g[role[p]][c];
         }
-    for (m = 0; m < 10; m++)
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                df[m][r][c] = both * sorted[first[m]][r] * sorted[second[m]][c];
+    for (r = 0; r < 3; r++)
+        for (c = 0; c < 3; c++) {
+            df[0][r][c] = d[0][r] * d[0][c];
+            df[1][r][c] = d[0][r] * d[1][c];
+            df[2][r][c] = d[0][r] * d[2][c];
+            df[3][r][c] = d[0][r] * d[3][c];
+            df[4][r][c] = d[1][r] * d[1][c];
+            df[5][r][c] = d[1][r] * d[2][c];
+            df[6][r][c] = d[1][r] * d[3][c];
+            df[7][r][c] = d[2][r] * d[2][c];
+            df[8][r][c] = d[2][r] * d[3][c];
+            df[9][r][c] = d[3][r] * d[3][c];
+        }
 }
 
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
@@ -102,18 +111,36 @@ void hinge_forces(const hinge_elements *e, const hinge_material *material, doubl
         kk = s->A.row_start[k];
         kl = block_find(&s->A, k, l);
         ll = s->A.row_start[l];
+        /* A loop a block: ten blocks at once are more addresses than there are registers. */
         for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++) {
+            for (c = 0; c < 3; c++)
                 s->A.value[ii][r][c] += df[0][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[ij][r][c] += df[1][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[ik][r][c] += df[2][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[il][r][c] += df[3][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[jj][r][c] += df[4][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[jk][r][c] += df[5][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[jl][r][c] += df[6][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[kk][r][c] += df[7][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[kl][r][c] += df[8][r][c];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++)
                 s->A.value[ll][r][c] += df[9][r][c];
-            }
     }
 }

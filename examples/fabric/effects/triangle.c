@@ -29,56 +29,62 @@ static void stretch_terms(const double w[3], int axis, double area, double stiff
     }
     for (r = 0; r < 3; r++)
         for (c = 0; c < 3; c++)
-            hessian[r][c] = along * n[r] * n[c] + (r == c ? across : 0);
+            hessian[r][c] = along * (n[r] * n[c]) + (r == c ? across : 0);
 }
 
 /*
  * f = the triangle's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k).
  * Both come from derivatives in (w_u, w_v): with Q = [uu uv; uv' vv] the element's matrix is
- * A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. Shear keeps the Gauss-Newton
- * part of its second derivative, which is positive semidefinite: C's gradient is (w_v; w_u).
- * Since b = h f_elastic - (h^2 K + h D) v, the damping force needs no term of its own.
+ * A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. Its rows of blocks sum to 0,
+ * as the coefficients do: from (j,j), (j,k) and (k,k) follow the others. Shear keeps the
+ * Gauss-Newton part of its second derivative, which is positive semidefinite: C's gradient is
+ * (w_v; w_u). Since b = h f_elastic - (h^2 K + h D) v, damping needs no term of its own in f.
  */
 static void triangle_force(const triangle_rest *rest, const triangle_material *material, double h,
                            const double (*x)[3], const double (*v)[3], int i, int j, int k,
                            double f[3][3], double df[6][3][3]) {
-    static const int first[6] = {0, 0, 0, 1, 1, 2};
-    static const int second[6] = {0, 1, 2, 1, 2, 2};
-    const double shear = h * h * material->shear + h * material->shear_damping;
-    double wu[3], wv[3], vu[3], vv[3], bu[3], bv[3], uu[3][3], vvm[3][3], uv[3][3];
+    const double shear = (h * h * material->shear + h * material->shear_damping) * rest->area;
+    const double u1 = rest->cu[1], u2 = rest->cu[2], v1 = rest->cv[1], v2 = rest->cv[2];
+    double wu[3], wv[3], rate_u[3], rate_v[3], force_u[3], force_v[3];
+    double uu[3][3], vv[3][3], uv[3][3];
     double slant;
-    int p, m, r, c;
+    int p, r, c;
     triangle_derivatives(rest, x, i, j, k, wu, wv);
-    triangle_derivatives(rest, v, i, j, k, vu, vv);
-    stretch_terms(wu, 0, rest->area, material->stretch, material->stretch_damping, h, bu, uu);
-    stretch_terms(wv, 1, rest->area, material->stretch, material->stretch_damping, h, bv, vvm);
+    triangle_derivatives(rest, v, i, j, k, rate_u, rate_v);
+    stretch_terms(wu, 0, rest->area, material->stretch, material->stretch_damping, h, force_u, uu);
+    stretch_terms(wv, 1, rest->area, material->stretch, material->stretch_damping, h, force_v, vv);
     slant = h * material->shear * rest->area * vector_dot(wu, wv);
     for (r = 0; r < 3; r++) {
-        bu[r] += slant * wv[r];
-        bv[r] += slant * wu[r];
+        force_u[r] += slant * wv[r];
+        force_v[r] += slant * wu[r];
         for (c = 0; c < 3; c++) {
-            uu[r][c] += shear * rest->area * wv[r] * wv[c];
-            vvm[r][c] += shear * rest->area * wu[r] * wu[c];
-            uv[r][c] = shear * rest->area * wv[r] * wu[c];
+            uu[r][c] += shear * (wv[r] * wv[c]);
+            vv[r][c] += shear * (wu[r] * wu[c]);
+            uv[r][c] = shear * wv[r] * wu[c];
         }
     }
     for (r = 0; r < 3; r++)
         for (c = 0; c < 3; c++) {
-            bu[r] += uu[r][c] * vu[c] + uv[r][c] * vv[c];
-            bv[r] += uv[c][r] * vu[c] + vvm[r][c] * vv[c];
+            force_u[r] += uu[r][c] * rate_u[c] + uv[r][c] * rate_v[c];
+            force_v[r] += uv[c][r] * rate_u[c] + vv[r][c] * rate_v[c];
         }
     for (p = 0; p < 3; p++)
         for (c = 0; c < 3; c++)
-            f[p][c] = -(rest->cu[p] * bu[c] + rest->cv[p] * bv[c]);
-    for (m = 0; m < 6; m++) {
-        const double cuu = rest->cu[first[m]] * rest->cu[second[m]];
-        const double cvv = rest->cv[first[m]] * rest->cv[second[m]];
-        const double cuv = rest->cu[first[m]] * rest->cv[second[m]];
-        const double cvu = rest->cv[first[m]] * rest->cu[second[m]];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++)
-                df[m][r][c] = cuu * uu[r][c] + cvv * vvm[r][c] + cuv * uv[r][c] + cvu * uv[c][r];
-    }
+            f[p][c] = -(rest->cu[p] * force_u[c] + rest->cv[p] * force_v[c]);
+    for (r = 0; r < 3; r++)
+        for (c = 0; c < 3; c++) {
+            const double both = uv[r][c] + uv[c][r];
+            df[3][r][c] = u1 * u1 * uu[r][c] + v1 * v1 * vv[r][c] + u1 * v1 * both;
+            df[4][r][c] =
+                u1 * u2 * uu[r][c] + v1 * v2 * vv[r][c] + u1 * v2 * uv[r][c] + v1 * u2 * uv[c][r];
+            df[5][r][c] = u2 * u2 * uu[r][c] + v2 * v2 * vv[r][c] + u2 * v2 * both;
+        }
+    for (r = 0; r < 3; r++)
+        for (c = 0; c < 3; c++) {
+            df[0][r][c] = (df[3][r][c] + df[5][r][c]) + (df[4][r][c] + df[4][c][r]);
+            df[1][r][c] = -(df[3][r][c] + df[4][c][r]);
+            df[2][r][c] = -(df[4][r][c] + df[5][r][c]);
+        }
 }
 
 void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
