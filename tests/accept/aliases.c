@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Pointers that may overlap: the guard sends such calls to the sequential loop.
+// covers: row 29, row 30, row 54
+// MAY-RUN-SERIALLY: the overlapping calls have to
+#include "case.h"
+#include <string.h>
+
+enum { N = 9000, M = 2000 };
+static double memory[3 * M];
+static int index_memory[2 * N];
+
+static void gather_scatter(double *b, const double *x, const int *s, const int *r, int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        b[s[t]] += 0.5 * x[r[t]];
+}
+
+static void affine_source(double *b, const double *v, const int *s, int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        b[s[t]] += v[t % 7] + v[t];
+}
+
+static void two_targets(double *a, double *b, const int *s, const int *r, int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        a[s[t]] += 1.0 + t;
+        b[r[t]] += 0.125 * t;
+    }
+}
+
+/* The counts and the subscripts are both int: the loop may change what it will read. */
+static void own_subscripts(int *count, const int *s, int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        count[s[t]] += 1;
+}
+
+static void restricted(double *restrict b, const double *restrict x, const int *restrict s, int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        b[s[t]] += x[s[t]] * x[t % 100];
+}
+
+static void show(void) {
+    CASE_PRINT(memory);
+    CASE_PRINT(index_memory);
+}
+
+int main(void) {
+    static int s[N], r[N];
+    case_subscripts(s, N, M);
+    case_subscripts(r, N, M);
+    for (int round = 0; round < 3; round++) {
+        case_values(memory, 3 * M);
+        gather_scatter(memory, memory + M, s, r, N); /* apart */
+        show();
+        gather_scatter(memory, memory, s, r, N); /* the same array */
+        show();
+        gather_scatter(memory + 100, memory, s, r, N); /* shifted */
+        show();
+        for (int i = 0; i < 3 * M; i++)
+            memory[i] = case_value();
+        affine_source(memory, memory + M, s, M); /* apart */
+        show();
+        affine_source(memory, memory + M - 1, s, M); /* one element */
+        show();
+        two_targets(memory, memory + M, s, r, N);
+        show();
+        two_targets(memory, memory, s, r, N);
+        show();
+        two_targets(memory, memory + 12, s, r, N);
+        show();
+        for (int i = 0; i < 2 * N; i++)
+            index_memory[i] = case_below(1000);
+        own_subscripts(index_memory + N, index_memory, N);
+        show();
+        own_subscripts(index_memory, index_memory, N);
+        show();
+        own_subscripts(index_memory + 500, index_memory, N);
+        show();
+        restricted(memory, memory + M, s, M);
+        show();
+    }
+    return 0;
+}

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Scalars and arrays of an iteration, and what they hold after the loop.
+// covers: row 58, row 59, row 5, row 6, row 7
+#include "case.h"
+#include <math.h>
+
+enum { N = 12000, M = 700 };
+static int s[N][2];
+static double x[M], h[M];
+static double kept[8];
+
+static void scalars(int n) {
+    int i = -1, j = -1;
+    double d = -1.0, e;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        i = s[t][0];
+        j = s[t][1];
+        d = x[i] - x[j];
+        e = d > 0.0 ? sqrt(d) : -d;
+        h[i] += e;
+        h[j] -= e;
+    }
+    kept[0] = i;
+    kept[1] = j;
+    kept[2] = d;
+}
+
+static void arrays(int n) {
+    double f[3], g[2][2];
+    int c;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        double local[2] = {x[s[t][0]], x[s[t][1]]};
+        for (c = 0; c < 3; c++)
+            f[c] = local[0] * c - local[1];
+        for (c = 0; c < 4; c++)
+            g[c / 2][c % 2] = f[c % 3];
+        h[s[t][0]] += f[0] + f[1] * f[2];
+        h[s[t][1]] += g[0][0] - g[1][1];
+    }
+}
+
+static void control(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = s[t][0];
+        double sum = 0.0;
+        int k = 0;
+        if (i == s[t][1])
+            continue;
+        while (k < i % 7) {
+            if (k == 5)
+                break;
+            sum += x[k];
+            k++;
+        }
+        switch (i % 3) {
+        case 0:
+            sum *= 2.0;
+            break;
+        case 1:
+            sum -= 1.0;
+            /* fall through */
+        default:
+            sum += 0.5;
+        }
+        h[i] += sum;
+        if (sum > 0.0)
+            h[s[t][1]] += x[i];
+        else if (sum < -1.0)
+            h[s[t][1]] -= x[i];
+    }
+}
+
+int main(void) {
+    case_values(x, M);
+    for (int round = 0; round < 3; round++) {
+        case_subscripts(&s[0][0], 2 * N, M);
+        scalars(N - round);
+        if (getenv("CASE_INTEGERS") != NULL)
+            for (int i = 0; i < M; i++)
+                h[i] = 0.0; /* square roots are no integers */
+        arrays(N);
+        control(N);
+        CASE_PRINT(kept);
+        CASE_PRINT(h);
+    }
+    scalars(0);
+    CASE_PRINT(kept);
+    return 0;
+}

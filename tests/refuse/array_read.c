@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The array is read, or stored to, in the loop that accumulates into it.
+// covers: row 25, row 28, row 45, row 44, row 36
+struct particle {
+    double x, fx;
+};
+
+/* NPB CG: tested after the update. */
+void tested(int n, const int *k, double *h, int *mark) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        h[k[t]] += 1.0;
+        if (h[k[t]] > 3.0)
+            mark[t] = 1;
+    }
+}
+
+void other_element(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += h[k[t] + 1];
+}
+
+void same_element(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += h[k[t]] * 0.5;
+}
+
+void in_subscript(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[h[k[t]]] += 1;
+}
+
+void in_condition(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        if (h[0] < 10.0)
+            h[k[t]] += 1.0;
+}
+
+void as_bound(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        for (int u = 0; u < h[t]; u++)
+            h[k[u]] += 1;
+}
+
+void whole_record(int n, const int *k, struct particle *p) {
+    double sum = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        struct particle q = p[t];
+        p[k[t]].fx += q.x;
+    }
+    p[0].x = sum;
+}
+
+void through_callee(int n, const int *k, double *h);
+static double first_of(const double *v) {
+    return v[0];
+}
+void through_callee(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+        h[k[t]] += first_of(h);
+}
+
+void stored(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
+        h[t] = 0.0;
+        h[k[t]] += 1.0;
+    }
+}
+
+void stored_under_condition(int n, const int *k, double *h, double limit) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
+        if (limit > 1.0)
+            h[k[t]] = limit;
+        h[k[t]] += 1.0;
+    }
+}
+
+static double table[100];
+void global_by_two_names(int n, const int *k) {
+    double *other = table + 5;
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        table[k[t]] += 1.0;
+        other[t] = 2.0;
+    }
+}
+
+void bytes_of_it(int n, const int *k, double *h) {
+    unsigned char *bytes = (unsigned char *)h;
+    for (int t = 0; t < n; t++) // EXPECT: nothing
+        h[k[t]] += bytes[t];
+}

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Objects whose accesses mean more than a read or a write, and types that are not accumulated.
+// covers: row 12, row 13, row 42, row 43, row 44, row 48, row 49
+struct flags {
+    unsigned low : 4, high : 4;
+};
+
+union number {
+    double d;
+    unsigned long long bits;
+};
+
+void bit_fields(int n, const int *k, struct flags *f) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse bit-field
+        f[k[t]].low += 1;
+}
+
+void bit_fields_or(int n, const int *k, struct flags *f) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse bit-field
+        f[k[t]].high |= 2;
+}
+
+void unions(int n, const int *k, union number *u) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse union
+        u[k[t]].d += 1.0;
+}
+
+void volatile_array(int n, const int *k, volatile double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse volatile
+        h[k[t]] += 1.0;
+}
+
+void volatile_subscripts(int n, const volatile int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse volatile
+        h[k[t]] += 1.0;
+}
+
+void atomic_array(int n, const int *k, _Atomic int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse volatile
+        h[k[t]] += 1;
+}
+
+void volatile_scalar(int n, const int *k, double *h) {
+    volatile double v = 0.0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse volatile
+        v = 1.0;
+        h[k[t]] += v;
+    }
+}
+
+static _Thread_local double own[100];
+static _Thread_local int chosen;
+
+void thread_local_array(int n, const int *k) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse thread-local
+        own[k[t]] += 1.0;
+}
+
+void thread_local_scalar(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: nothing
+        h[k[t]] += chosen;
+}
+
+void row_pointers(int n, const int *k, double **rows) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse row-pointers
+        rows[k[t]][t % 3] += 1.0;
+}
+
+void counters_elsewhere(int n, const int *k, int **counter) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse row-pointers
+        *counter[k[t]] += 1;
+}
+
+struct node {
+    double load;
+    struct node *parent;
+};
+
+void parents(int n, struct node *const *leaf) {
+    for (int t = 0; t < n; t++) // EXPECT: nothing
+        leaf[t]->parent->load += 1.0;
+}
+
+void mixed(int n, const int *k, int *h, const double *v) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse mixed-types
+        h[k[t]] += v[t];
+}
+
+void mixed_factor(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse mixed-types
+        h[k[t]] *= 0.5;
+}
+
+typedef double four __attribute__((vector_size(32)));
+void vectors(int n, const int *k, four *h, four v) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]] += v;
+}
+
+void wide_integers(int n, const int *k, __int128 *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]] += t;
+}
+
+void pointers(int n, const int *k, char **h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]] += 1;
+}
+
+void base_moves(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
+        h[k[t]] += 1.0;
+        h += t & 1;
+    }
+}
+
+void base_chosen(int n, const int *k, double *a, double *b) {
+    double *h = a;
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        h[k[t]] += 1.0;
+        h = k[t] & 1 ? a : b;
+    }
+}
