@@ -101,7 +101,7 @@ static long collider_points(const job *j, double time, double (*points)[3]) {
 
 /** One camera for all frames. */
 static int place_camera(job *j) {
-    static const double back[3] = {0.55, -1.0, 0.5};
+    static const double back[3] = {0.8, -1.0, 0.5};
     const long of_solids = 8L * j->of.collider_count;
     const long all = (long)j->count * j->first.vertex_count;
     const long every = all / MOST_CAMERA_POINTS + 1;
