@@ -98,11 +98,11 @@ static bool mentions(const char *text, size_t length, const char *word) {
     return false;
 }
 
-bool dependencies_mention_openmp(arena *a, const word_list *files) {
+bool dependencies_mention(arena *a, const word_list *files, const char *word) {
     for (unsigned i = 0; i < files->count; i++) {
         size_t length;
         const char *text = file_read(a, files->items[i], &length);
-        if (!text || mentions(text, length, "omp") || mentions(text, length, "_OPENMP"))
+        if (!text || mentions(text, length, word))
             return true;
     }
     return false;

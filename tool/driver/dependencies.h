@@ -20,7 +20,7 @@ bool dependencies_read(arena *a, const char *path, word_list *list);
 bool dependencies_equal(arena *a, const word_list *original, const char *source,
                         const word_list *translated, const char *text);
 
-/** Whether any of the files mentions OpenMP: an `omp` or `_OPENMP` that stands alone. */
-bool dependencies_mention_openmp(arena *a, const word_list *files);
+/** Whether `word` stands, by itself, in any of the files, or one of them cannot be read. */
+bool dependencies_mention(arena *a, const word_list *files, const char *word);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "driver/translate.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -96,24 +97,39 @@ static bool list_files(session *s, translation *t) {
     return session_run(s, &words, quiet) == 0 && (s->show || dependencies_read(a, rule, &t->read));
 }
 
-static bool mentions_openmp(session *s, const translation *t) {
+/* What the source or a header of its says that the translated text would be given another meaning
+ * by; NULL: nothing. */
+static const char *sensitive_word(session *s, const translation *t) {
     word_list files = {0};
     words_add(s->memory, &files, t->file);
     for (unsigned i = 0; i < t->read.count; i++)
         if (!t->is_input || strcmp(t->read.items[i], "-") != 0)
             words_add(s->memory, &files, t->read.items[i]);
-    return dependencies_mention_openmp(s->memory, &files);
+    bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
+    if (openmp_is_off && (dependencies_mention(s->memory, &files, "omp") ||
+                          dependencies_mention(s->memory, &files, "_OPENMP")))
+        return "it mentions OpenMP, which is off (-fopenmp turns it on)";
+    if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
+        return "it uses __BASE_FILE__, which would name a temporary";
+    return NULL;
 }
 
 /* Why the text cannot be compiled in the source's place; NULL: it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
         return "its headers could not be listed";
-    if (!(s->command.meaning & OPTION_OPENMP) && !s->show && mentions_openmp(s, t))
-        return "it mentions OpenMP, which is off (-fopenmp turns it on, and redcc with it)";
-    if (!s->show && !compiler_openmp(s->memory, &s->real, t->folder))
+    if (s->show)
+        return NULL;
+    if (!compiler_openmp(s->memory, &s->real, t->folder))
         return "the compiler has no OpenMP library";
-    return NULL;
+    return sensitive_word(s, t);
+}
+
+/* __TIMESTAMP__ is the time of the file. */
+static void copy_time(const char *from, const char *to) {
+    struct stat about;
+    if (stat(from, &about) == 0)
+        utimensat(AT_FDCWD, to, (const struct timespec[]){about.st_atim, about.st_mtim}, 0);
 }
 
 translation translate(session *s, const item *source, unsigned number) {
@@ -136,14 +152,20 @@ translation translate(session *s, const item *source, unsigned number) {
         t.report = NULL;
     if (why || result != OUTCOME_CHANGED)
         t.text = NULL;
+    if (t.text && !s->show)
+        copy_time(t.file, t.text);
     return t;
 }
 
-/* The folder where an #include "x.h" of the source is looked for first, spelled so that no header
- * found otherwise has the same spelling. */
+/* The folder where an #include "x.h" of the source is looked for first. Headers found there are to
+ * be called as those found beside the source are: src/x.h for src/; for the current folder clang
+ * says ./x.h and gcc x.h, which no spelling of the folder gives: a prefix map makes it of ././x.h.
+ */
 static const char *quote_folder(session *s, const translation *t) {
     const char *folder = path_folder(s->memory, t->source->text);
-    return *folder ? folder : "./.";
+    if (*folder)
+        return folder;
+    return s->real.is_clang ? "." : "./.";
 }
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
@@ -172,6 +194,19 @@ static const char *mapped(session *s, const char *path) {
     return spelling;
 }
 
+/* What names the temporary file in the object is to name the source. */
+static void add_prefix_maps(session *s, word_list *list, const translation *t) {
+    arena *a = s->memory;
+    const char *source = mapped(s, t->source->text);
+    if (s->real.is_clang) { /* its -ffile-prefix-map changes "./x.c" in every __FILE__ as well */
+        words_add(a, list, arena_format(a, "-fdebug-prefix-map=%s=%s", t->text, source));
+        return;
+    }
+    if (strcmp(quote_folder(s, t), "./.") == 0)
+        words_add(a, list, arena_format(a, "-ffile-prefix-map=././=%s", mapped(s, "")));
+    words_add(a, list, arena_format(a, "-ffile-prefix-map=%s=%s", t->text, source));
+}
+
 void translation_add_after(session *s, word_list *list, const translation *t) {
     arena *a = s->memory;
     if (!(s->command.meaning & OPTION_OPENMP))
@@ -180,12 +215,8 @@ void translation_add_after(session *s, word_list *list, const translation *t) {
         words_add(a, list, "-ffp-contract=off");
     words_add(a, list, "-idirafter");
     words_add(a, list, s->tools.include);
-    if (!t->is_input && !strchr(t->text, '=')) { /* the compiler takes what stands before a '=' */
-        if (strcmp(quote_folder(s, t), "./.") == 0)
-            words_add(a, list, arena_format(a, "-ffile-prefix-map=././=%s", mapped(s, "")));
-        words_add(a, list,
-                  arena_format(a, "-ffile-prefix-map=%s=%s", t->text, mapped(s, t->source->text)));
-    }
+    if (!t->is_input && !strchr(t->text, '=')) /* the compiler takes what stands before a '=' */
+        add_prefix_maps(s, list, t);
     words_add(a, list, "-MD");
     words_add(a, list, "-MF");
     words_add(a, list, temporary(s, t, "translated.d"));

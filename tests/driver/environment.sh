@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The variables REDCC_CC, REDCC_OPTS, REDCC_DISABLE, REDCC_KEEP, REDCC_REPORT, REDCC_ROOT.
+. "$(dirname "$0")/library.sh"
+make_root "$work/root"
+export REDCC_ROOT="$work/root"
+redcc_cc=$REDCC_CC_PROGRAM
+
+begin "REDCC_CC"
+printf '%s' "$source_text" >x.c
+REDCC_CC="$FAKES/compiler" "$redcc_cc" -c x.c || fail "$case_name"
+expect_match "$RECORD" '^cc .*-c .*/0/x\.c'
+REDCC_CC="$FAKES/compiler -DFROM_CC" "$redcc_cc" -c x.c || fail "$case_name"
+expect_match "$RECORD" '^cc -DFROM_CC .*-c .*/0/x\.c'
+mkdir 'my tools' && cp "$FAKES/compiler" 'my tools/cc' && rm "$RECORD"
+REDCC_CC='my tools/cc' "$redcc_cc" -c x.c || fail "$case_name"
+expect_match "$RECORD" '^cc '
+REDCC_CC=/no/such/compiler "$redcc_cc" -c x.c 2>messages
+expect_equal "$case_name" 127 $?
+expect_match messages '/no/such/compiler'
+end
+
+begin "REDCC_OPTS"
+printf '%s' "$source_text" >x.c
+REDCC_OPTS="--order=fixed  --pure='a b,c'" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"
+expect_match shown "redcc' x.c -o [^ ]* --order=fixed '--pure=a b,c' --"
+expect_match shown 'ffp-contract=off'
+REDCC_OPTS="--order=any" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"
+expect_no_match shown 'ffp-contract'
+REDCC_OPTS="--order serial" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"
+expect_match shown 'ffp-contract=off'
+REDCC_OPTS="--report=text" "$redcc_cc" -c x.c 2>messages || fail "$case_name"
+expect_match messages '^x\.c:4:5: remark: fake remark'
+REDCC_OPTS="--bad" "$redcc_cc" -c x.c 2>messages || fail "$case_name"
+expect_match messages "warning: x\.c: compiled as it is: redcc failed: .*'--bad'"
+end
+
+begin "REDCC_DISABLE"
+printf '%s' "$source_text" >x.c
+REDCC_DISABLE=1 "$redcc_cc" x.c -o p || fail "$case_name"
+expect_equal "$case_name" ran "$(./p)"
+expect_no_file "$RECORD"
+for off in 0 ''; do
+  REDCC_DISABLE=$off "$redcc_cc" x.c -o p || fail "$case_name"
+  expect_equal "$case_name=$off" "translated ran" "$(./p | paste -sd' ')"
+done
+end
+
+begin "REDCC_KEEP"
+mkdir -p project/src other
+printf '%s' "$source_text" >project/src/x.c
+cp project/src/x.c other/x.c
+echo 'int f(void) { return 3; }' >project/src/plain.c
+cd project || exit 1
+export REDCC_KEEP="$PWD/../kept here"
+"$redcc_cc" -c src/x.c src/plain.c && "$redcc_cc" -c ../other/x.c && "$redcc_cc" -c "$work/case/other/x.c"
+"$redcc_cc" -x c -c - -o i.o <src/x.c
+cd ..
+for kept in src/x.c up/other/x.c "${work#/}/case/other/x.c" stdin.c; do
+  expect_match "kept here/$kept" redcc_fake_mark
+done
+expect_no_file "kept here/src/plain.c"
+expect_no_file "kept here/src/x.c.messages"
+(cd project && FAKE_BREAK=1 "$redcc_cc" -c src/x.c 2>/dev/null)
+expect_match "kept here/src/x.c.messages" 'this is no C|error'
+REDCC_KEEP=/proc/nowhere "$redcc_cc" -c other/x.c 2>messages || fail "$case_name"
+expect_match messages "warning: cannot keep"
+unset REDCC_KEEP
+end
+
+begin "REDCC_REPORT"
+printf '%s' "$source_text" >x.c
+echo 'int f(void) { return 3; }' >'f f.c'
+export REDCC_REPORT="$PWD/a report"
+"$redcc_cc" -c x.c 'f f.c' || fail "$case_name"
+printf '{"redcc":"fake","file":"x.c","loops":[]}\n{"redcc":"fake","file":"f f.c","loops":[]}\n' >expected
+sort expected >sorted && sort "$REDCC_REPORT" | expect_same sorted /dev/stdin
+rm "$REDCC_REPORT"
+FAKE_STATUS=1 "$redcc_cc" -c x.c
+FAKE_BREAK=1 "$redcc_cc" -c x.c 2>/dev/null
+expect_no_file "$REDCC_REPORT"
+for i in $(seq 16); do "$redcc_cc" -c x.c -o "$i.o" & done
+wait
+expect_equal "$case_name: lines" 16 "$(grep -cx '{"redcc":"fake","file":"x.c","loops":\[\]}' "$REDCC_REPORT")"
+expect_equal "$case_name: lines" 16 "$(wc -l <"$REDCC_REPORT")"
+REDCC_REPORT=/proc/nowhere/report "$redcc_cc" -c x.c 2>messages || fail "$case_name"
+expect_match messages "warning: cannot append"
+unset REDCC_REPORT
+end
+
+begin "companions are found from the program's own place"
+printf '%s' "$source_text" >x.c
+unset REDCC_ROOT
+make_root "$work/my prefix"
+cp "$redcc_cc" "$work/my prefix/bin/redcc-cc"
+mkdir links && ln -s "$work/my prefix/bin/redcc-cc" links/redcc-cc
+for program in "$work/my prefix/bin/redcc-cc" links/redcc-cc; do
+  "$program" x.c -o p || fail "$case_name"
+  expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
+done
+(PATH="$work/my prefix/bin:$PATH" && redcc-cc x.c -o p) || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
+rm "$work/my prefix/lib/libredcc_rt.a"
+(cd "$work/my prefix/lib" && printf '#include <stdio.h>\nvoid redcc_fake_mark(void) { puts("translated"); }\n' |
+  cc -shared -fPIC -x c - -o libredcc_rt.so)
+"$work/my prefix/bin/redcc-cc" x.c -o p || fail "$case_name"
+expect_equal "$case_name: shared" "translated ran" "$(./p | paste -sd' ')"
+rm -rf "$work/my prefix"
+end
+
+finish

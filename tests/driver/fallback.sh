@@ -1,0 +1,155 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Whatever stands in the way, the build gives what it gives without redcc-cc.
+. "$(dirname "$0")/library.sh"
+make_root "$work/root"
+export REDCC_ROOT="$work/root"
+redcc_cc=$REDCC_CC_PROGRAM
+
+# Expects x.c to compile and run untranslated; messages in `messages`.
+expect_untranslated() {
+  "$redcc_cc" "$@" x.c -o p 2>messages || fail "$case_name: $(cat messages)"
+  expect_equal "$case_name" "ran" "$(./p | paste -sd' ')"
+}
+
+begin "the translator refuses the source: quietly"
+printf '%s' "$source_text" >x.c
+FAKE_STATUS=1 expect_untranslated
+expect_empty messages
+FAKE_STATUS=1 expect_untranslated -v
+expect_match messages 'redcc-cc: note: x\.c: compiled as it is: .*fake trouble'
+end
+
+begin "the translator fails (libclang is missing, it crashes): one line"
+printf '%s' "$source_text" >x.c
+for status in 2 3 126 127 134; do
+  FAKE_STATUS=$status expect_untranslated
+  expect_match messages '^redcc-cc: warning: x\.c: compiled as it is: redcc failed: .*fake trouble$'
+  expect_equal "$case_name" 1 "$(wc -l <messages)"
+done
+printf '#!/bin/bash\nkill -SEGV $$\n' >"$work/root/bin/redcc"
+expect_untranslated
+expect_match messages 'redcc failed'
+printf 'no program' >"$work/root/bin/redcc"
+expect_untranslated
+expect_match messages 'redcc failed'
+printf '#!/no/such/interpreter\n' >"$work/root/bin/redcc"
+expect_untranslated
+printf '#!/bin/bash\nexit 0\n' >"$work/root/bin/redcc"
+expect_untranslated
+make_root "$work/root"
+end
+
+begin "redcc, its runtime or its header is missing"
+printf '%s' "$source_text" >x.c
+for gone in bin/redcc lib/libredcc_rt.a include/redcc/runtime.h; do
+  mv "$work/root/$gone" "$work/gone"
+  expect_untranslated
+  expect_match messages "^redcc-cc: warning: .* not found"
+  "$redcc_cc" -c x.c 2>messages && cc x.o -o p || fail "$case_name: $gone -c"
+  mv "$work/gone" "$work/root/$gone"
+done
+REDCC_ROOT=/nonexistent expect_untranslated
+end
+
+begin "the translated text does not compile"
+printf '%s' "$source_text" >x.c
+echo 'int f(void) { return 3; }' >f.c
+FAKE_BREAK=1 expect_untranslated
+FAKE_BREAK=1 "$redcc_cc" -c x.c 2>messages || fail "$case_name"
+expect_match messages '^redcc-cc: warning: x\.c: the translated text does not compile.*report'
+expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
+cc x.o -o p || fail "$case_name"
+expect_equal "$case_name" "ran" "$(./p)"
+FAKE_BREAK=1 "$redcc_cc" -c x.c f.c 2>messages || fail "$case_name: several"
+cc x.o f.o -o p || fail "$case_name"
+expect_equal "$case_name" "ran" "$(./p)"
+FAKE_BREAK=1 "$redcc_cc" x.c f.c -o p || fail "$case_name: several, linked"
+expect_equal "$case_name" "ran" "$(./p)"
+end
+
+begin "errors of the user's are shown once, with the compiler's status"
+printf 'int f(void) {\n    return undeclared;\n}\n#define MARK\nvoid g(void) {\n    MARK;\n}\n' >e.c
+cc -c e.c 2>expected
+expect_equal "$case_name" 1 $?
+"$redcc_cc" -c e.c 2>messages
+expect_equal "$case_name" 1 $?
+expect_same expected messages
+printf '#define MARK\nvoid missing(void);\nint main(void) {\n    MARK;\n    missing();\n    return 0;\n}\n' >u.c
+"$redcc_cc" u.c -o p 2>messages
+expect_equal "$case_name: link" 1 $?
+expect_equal "$case_name: link" 1 "$(grep -c 'undefined reference' messages)"
+expect_no_match messages 'redcc_fake_mark|redcc-cc'
+expect_no_file p
+"$redcc_cc" -c u.c && "$redcc_cc" u.o -o p 2>messages
+expect_equal "$case_name: objects" 1 "$(grep -c 'undefined reference' messages)"
+expect_no_match messages 'redcc_fake_mark'
+end
+
+begin "a runtime that does not link"
+printf '%s' "$source_text" >x.c
+cp "$work/root/lib/libredcc_rt.a" "$work/saved"
+echo garbage >"$work/root/lib/libredcc_rt.a"
+expect_untranslated
+echo 'int main(void) { return 0; }' >m.c
+cc -c m.c && "$redcc_cc" m.o -o p2 2>messages || fail "$case_name: $(cat messages)"
+expect_empty messages
+cp "$work/saved" "$work/root/lib/libredcc_rt.a"
+end
+
+begin "no temporary folder"
+printf '%s' "$source_text" >x.c
+TMPDIR=/nonexistent "$redcc_cc" -c x.c 2>messages || cat messages
+: >"$work/file"
+for place in "$work/file" /proc/self; do
+  # the compiler itself looks for another place; redcc-cc does without
+  TMPDIR="$place" "$redcc_cc" x.c -o p 2>messages || fail "$case_name: $place: $(cat messages)"
+  expect_equal "$case_name" "ran" "$(./p | paste -sd' ')"
+done
+end
+
+begin "checks by configure scripts, CMake and Meson are not touched"
+printf '%s' "$source_text" >conftest.c
+"$redcc_cc" conftest.c -o conftest || fail "$case_name"
+"$redcc_cc" -c conftest.c && "$redcc_cc" -o conftest conftest.o || fail "$case_name"
+for folder in CMakeFiles/CMakeScratch/TryCompile-abc CMakeFiles/CMakeTmp CMakeFiles/CompilerIdC meson-private/tmpxyz; do
+  mkdir -p "$folder"
+  (cd "$folder" && printf '%s' "$source_text" >x.c && "$redcc_cc" x.c -o p) || fail "$case_name: $folder"
+done
+printf '%s' "$source_text" >CMakeCCompilerId.c
+"$redcc_cc" CMakeCCompilerId.c || fail "$case_name"
+expect_no_file "$RECORD"
+end
+
+begin "options that redcc cannot follow"
+printf '%s' "$source_text" >x.c
+for option in -ffreestanding -Xpreprocessor\ -DA -Wp,-I. -P --specs=/dev/null -nostdlib\ -c; do
+  # shellcheck disable=SC2086
+  "$redcc_cc" $option -c x.c -o x.o 2>/dev/null || [ "$option" = --specs=/dev/null ] || fail "$case_name: $option"
+done
+expect_no_file "$RECORD"
+expect_untranslated -v -ffreestanding
+expect_match messages 'an option that redcc cannot follow'
+end
+
+begin "a source with OpenMP in it, and OpenMP off: the pragmas stay asleep"
+{ printf '%s' "$source_text"; echo '#pragma omp declare simd'; echo 'int k(int a) { return a; }'; } >x.c
+expect_untranslated
+expect_untranslated -v
+expect_match messages 'mentions OpenMP'
+"$redcc_cc" -fopenmp x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
+{ echo '#include "has_omp.h"'; printf '%s' "$source_text"; } >x.c
+printf '#ifdef _OPENMP\n#define NOTHING\n#endif\n' >has_omp.h
+expect_untranslated
+end
+
+begin "what the translator is told"
+printf '%s' "$source_text" >x.c
+mkdir inc
+"$redcc_cc" -O2 -Wall -Iinc -I inc -DA='"a b"' -D B -UC -std=gnu11 -include stdio.h -isystem inc \
+  -march=native -Wp,-DX=1,-DY -MD -MF x.d -pthread -fopenmp -g -o p -L. -lm x.c || fail "$case_name"
+expect_match "$RECORD" '-- -O2 -Iinc -I inc -DA="a b" -D B -UC -std=gnu11 -include stdio.h -isystem inc -march=native -DX=1 -DY -pthread -fopenmp$'
+end
+
+finish

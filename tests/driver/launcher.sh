@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The launcher form, and compilers that lead back to redcc-cc.
+. "$(dirname "$0")/library.sh"
+make_root "$work/root"
+export REDCC_ROOT="$work/root"
+redcc_cc=$REDCC_CC_PROGRAM
+run_p() { ./p | paste -sd' '; }
+
+begin "launcher form"
+printf '%s' "$source_text" >x.c
+"$redcc_cc" gcc x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+"$redcc_cc" /usr/bin/gcc -c x.c && "$redcc_cc" /usr/bin/gcc x.o -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+"$redcc_cc" "$FAKES/compiler" -c x.c || fail "$case_name"
+expect_match "$RECORD" '^cc .*/0/x\.c'
+if command -v clang-19 >/dev/null; then
+  "$redcc_cc" clang-19 x.c -o p || fail "$case_name"
+  expect_equal "$case_name" "translated ran" "$(run_p)"
+fi
+REDCC_CC=/no/such/compiler "$redcc_cc" gcc -c x.c || fail "$case_name: REDCC_CC does not matter"
+"$redcc_cc" gcc --version >actual && gcc --version | expect_same actual /dev/stdin
+end
+
+begin "a compiler named after a source is no compiler"
+printf '%s' "$source_text" >x.c
+chmod +x x.c
+"$redcc_cc" x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+"$redcc_cc" -c x.c && chmod +x x.o && "$redcc_cc" x.o -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+end
+
+begin "further launchers"
+printf '%s' "$source_text" >x.c
+mkdir bin
+printf '#!/bin/bash\necho "ccache $1" >>"$RECORD"\nexec "$@"\n' >bin/ccache
+chmod +x bin/ccache
+PATH="$PWD/bin:$PATH" "$redcc_cc" ccache gcc x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+expect_match "$RECORD" '^ccache gcc'
+PATH="$PWD/bin:$PATH" REDCC_CC="ccache gcc" "$redcc_cc" x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+end
+
+begin "g++ takes C for C++, a cross compiler is for another machine"
+printf '%s' "$source_text" >x.c
+"$redcc_cc" g++ -c x.c || fail "$case_name"
+mkdir bin && cp "$FAKES/compiler" bin/arm-linux-gnueabi-gcc && cp "$FAKES/compiler" "bin/$(uname -m)-linux-gnu-gcc-12"
+"$redcc_cc" bin/arm-linux-gnueabi-gcc -v -c x.c 2>messages || fail "$case_name"
+expect_match messages 'another machine'
+expect_no_match "$RECORD" '^redcc'
+"$redcc_cc" "bin/$(uname -m)-linux-gnu-gcc-12" -c x.c || fail "$case_name"
+expect_match "$RECORD" '^redcc'
+end
+
+begin "clang without its OpenMP library"
+printf '%s' "$source_text" >x.c
+mkdir bin
+printf '#!/bin/bash\ncase "$1" in -print-file-name=*) echo "${1#*=}" ;; *) exec cc "$@" ;; esac\n' >bin/clang
+chmod +x bin/clang
+"$redcc_cc" bin/clang -v x.c -o p 2>messages || fail "$case_name"
+expect_equal "$case_name" "ran" "$(run_p)"
+expect_match messages 'no OpenMP library'
+end
+
+begin "redcc-cc called by a compiler's name, first in PATH"
+printf '%s' "$source_text" >x.c
+mkdir bin
+for name in cc gcc; do ln -s "$redcc_cc" "bin/$name"; done
+for name in cc gcc; do
+  (PATH="$PWD/bin:$PATH" && timeout 20 "$name" x.c -o p) || fail "$case_name"
+  expect_equal "$case_name: $name" "translated ran" "$(run_p)"
+done
+(PATH="$PWD/bin:$PATH" && timeout 20 "$redcc_cc" cc x.c -o p) || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+(PATH="$PWD/bin:$PATH" && timeout 20 "$redcc_cc" "$PWD/bin/cc" x.c -o p) || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+end
+
+begin "REDCC_CC is redcc-cc"
+printf '%s' "$source_text" >x.c
+mkdir bin && ln -s "$redcc_cc" bin/redcc-cc
+for value in "$redcc_cc" "$PWD/bin/redcc-cc"; do
+  REDCC_CC="$value" timeout 20 "$redcc_cc" x.c -o p || fail "$case_name"
+  expect_equal "$case_name" "translated ran" "$(run_p)"
+done
+(PATH="$PWD/bin:$PATH" && REDCC_CC=redcc-cc timeout 20 redcc-cc x.c -o p) || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+(PATH="$PWD/bin:$PATH" && timeout 20 redcc-cc redcc-cc gcc x.c -o p) || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+end
+
+begin "a compiler that is a script around redcc-cc"
+printf '%s' "$source_text" >x.c
+printf '#!/bin/bash\nexec "%s" "$@"\n' "$redcc_cc" >wrapper
+chmod +x wrapper
+# its own compiler is another one: translated once, no circle
+timeout 20 "$redcc_cc" ./wrapper x.c -o p || fail "$case_name"
+expect_equal "$case_name" "translated ran" "$(run_p)"
+expect_equal "$case_name: once" 1 "$(grep -c '^redcc' "$RECORD")"
+# it is its own compiler: a clear error, no circle
+REDCC_CC="$PWD/wrapper" timeout 20 "$redcc_cc" x.c -o p2 2>messages
+expect_equal "$case_name" 1 $?
+expect_match messages 'redcc-cc: error: .*calls redcc-cc again'
+end
+
+begin "nothing but itself in PATH"
+printf '%s' "$source_text" >x.c
+mkdir bin && ln -s "$redcc_cc" bin/cc
+(PATH="$PWD/bin" && cc x.c -o p 2>messages)
+expect_equal "$case_name" 1 $?
+expect_match messages 'REDCC_CC'
+end
+
+finish
