@@ -3,7 +3,7 @@
 
 enum {
     /* A loop with a known trip count is executed as long as this. */
-    MOST_ROUNDS = 1 << 16
+    MOST_ROUNDS = 1 << 14
 };
 
 static state *scratch_copy(run *r, const state *s) {

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// long double and complex elements.
+// covers: row 42
+#include "case.h"
+#include <complex.h>
+
+enum { N = 9000, M = 500 };
+static int s[N];
+static double w[N];
+static long double sums[M];
+static double complex field[M];
+static double shown[M][3];
+
+static void wide(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        sums[s[t]] += (long double)w[t] / 3.0L;
+}
+
+static void planes(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        field[s[t]] += w[t] + I * (w[t] * 0.5);
+}
+
+int main(void) {
+    case_values(w, N);
+    for (int round = 0; round < 3; round++) {
+        case_subscripts(s, N, M);
+        if (getenv("CASE_INTEGERS") == NULL)
+            wide(N);
+        planes(N);
+        for (int i = 0; i < M; i++) { /* a long double has padding */
+            shown[i][0] = (double)sums[i];
+            shown[i][1] = (double)(sums[i] - (long double)shown[i][0]);
+            shown[i][2] = creal(field[i]) + 3.0 * cimag(field[i]);
+        }
+        CASE_PRINT(shown);
+        CASE_PRINT(field);
+    }
+    return 0;
+}
