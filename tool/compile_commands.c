@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* realpath */
+#include "compile_commands.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "driver/words.h"
+
+/** `path` as seen from `folder`. */
+static const char *joined(arena *a, const char *folder, const char *path) {
+    return path[0] == '/' ? path : arena_format(a, "%s/%s", folder, path);
+}
+
+static bool same_file(const char *left, const char *right) {
+    char *left_path = realpath(left, NULL);
+    char *right_path = realpath(right, NULL);
+    const bool same = left_path && right_path && strcmp(left_path, right_path) == 0;
+    free(left_path);
+    free(right_path);
+    return same;
+}
+
+/* ---- the words of a command ---------------------------------------------------------------- */
+
+static word_list words_of(arena *a, const json_t *entry) {
+    word_list words = {0};
+    const json_t *arguments = json_object_get(entry, "arguments");
+    const char *command = json_string_value(json_object_get(entry, "command"));
+    for (size_t i = 0; i < json_array_size(arguments); i++) {
+        const char *word = json_string_value(json_array_get(arguments, i));
+        if (word)
+            words_add(a, &words, arena_string(a, word));
+    }
+    if (!arguments && command)
+        words_split(a, arena_string(a, command), &words);
+    return words;
+}
+
+/* ---- flags --------------------------------------------------------------------------------- */
+
+/** Flags whose value is a path; each may be joined to it or stand before it. */
+static const char *path_flag(const char *word) {
+    static const char *const flags[] = {"-I",         "-isystem", "-iquote",   "-include",
+                                        "-idirafter", "-imacros", "--sysroot="};
+    const char *found = NULL;
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+        if (strncmp(word, flags[i], strlen(flags[i])) == 0)
+            found = flags[i];
+    return found;
+}
+
+/** Flags of a compilation that are not for the parser, with a value in the next word. */
+static bool is_dropped_with_value(const char *word) {
+    return strcmp(word, "-o") == 0 || strcmp(word, "-MF") == 0 || strcmp(word, "-MT") == 0 ||
+           strcmp(word, "-MQ") == 0;
+}
+
+static void add_flags(arena *a, const word_list *words, const char *directory, const char *input,
+                      string_list *flags) {
+    for (unsigned i = 1; i < words->count; i++) { /* the first is the compiler */
+        const char *word = words->items[i];
+        const char *flag = path_flag(word);
+        if (is_dropped_with_value(word)) {
+            i++;
+        } else if (strcmp(word, "-c") == 0 || strcmp(word, "--") == 0) {
+            continue;
+        } else if (flag && word[strlen(flag)]) {
+            const char *path = joined(a, directory, word + strlen(flag));
+            VECTOR_PUSH(a, flags, arena_format(a, "%s%s", flag, path));
+        } else if (flag && i + 1 < words->count) {
+            VECTOR_PUSH(a, flags, flag);
+            VECTOR_PUSH(a, flags, joined(a, directory, words->items[++i]));
+        } else if (word[0] == '-' || !same_file(joined(a, directory, word), input)) {
+            VECTOR_PUSH(a, flags, word);
+        }
+    }
+}
+
+static bool is_entry_of(arena *a, const json_t *entry, const char *input, const char **directory) {
+    const char *folder = json_string_value(json_object_get(entry, "directory"));
+    const char *file = json_string_value(json_object_get(entry, "file"));
+    *directory = folder ? arena_string(a, folder) : ".";
+    return file && same_file(joined(a, *directory, file), input);
+}
+
+const char *compile_commands_flags(arena *a, const char *folder, const char *input,
+                                   string_list *flags) {
+    const char *path = arena_format(a, "%s/compile_commands.json", folder);
+    json_error_t error;
+    json_t *root = json_load_file(path, 0, &error);
+    if (!root)
+        return error.line > 0
+                   ? arena_format(a, "%s:%d:%d: %s", path, error.line, error.column, error.text)
+                   : arena_format(a, "%s", error.text);
+    const char *wrong = arena_format(a, "%s has no command for '%s'", path, input);
+    for (size_t i = 0; i < json_array_size(root); i++) {
+        const json_t *entry = json_array_get(root, i);
+        const char *directory;
+        if (!is_entry_of(a, entry, input, &directory))
+            continue;
+        const word_list words = words_of(a, entry);
+        add_flags(a, &words, joined(a, folder, directory), input, flags);
+        wrong = NULL;
+        break;
+    }
+    json_decref(root);
+    return wrong;
+}

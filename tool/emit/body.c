@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The executor's body: the user's bytes, with the bases of the reduction arrays replaced where they
+ * are not shadowed, and in the guarded form each update asking first whether the thread owns the
+ * element. Statements that a macro makes up are printed from the IR where something in them must
+ * change; all others keep every byte.
+ */
+#include <string.h>
+
+#include "emit/edit.h"
+#include "emit/loop.h"
+#include "emit/print.h"
+#include "emit/syntax.h"
+
+typedef struct body_copy {
+    printer printer; /* first: the printer's hook gets at the rest through it */
+    loop_text *loop;
+    bool is_guarded;
+    edit_list edits;
+    VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
+    const ir_node *guarding;         /* the update that the printer is inside of */
+} body_copy;
+
+/* ---- what the printer writes --------------------------------------------------------------- */
+
+static const char *local_name(const ir_node *node, void *context) {
+    const loop_text *loop = context;
+    const int array = loop_array_of_base(loop, node);
+    return array >= 0 ? loop->arrays[array].local : NULL;
+}
+
+/** `{ if (redcc_owns(...)) `: what goes before an update. */
+static const char *guard_text(loop_text *loop, const reduction_update *update) {
+    const char *target = text_operand(loop->arena, update->target, local_name, loop);
+    if (!target) {
+        loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
+        return "";
+    }
+    return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) ",
+                        loop->arrays[update->array].owner, target);
+}
+
+static const reduction_update *update_of(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].statement == statement)
+            return &facts->updates[i];
+    return NULL;
+}
+
+static bool print_guard(printer *p, const ir_node *statement) {
+    body_copy *copy = (body_copy *)p;
+    if (!copy->is_guarded || copy->guarding == statement)
+        return false;
+    const reduction_update *update = update_of(copy->loop->facts, statement);
+    if (!update)
+        return false;
+    writer_line(p->out, "%s", guard_text(copy->loop, update));
+    copy->guarding = statement;
+    print_statement(p, statement);
+    copy->guarding = NULL;
+    writer_line(p->out, "}");
+    return true;
+}
+
+/* ---- edits --------------------------------------------------------------------------------- */
+
+/** As many line ends as bytes [begin, end) hold, so that what follows keeps its line number. */
+static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end) {
+    const char *text = loop->unit->source->text;
+    buffer out = {0};
+    for (uint32_t i = begin; i < end; i++)
+        if (text[i] == '\n')
+            buffer_byte(&out, '\n');
+    const char *ends = arena_copy(loop->arena, out.length > 0 ? out.data : "", out.length);
+    buffer_free(&out);
+    return ends;
+}
+
+static void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text) {
+    loop_text *loop = copy->loop;
+    text = arena_format(loop->arena, "%s%s", text, line_ends(loop, begin, end));
+    edit_replace(loop->arena, &copy->edits, begin, end, text);
+}
+
+static bool is_printed(const body_copy *copy, const ir_node *node) {
+    for (unsigned i = 0; i < copy->printed.count; i++)
+        if (ir_contains(copy->printed.items[i], node))
+            return true;
+    return false;
+}
+
+static void print_instead(body_copy *copy, const ir_node *statement) {
+    const ir_node *body = copy->loop->facts->counted.body;
+    const ir_node *whole = syntax_editable_statement(statement, body);
+    if (!whole)
+        loop_obstacle(copy->loop, statement->range,
+                      "one macro call stands for several statements of the body");
+    else if (!is_printed(copy, whole))
+        VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
+}
+
+/* ---- bases --------------------------------------------------------------------------------- */
+
+/** Visits each base in the body that must be replaced by another name. */
+static void visit_bases(body_copy *copy, const ir_node *node,
+                        void (*visit)(body_copy *, const ir_node *, int array)) {
+    const int array = loop_array_of_base(copy->loop, node);
+    if (array >= 0) {
+        if (!copy->loop->arrays[array].is_shadowed)
+            visit(copy, node, array);
+        return;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        visit_bases(copy, node->children[i], visit);
+}
+
+static void print_base_in_macro(body_copy *copy, const ir_node *node, int array) {
+    (void)array;
+    if (node->flags & IR_FROM_MACRO)
+        print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
+}
+
+static void replace_base(body_copy *copy, const ir_node *node, int array) {
+    if (!is_printed(copy, node))
+        replace_bytes(copy, node->range.begin, node->range.end, copy->loop->arrays[array].local);
+}
+
+static bool contains_base(const loop_text *loop, const ir_node *node, unsigned array) {
+    if (loop_array_of_base(loop, node) == (int)array)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (contains_base(loop, node->children[i], array))
+            return true;
+    return false;
+}
+
+/** An update that does not spell its array would write past the thread's own copy. */
+static void check_updates(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const reduction_update *update = &facts->updates[i];
+        if (!contains_base(loop, update->statement, update->array))
+            loop_obstacle(loop, update->statement->range,
+                          "an update does not name '%s', the array it goes to",
+                          facts->arrays[update->array].name);
+        for (unsigned other = 0; other < i; other++)
+            if (facts->updates[other].statement == update->statement)
+                loop_obstacle(loop, update->statement->range, "two updates stand in one statement");
+    }
+}
+
+/* ---- guards -------------------------------------------------------------------------------- */
+
+static void choose_printed_updates(body_copy *copy) {
+    const loop_facts *facts = copy->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const ir_node *statement = facts->updates[i].statement;
+        if (syntax_editable_statement(statement, facts->counted.body) != statement)
+            print_instead(copy, statement);
+    }
+}
+
+static void guard_updates(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    for (unsigned i = 0; i < loop->facts->update_count; i++) {
+        const reduction_update *update = &loop->facts->updates[i];
+        if (is_printed(copy, update->statement))
+            continue;
+        edit_insert(loop->arena, &copy->edits, update->statement->range.begin,
+                    guard_text(loop, update));
+        edit_insert(loop->arena, &copy->edits,
+                    syntax_statement_end(loop->unit->source, update->statement), " }");
+    }
+}
+
+/* ---- the copy ------------------------------------------------------------------------------ */
+
+/** A statement from the IR, on one line. */
+static const char *printed_text(body_copy *copy, const ir_node *statement) {
+    writer line = {.on_one_line = true};
+    copy->printer.out = &line;
+    print_statement(&copy->printer, statement);
+    return writer_text(copy->loop->arena, &line);
+}
+
+/** The increment of a while loop is the executor's own. */
+static void drop_increment(body_copy *copy) {
+    const loop_text *loop = copy->loop;
+    const ir_node *increment = loop->facts->counted.increment;
+    if (!increment || loop->facts->loop->kind != IR_WHILE)
+        return;
+    increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
+    replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),
+                  "");
+}
+
+static const char *copied_text(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    const ir_node *body = loop->facts->counted.body;
+    const source *text = loop->unit->source;
+    if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro has it as well */
+        VECTOR_PUSH(loop->arena, &copy->printed, body);
+    visit_bases(copy, body, print_base_in_macro);
+    if (copy->is_guarded)
+        choose_printed_updates(copy);
+    visit_bases(copy, body, replace_base);
+    if (copy->is_guarded)
+        guard_updates(copy);
+    if (is_printed(copy, body))
+        return printed_text(copy, body);
+
+    drop_increment(copy);
+    for (unsigned i = 0; i < copy->printed.count; i++) {
+        const ir_node *statement = copy->printed.items[i];
+        replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),
+                      printed_text(copy, statement));
+    }
+    buffer out = {0};
+    if (!edit_apply(&out, text->text, body->range.begin, syntax_statement_end(text, body),
+                    &copy->edits))
+        loop_obstacle(loop, body->range, "the changes to its text overlap");
+    const char *result = arena_copy(loop->arena, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return result;
+}
+
+static bool reads_below(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return true;
+    unsigned first = 0;
+    if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
+        ir_child(node, 0)->kind == IR_VARIABLE && !ir_value_is_used(node))
+        first = 1; /* only written */
+    for (unsigned i = first; i < node->child_count; i++)
+        if (reads_below(node->children[i], variable))
+            return true;
+    return false;
+}
+
+bool body_reads(const loop_facts *facts, const ir_variable *variable) {
+    return reads_below(facts->counted.body, variable);
+}
+
+static void declare_variables(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    const ir_variable *counter = facts->counted.counter;
+    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
+                body_reads(facts, counter) ? "" : " __attribute__((unused))", loop->counter_type,
+                loop_iteration_offset(loop));
+    for (unsigned i = 0; i < facts->private_count; i++) {
+        const private_variable *item = &facts->privates[i];
+        if (item->is_declared_inside || item->is_live_after)
+            continue;
+        writer_line(out, "__typeof__(%s) %s%s;", item->variable->name, item->variable->name,
+                    body_reads(facts, item->variable) ? "" : " __attribute__((unused))");
+    }
+}
+
+void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
+    const ir_node *body = loop->facts->counted.body;
+    body_copy copy = {.printer = {.arena = loop->arena,
+                                  .rename = local_name,
+                                  .context = loop,
+                                  .before = print_guard},
+                      .loop = loop,
+                      .is_guarded = is_guarded};
+    if (!is_guarded)
+        check_updates(loop);
+    declare_variables(loop, out);
+    const char *text = copied_text(&copy);
+    if (copy.printer.problem)
+        loop_obstacle(loop, body->range, "%s", copy.printer.problem);
+    buffer_format(&out->out, "%s\n", loop_line_directive(loop, body->range.begin));
+    buffer_format(&out->out, "%s\n", text);
+    buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
+}

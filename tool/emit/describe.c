@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
+#include "emit/loop.h"
+#include "ir/ir_position.h"
+
+static const char *operator_name(reduction_operator op) {
+    static const char *const names[] = {"REDCC_SUM",     "REDCC_PRODUCT", "REDCC_MINIMUM",
+                                        "REDCC_MAXIMUM", "REDCC_AND",     "REDCC_OR",
+                                        "REDCC_XOR"};
+    return names[op];
+}
+
+static const char *integer_name(const ir_type *type) {
+    switch (type->size) {
+    case 1:
+        return type->is_signed ? "REDCC_INT8" : "REDCC_UINT8";
+    case 2:
+        return type->is_signed ? "REDCC_INT16" : "REDCC_UINT16";
+    case 4:
+        return type->is_signed ? "REDCC_INT32" : "REDCC_UINT32";
+    case 8:
+        return type->is_signed ? "REDCC_INT64" : "REDCC_UINT64";
+    default:
+        return "REDCC_OTHER_TYPE";
+    }
+}
+
+static const char *element_name(const ir_type *type) {
+    if (type->kind == IR_INTEGER)
+        return integer_name(type);
+    if (type->kind == IR_FLOATING)
+        return type->size == 4   ? "REDCC_FLOAT"
+               : type->size == 8 ? "REDCC_DOUBLE"
+                                 : "REDCC_LONG_DOUBLE";
+    if (type->kind == IR_COMPLEX)
+        return type->size == 8    ? "REDCC_FLOAT_COMPLEX"
+               : type->size == 16 ? "REDCC_DOUBLE_COMPLEX"
+                                  : "REDCC_OTHER_TYPE";
+    return "REDCC_OTHER_TYPE";
+}
+
+/** What the array is an array of, rows looked through. */
+static const ir_type *innermost_of_base(const ir_type *type) {
+    if (type->kind == IR_POINTER && type->target)
+        type = type->target;
+    return ir_type_innermost(type);
+}
+
+/**
+ * Private copies hold elements side by side. Where the elements are members of records, a copy of
+ * the array would lack the other members, and the runtime is told of a type that it cannot copy.
+ */
+static const char *runtime_type(const reduction_array *array) {
+    const ir_type *held = innermost_of_base(array->base->type);
+    return ir_type_equal(held, array->element) ? element_name(array->element) : "REDCC_OTHER_TYPE";
+}
+
+/** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
+static const char *unit_text(loop_text *loop, unsigned number) {
+    const reduction_array *array = &loop->facts->arrays[number];
+    if (array->unit <= array->element->size)
+        return arena_format(loop->arena, "sizeof(%s)", array->element->spelling);
+    for (unsigned i = 0; i < loop->facts->update_count; i++) {
+        const reduction_update *update = &loop->facts->updates[i];
+        if (update->array == number && update->row->type->size == array->unit &&
+            update->row->type->spelling)
+            return arena_format(loop->arena, "sizeof(%s)", update->row->type->spelling);
+    }
+    return arena_format(loop->arena, "%lld", (long long)array->unit);
+}
+
+static void write_arrays(loop_text *loop, writer *out) {
+    writer_line(out, "static const redcc_array redcc__arrays[] = {");
+    const unsigned count = loop->facts->array_count;
+    for (unsigned i = 0; i < count; i++) {
+        const reduction_array *array = &loop->facts->arrays[i];
+        if (!array->element->spelling)
+            loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
+        writer_line(out, "    {%s, %s, %s, sizeof(%s), %s}%s",
+                    text_quoted(loop->arena, array->name), operator_name(array->op),
+                    runtime_type(array), array->element->spelling, unit_text(loop, i),
+                    i + 1 < count ? "," : "};");
+    }
+}
+
+static void write_sources(loop_text *loop, writer *out) {
+    if (loop->source_count == 0)
+        return;
+    writer_line(out, "static const redcc_source redcc__sources[] = {");
+    for (unsigned i = 0; i < loop->source_count; i++)
+        writer_line(out, "    {%s, %d}%s", text_quoted(loop->arena, loop->sources[i].fact->name),
+                    loop->sources[i].is_subscript ? 1 : 0, i + 1 < loop->source_count ? "," : "};");
+}
+
+/* ---- the key ------------------------------------------------------------------------------- */
+
+/** How a key's value gets into words of 64 bits. */
+typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_form;
+
+static key_form form_of_key(const ir_type *type) {
+    switch (type->kind) {
+    case IR_BOOLEAN:
+    case IR_INTEGER:
+        return KEY_INTEGER;
+    case IR_POINTER:
+    case IR_ARRAY:
+        return KEY_POINTER;
+    case IR_FLOATING: /* a long double has bytes that mean nothing */
+        return type->size <= 8 && type->spelling ? KEY_BYTES : KEY_UNFIT;
+    default:
+        return KEY_UNFIT;
+    }
+}
+
+static bool is_verifiable(const loop_facts *facts) {
+    if (!facts->is_verifiable)
+        return false;
+    for (unsigned i = 0; i < facts->key_count; i++)
+        if (form_of_key(facts->key[i]->type) == KEY_UNFIT)
+            return false;
+    return true;
+}
+
+static unsigned key_count(const loop_facts *facts) {
+    return 1 + (is_verifiable(facts) ? facts->key_count : 0);
+}
+
+void declare_key(loop_text *loop, writer *out) {
+    writer_line(out, "redcc_word redcc__key[%u];", key_count(loop->facts));
+}
+
+void fill_key(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    writer_line(out, "redcc__key[0] = (redcc_word)redcc__lower;");
+    for (unsigned i = 0; i + 1 < key_count(facts); i++) {
+        const ir_node *key = facts->key[i];
+        const char *text = loop_operand(loop, key);
+        switch (form_of_key(key->type)) {
+        case KEY_INTEGER:
+            writer_line(out, "redcc__key[%u] = (redcc_word)%s;", i + 1, text);
+            break;
+        case KEY_POINTER:
+            writer_line(out, "redcc__key[%u] = (redcc_word)(redcc_size)%s;", i + 1, text);
+            break;
+        default: /* the bits, not the value rounded to an integer */
+            writer_line(out, "{");
+            writer_line(out, "    const %s redcc__value = %s;", key->type->spelling, text);
+            writer_line(out, "    redcc__key[%u] = 0;", i + 1);
+            writer_line(out,
+                        "    __builtin_memcpy(&redcc__key[%u], &redcc__value, "
+                        "sizeof redcc__value);",
+                        i + 1);
+            writer_line(out, "}");
+            break;
+        }
+    }
+}
+
+static const char *flags_text(const loop_text *loop) {
+    const bool verifiable = is_verifiable(loop->facts);
+    if (loop->options->order_is_explicit)
+        return verifiable ? "REDCC_VERIFIABLE | REDCC_ORDER_EXPLICIT" : "REDCC_ORDER_EXPLICIT";
+    return verifiable ? "REDCC_VERIFIABLE" : "0";
+}
+
+static void write_loop_object(loop_text *loop, writer *out) {
+    static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
+                                         "REDCC_ORDER_ANY"};
+    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
+    writer_line(out, "static redcc_loop redcc__loop = {");
+    writer_line(out, "    %s, %u, %s, %s, %s,", text_quoted(loop->arena, place.file), place.line,
+                text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
+                flags_text(loop));
+    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0};", loop->facts->array_count,
+                loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
+                key_count(loop->facts));
+}
+
+void write_description(loop_text *loop, writer *out) {
+    write_arrays(loop, out);
+    write_sources(loop, out);
+    write_loop_object(loop, out);
+}

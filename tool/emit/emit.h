@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Verdicts to output text: the user's file with each loop that is to run in parallel replaced by a
+ * block that holds both forms of it. docs/generated-code.md shows one whole.
+ */
+#ifndef EMIT_EMIT_H
+#define EMIT_EMIT_H
+
+#include "analysis/analysis.h"
+
+/** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
+typedef enum emit_order { EMIT_ORDER_SERIAL, EMIT_ORDER_FIXED, EMIT_ORDER_ANY } emit_order;
+
+typedef struct emit_options {
+    emit_order order;
+    bool order_is_explicit; /* asked for in so many words, not just the default */
+} emit_options;
+
+typedef struct emit_result {
+    const char *text; /* `length` bytes and a 0; the input's own bytes where loop_count is 0.
+                         NULL: two edits overlap, an error of the translator's own */
+    size_t length;
+    unsigned loop_count; /* loops written in parallel form */
+    /* For each verdict: why the text cannot say what was found (a reason without an id, message
+     * and range filled in), message NULL where it can. Such a loop is left as it is. */
+    const reason *obstacles;
+} emit_result;
+
+/** Writes all loops whose verdict is VERDICT_TRANSFORM. Everything returned lives in the arena (or
+ *  is the source's). */
+emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                      const emit_options *options);
+
+#endif

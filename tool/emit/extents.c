@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Where things lie that the loop reads, as far as that is known before the inspection. */
+#include "emit/loop.h"
+
+static bool has_extent(const loop_text *loop, source_extent extent) {
+    for (unsigned i = 0; i < loop->source_count; i++)
+        if (loop->sources[i].fact->extent == extent)
+            return true;
+    return false;
+}
+
+static bool is_address(const ir_type *type) {
+    return type->kind == IR_POINTER || type->kind == IR_ARRAY;
+}
+
+static void fill_fixed_extents(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->source_count; i++) {
+        const loop_source *fact = loop->sources[i].fact;
+        if (fact->extent == EXTENT_INVARIANT) {
+            const char *row = loop_operand(loop, fact->row);
+            writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i, row);
+            writer_line(out, "redcc__known[%u].end = redcc__known[%u].first + sizeof(%s);", i, i,
+                        row);
+        } else if (fact->extent == EXTENT_TOUCHED && fact->base) {
+            writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
+                        is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
+        }
+    }
+}
+
+/** From the row of the first iteration to the row of the last, whichever comes first in memory. */
+static void fill_affine_extents(loop_text *loop, writer *out) {
+    if (!has_extent(loop, EXTENT_AFFINE))
+        return;
+    const counted_loop *counted = &loop->facts->counted;
+    const char *counter = counted->counter->name;
+    writer_line(out, "{ /* rows of the first and of the last iteration */");
+    out->depth++;
+    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type, counter, loop->counter_type);
+    for (unsigned i = 0; i < loop->source_count; i++)
+        if (loop->sources[i].fact->extent == EXTENT_AFFINE)
+            writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
+                        loop_operand(loop, loop->sources[i].fact->row));
+    writer_line(out, "%s = (%s)(redcc__final - %s%lld%s);", counter, loop->counter_type,
+                counted->step < 0 ? "(" : "", (long long)counted->step,
+                counted->step < 0 ? ")" : "");
+    for (unsigned i = 0; i < loop->source_count; i++) {
+        if (loop->sources[i].fact->extent != EXTENT_AFFINE)
+            continue;
+        const char *row = loop_operand(loop, loop->sources[i].fact->row);
+        writer_line(out, "redcc__known[%u].end = (const char *)&%s;", i, row);
+        writer_line(out, "if (redcc__known[%u].end < redcc__known[%u].first) {", i, i);
+        writer_line(out, "    const char *const redcc__low = redcc__known[%u].end;", i);
+        writer_line(out, "    redcc__known[%u].end = redcc__known[%u].first;", i, i);
+        writer_line(out, "    redcc__known[%u].first = redcc__low;", i);
+        writer_line(out, "}");
+        writer_line(out, "redcc__known[%u].end += sizeof(%s);", i, row);
+    }
+    out->depth--;
+    writer_line(out, "}");
+}
+
+void declare_extents(loop_text *loop, writer *out) {
+    if (loop->source_count == 0)
+        return;
+    buffer zeros = {0};
+    for (unsigned i = 0; i < loop->source_count; i++)
+        buffer_text(&zeros, i > 0 ? ", {0, 0}" : "{0, 0}");
+    writer_line(out, "redcc_extent redcc__known[%u] = {%s};", loop->source_count, zeros.data);
+    buffer_free(&zeros);
+}
+
+void fill_extents(loop_text *loop, writer *out) {
+    fill_fixed_extents(loop, out);
+    fill_affine_extents(loop, out);
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The inspector: the slice of the body that computes the subscripts, and where the body would
+ * update or read, a call that tells the runtime the address.
+ */
+#include "emit/loop.h"
+#include "emit/print.h"
+#include "emit/syntax.h"
+#include "support/vector.h"
+
+typedef struct told_row {
+    const ir_node *row;
+    int source; /* or SOURCE_NOT_TOLD, for an update */
+    unsigned array;
+} told_row;
+
+typedef struct inspector {
+    printer printer; /* first: the printer's hook gets at the rest through it */
+    loop_text *loop;
+    bool *update_told;       /* by update */
+    bool *source_told;       /* by the facts' source */
+    VECTOR(told_row) recent; /* told since the slice last did something else */
+    size_t recent_end;       /* length of the text when the last of them was */
+} inspector;
+
+/* ---- telling addresses --------------------------------------------------------------------- */
+
+static bool was_just_told(inspector *self, told_row item) {
+    if (self->printer.out->out.length != self->recent_end)
+        self->recent.count = 0;
+    for (unsigned i = 0; i < self->recent.count; i++) {
+        const told_row *other = &self->recent.items[i];
+        if (other->source == item.source && other->array == item.array &&
+            syntax_same(other->row, item.row))
+            return true;
+    }
+    return false;
+}
+
+static void remember(inspector *self, told_row item) {
+    VECTOR_PUSH(self->printer.arena, &self->recent, item);
+    self->recent_end = self->printer.out->out.length;
+}
+
+static void tell_update(inspector *self, const reduction_update *update) {
+    const told_row item = {update->row, SOURCE_NOT_TOLD, update->array};
+    if (was_just_told(self, item))
+        return;
+    const char *row = loop_operand(self->loop, update->row);
+    writer_line(self->printer.out, "redcc_touch(&redcc__worker, %u, &%s, sizeof(%s));",
+                update->array, row, row);
+    remember(self, item);
+}
+
+static void tell_read(inspector *self, const loop_source *read, int number) {
+    const told_row item = {read->row, number, 0};
+    if (was_just_told(self, item))
+        return;
+    const char *row = loop_operand(self->loop, read->row);
+    writer_line(self->printer.out, "redcc_read(&redcc__worker, %d, &%s, sizeof(%s));", number, row,
+                row);
+    remember(self, item);
+}
+
+/** Is this the statement before which the source's address is to be told? */
+static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
+    if (!read->place || read->place == facts->loop)
+        return statement == facts->counted.body;
+    return read->place == statement ||
+           syntax_enclosing_statement(read->place, facts->counted.body) == statement;
+}
+
+static bool before_statement(printer *p, const ir_node *statement) {
+    inspector *self = (inspector *)p;
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const int number = self->loop->source_number[i];
+        if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_TOLD &&
+            is_place(facts, &facts->sources[i], statement)) {
+            tell_read(self, &facts->sources[i], number);
+            self->source_told[i] = true;
+        }
+    }
+    bool is_update = false;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].statement == statement) {
+            tell_update(self, &facts->updates[i]);
+            self->update_told[i] = true;
+            is_update = true;
+        }
+    const ir_node *increment = facts->counted.increment;
+    return is_update || statement == increment ||
+           (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
+}
+
+/** Nothing that the loop touches may stay untold. */
+static void check_all_told(inspector *self) {
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (!self->update_told[i])
+            loop_obstacle(self->loop, facts->updates[i].target->range,
+                          "the inspector cannot reach an update of '%s'",
+                          facts->arrays[facts->updates[i].array].name);
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].extent == EXTENT_TOUCHED && !self->source_told[i] &&
+            self->loop->source_number[i] != SOURCE_NOT_TOLD)
+            loop_obstacle(self->loop, facts->sources[i].row->range,
+                          "the inspector cannot reach a read of '%s'", facts->sources[i].name);
+}
+
+/* ---- the variables of the slice ------------------------------------------------------------ */
+
+static bool mentions(const ir_node *node, const ir_variable *variable) {
+    if (node->variable == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions(node->children[i], variable))
+            return true;
+    return false;
+}
+
+static bool slice_mentions_below(const loop_facts *facts, const ir_node *node,
+                                 const ir_variable *variable) {
+    if (facts->in_slice[node->id] && node->kind != IR_BLOCK && mentions(node, variable))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (slice_mentions_below(facts, node->children[i], variable))
+            return true;
+    return false;
+}
+
+static bool slice_mentions(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (mentions(facts->updates[i].row, variable))
+            return true;
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].extent == EXTENT_TOUCHED && mentions(facts->sources[i].row, variable))
+            return true;
+    return slice_mentions_below(facts, facts->counted.body, variable);
+}
+
+static void declare_variables(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    const ir_variable *counter = facts->counted.counter;
+    const char *unused = slice_mentions(facts, counter) ? "" : " __attribute__((unused))";
+    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
+                unused, loop->counter_type, loop_iteration_offset(loop));
+    for (unsigned i = 0; i < facts->private_count; i++) {
+        const ir_variable *variable = facts->privates[i].variable;
+        if (!facts->privates[i].is_declared_inside && slice_mentions(facts, variable))
+            writer_line(out, "__typeof__(%s) %s;", variable->name, variable->name);
+    }
+}
+
+void write_inspected_iteration(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    inspector self = {
+        .printer = {.arena = loop->arena, .keep = facts->in_slice, .before = before_statement},
+        .loop = loop,
+        .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
+        .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1)};
+    writer slice = {.depth = out->depth};
+    self.printer.out = &slice;
+    print_body(&self.printer, facts->counted.body);
+    check_all_told(&self);
+    if (self.printer.problem)
+        loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
+
+    declare_variables(loop, out);
+    /* `continue` of the user's loop goes to the end of the slice, not past redcc_iteration_done */
+    if (self.printer.continues)
+        writer_line(out, "do {");
+    buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
+    if (self.printer.continues)
+        writer_line(out, "} while (0);");
+    writer_line(out, "redcc_iteration_done(&redcc__worker);");
+    buffer_free(&slice.out);
+}

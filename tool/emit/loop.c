@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/loop.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "emit/syntax.h"
+#include "ir/ir_position.h"
+
+/* ---- helpers of the parts ------------------------------------------------------------------ */
+
+void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...) {
+    if (loop->obstacle)
+        return;
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    loop->obstacle = arena_string(loop->arena, text);
+    loop->obstacle_range = range;
+}
+
+static const char *or_obstacle(loop_text *loop, const ir_node *expression, const char *text) {
+    if (text)
+        return text;
+    loop_obstacle(loop, expression->range, "an expression of the loop cannot be spelled");
+    return "0";
+}
+
+const char *loop_expression(loop_text *loop, const ir_node *expression) {
+    return or_obstacle(loop, expression, text_expression(loop->arena, expression, NULL, NULL));
+}
+
+const char *loop_operand(loop_text *loop, const ir_node *expression) {
+    return or_obstacle(loop, expression, text_operand(loop->arena, expression, NULL, NULL));
+}
+
+const char *loop_line_directive(loop_text *loop, uint32_t offset) {
+    const ir_position place = ir_position_of(loop->unit, offset);
+    return arena_format(loop->arena, "#line %u %s", place.line,
+                        text_quoted(loop->arena, place.file));
+}
+
+const char *loop_iteration_offset(loop_text *loop) {
+    const int64_t step = loop->facts->counted.step;
+    if (step == 1)
+        return "redcc__k";
+    return arena_format(loop->arena, "%lld * redcc__k", (long long)step);
+}
+
+int loop_array_of_base(const loop_text *loop, const ir_node *node) {
+    for (unsigned i = 0; i < loop->facts->array_count; i++)
+        if (syntax_same(loop->facts->arrays[i].base, node))
+            return (int)i;
+    return -1;
+}
+
+/* ---- the block ----------------------------------------------------------------------------- */
+
+/** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
+static void write_attempt(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    writer_line(out, "redcc_call redcc__call;");
+    writer_line(out, "void *redcc__bases[%u];", facts->array_count);
+    declare_extents(loop, out);
+    declare_key(loop, out);
+    write_thread_local_copies(loop, out, false);
+    for (unsigned i = 0; i < facts->array_count; i++)
+        writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
+                    loop_operand(loop, facts->arrays[i].base));
+    fill_extents(loop, out);
+    fill_key(loop, out);
+    writer_line(out, "if (redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, %s,",
+                loop->source_count > 0 ? "redcc__known" : "0");
+    writer_line(out, "                redcc__key, omp_get_max_threads(), omp_in_parallel())) {");
+    write_region(loop, out);
+    writer_line(out, "}");
+    writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+    const bool counter_outlives =
+        facts->counter_is_live_after && !facts->counted.counter_is_declared_in_header;
+    if (!counter_outlives && !has_last_values(facts))
+        return;
+    writer_line(out, "if (redcc__done) {");
+    out->depth++;
+    if (counter_outlives)
+        writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
+                    loop->counter_type);
+    write_last_values(loop, out, true);
+    out->depth--;
+    writer_line(out, "}");
+}
+
+static const char *heading(loop_text *loop) {
+    buffer out = {0};
+    for (unsigned i = 0; i < loop->facts->array_count; i++)
+        buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", loop->facts->arrays[i].name,
+                      reduction_operator_spelling(loop->facts->arrays[i].op));
+    /* a name is C text: it holds no end of a comment but in a string or comment of its own */
+    const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+static void write_parallel_form(loop_text *loop, writer *out) {
+    static const char *const promises[] = {"with the bits of the sequential loop",
+                                           "with the same bits at every thread count",
+                                           "in any order"};
+    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
+                heading(loop));
+    buffer_text(&out->out, "#ifdef _OPENMP\n"
+                           "#pragma GCC diagnostic push\n"
+                           "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
+    out->depth = 1;
+    write_description(loop, out);
+    const char *entry = write_trip_count(loop, out);
+    declare_last_values(loop, out);
+    writer_line(out, "int redcc__done = 0;");
+    writer_line(out, "if (%s) {", entry);
+    out->depth++;
+    write_attempt(loop, out);
+    out->depth--;
+    writer_line(out, "}");
+    buffer_text(&out->out, "#pragma GCC diagnostic pop\n");
+    writer_line(out, "if (!redcc__done)");
+    buffer_text(&out->out, "#endif\n");
+}
+
+/** Where the loop's text begins: before the pragmas that stand directly above it and belong to it.
+ */
+static uint32_t begin_with_pragmas(const ir_unit *unit, const ir_node *loop) {
+    uint32_t begin = loop->range.begin;
+    for (unsigned i = unit->directive_count; i-- > 0;) {
+        const ir_directive *directive = &unit->directives[i];
+        if (directive->range.end > begin)
+            continue;
+        if (directive->kind != IR_DIRECTIVE_PRAGMA ||
+            !syntax_is_blank(unit->source, directive->range.end, begin))
+            break;
+        begin = directive->range.begin;
+    }
+    return begin;
+}
+
+static void write_sequential_form(loop_text *loop, writer *out, ir_range range) {
+    const char *text = loop->unit->source->text;
+    buffer_format(&out->out, "%s\n", loop_line_directive(loop, range.begin));
+    buffer_append(&out->out, text + range.begin, range.end - range.begin);
+    buffer_format(&out->out, "\n%s\n}", loop_line_directive(loop, range.end - 1));
+}
+
+const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
+                       const emit_options *options, ir_range *replaced, reason *why) {
+    loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
+    writer out = {0};
+    prepare_loop(&loop);
+    replaced->begin = begin_with_pragmas(unit, facts->loop);
+    replaced->end = syntax_statement_end(unit->source, facts->loop);
+    write_parallel_form(&loop, &out);
+    write_sequential_form(&loop, &out, *replaced);
+    const char *text = writer_text(a, &out);
+    if (!loop.obstacle)
+        return text;
+    *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
+    return NULL;
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * One loop being written: what the parts of its text (trip count, inspector, bodies) share.
+ *
+ * Where something cannot be written, the part records an obstacle and goes on; the text is then
+ * thrown away as a whole.
+ */
+#ifndef EMIT_LOOP_H
+#define EMIT_LOOP_H
+
+#include "emit/emit.h"
+#include "emit/text.h"
+
+/** How a reduction array is called in the generated text. */
+typedef struct array_text {
+    const char *base;  /* the user's own expression: `b`, `s->b` */
+    const char *local; /* what stands for it in the executor: the same name (a shadow), or another
+                          that replaces the user's bytes */
+    const char *owner; /* the local that redcc_owns is asked with */
+    bool is_shadowed;
+} array_text;
+
+/** A source as the runtime is told of it: one or more of the facts' that move together. */
+typedef struct source_text {
+    const loop_source *fact; /* the first of them */
+    bool is_subscript;
+} source_text;
+
+enum { SOURCE_NOT_TOLD = -1 };
+
+typedef struct loop_text {
+    arena *arena;
+    const ir_unit *unit;
+    const loop_facts *facts;
+    const emit_options *options;
+    const char *obstacle; /* the first; NULL: none so far */
+    ir_range obstacle_range;
+
+    const array_text *arrays; /* indexed as facts->arrays */
+    unsigned source_count;
+    const source_text *sources;
+    const int *source_number; /* of each of the facts' sources: index into sources */
+    const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
+} loop_text;
+
+/** Records why this loop cannot be written, unless there is a reason already. */
+void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+/** text_expression and text_operand that record an obstacle, and then give "0". */
+const char *loop_expression(loop_text *loop, const ir_node *expression);
+const char *loop_operand(loop_text *loop, const ir_node *expression);
+/** `#line N "file"` for the user's text at `offset`. */
+const char *loop_line_directive(loop_text *loop, uint32_t offset);
+/** How far iteration redcc__k is from redcc__lower: "redcc__k", "2 * redcc__k". */
+const char *loop_iteration_offset(loop_text *loop);
+/** The array whose base this node says, or -1. */
+int loop_array_of_base(const loop_text *loop, const ir_node *node);
+
+/** setup.c: fills arrays, sources and counter_type, and records what forbids writing the loop. */
+void prepare_loop(loop_text *loop);
+
+/** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
+ * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
+const char *write_trip_count(loop_text *loop, writer *out);
+
+/** describe.c: the static objects that describe the loop; the key of one execution. */
+void write_description(loop_text *loop, writer *out);
+void declare_key(loop_text *loop, writer *out);
+void fill_key(loop_text *loop, writer *out);
+
+/** extents.c: redcc__known, for the sources whose place is known before the inspection. */
+void declare_extents(loop_text *loop, writer *out);
+void fill_extents(loop_text *loop, writer *out);
+
+/** region.c: `#pragma omp parallel` and what stands in it. */
+void write_region(loop_text *loop, writer *out);
+/** Copies of thread-local scalars: before the region, or in it, under their own names. */
+void write_thread_local_copies(loop_text *loop, writer *out, bool in_region);
+bool has_last_values(const loop_facts *facts);
+void declare_last_values(loop_text *loop, writer *out);
+/** Stores the last values, of the thread that has them; or from there into the user's variables. */
+void write_last_values(loop_text *loop, writer *out, bool into_variables);
+
+/** inspector.c: the statements of one iteration, counter and private variables declared. */
+void write_inspected_iteration(loop_text *loop, writer *out);
+
+/** body.c: the user's body for one iteration, with the counter and private variables declared. */
+void write_iteration(loop_text *loop, writer *out, bool is_guarded);
+bool body_reads(const loop_facts *facts, const ir_variable *variable);
+
+/** loop.c: the text that replaces bytes `replaced` of the file; NULL, with the obstacle in *why,
+ *  where it cannot be written. */
+const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
+                       const emit_options *options, ir_range *replaced, reason *why);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Statements of the IR as C: whole, or only those that a slice keeps. */
+#ifndef EMIT_PRINT_H
+#define EMIT_PRINT_H
+
+#include "emit/text.h"
+
+typedef struct printer printer;
+struct printer {
+    arena *arena;
+    writer *out;
+    const bool *keep;   /* by node id: what to print; NULL: everything. Of control that is not kept
+                           the parts below it are printed as if always executed, once */
+    ir_c_rename rename; /* as ir_c_expression takes it */
+    void *context;
+    /** Called before each statement, kept or not; true: nothing more is to be printed for it. */
+    bool (*before)(printer *p, const ir_node *statement);
+    const char *problem; /* the first thing that cannot be printed, or NULL */
+    bool continues;      /* a `continue` of the loop around the whole was printed */
+    unsigned unkept_since_break, unkept_since_continue; /* control left out between a jump and what
+                                                           it jumps to: start at 0 */
+    bool in_loop, in_switch; /* a loop, a switch or loop, has been printed around this */
+};
+
+/** Prints a statement with all below it. */
+void print_statement(printer *p, const ir_node *statement);
+/** Prints what stands in a block, without its braces unless it declares something. */
+void print_body(printer *p, const ir_node *body);
+/** The expression as C; sets p->problem where it cannot be spelled, and returns "0". */
+const char *print_expression(printer *p, const ir_node *expression);
+
+#endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The parallel region: each thread inspects its iterations, then executes what it is handed. */
+#include "emit/loop.h"
+
+/* ---- variables of the region --------------------------------------------------------------- */
+
+enum { LARGEST_COPIED_RECORD = 64 };
+
+/** A copy of each thread's own lets the compiler keep it in a register. */
+static bool is_copied_in(const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    if (type->kind == IR_RECORD) {
+        const ir_record *record = type->record;
+        const ir_field *last =
+            record && record->field_count > 0 ? &record->fields[record->field_count - 1] : NULL;
+        const bool may_go_on = last && last->type->kind == IR_ARRAY && last->type->count <= 1;
+        return type->size >= 0 && type->size <= LARGEST_COPIED_RECORD && !may_go_on &&
+               !variable->address_taken;
+    }
+    return ir_type_is_scalar(type) || type->kind == IR_COMPLEX;
+}
+
+static bool is_thread_local(const ir_variable *variable) {
+    return variable->storage == IR_THREAD_LOCAL;
+}
+
+/** The clause, or "" where there is nothing to copy in. */
+static const char *firstprivate_clause(loop_text *loop) {
+    buffer out = {0};
+    for (unsigned i = 0; i < loop->facts->captured_count; i++) {
+        const ir_variable *variable = loop->facts->captured[i];
+        if (is_copied_in(variable) && !is_thread_local(variable))
+            buffer_format(&out, "%s%s", out.length > 0 ? ", " : " firstprivate(", variable->name);
+    }
+    if (out.length > 0)
+        buffer_text(&out, ")");
+    const char *clause = arena_copy(loop->arena, out.length > 0 ? out.data : "", out.length);
+    buffer_free(&out);
+    return clause;
+}
+
+/** Thread-local scalars cannot be named in the clause: what this thread's hold goes by a copy. */
+void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
+    for (unsigned i = 0; i < loop->facts->captured_count; i++) {
+        const ir_variable *variable = loop->facts->captured[i];
+        if (!is_thread_local(variable))
+            continue;
+        const char *name = variable->name;
+        if (in_region)
+            writer_line(out, "const __typeof__(%s) %s = redcc__copy_%s;", name, name, name);
+        else
+            writer_line(out, "const __typeof__(%s) redcc__copy_%s = %s;", name, name, name);
+    }
+}
+
+/* ---- last values --------------------------------------------------------------------------- */
+
+bool has_last_values(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].is_live_after)
+            return true;
+    return false;
+}
+
+void declare_last_values(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        const private_variable *item = &loop->facts->privates[i];
+        const char *name = item->variable->name;
+        if (item->is_live_after)
+            writer_line(out, "__typeof__(%s) redcc__last_%s;", name, name);
+    }
+}
+
+/** Private variables whose last value is wanted outlive the iterations of a chunk. A value to start
+ *  with is for the compiler's flow analysis, which does not know that each iteration assigns it. */
+static void declare_live_privates(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        const private_variable *item = &loop->facts->privates[i];
+        if (!item->is_live_after)
+            continue;
+        const char *name = item->variable->name;
+        const ir_type *type = item->variable->type;
+        const char *start = type->size < 0                                      ? ""
+                            : type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}"
+                                                                                : " = 0";
+        writer_line(out, "__typeof__(%s) %s%s;", name, name, start);
+    }
+}
+
+static void copy_value(writer *out, const ir_type *type, const char *to, const char *from) {
+    if (type->kind == IR_ARRAY)
+        writer_line(out, "__builtin_memcpy(%s, %s, sizeof(%s));", to, from, to);
+    else
+        writer_line(out, "%s = %s;", to, from);
+}
+
+void write_last_values(loop_text *loop, writer *out, bool into_variables) {
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        const private_variable *item = &loop->facts->privates[i];
+        if (!item->is_live_after)
+            continue;
+        const char *name = item->variable->name;
+        const char *last = arena_format(loop->arena, "redcc__last_%s", name);
+        copy_value(out, item->variable->type, into_variables ? name : last,
+                   into_variables ? last : name);
+    }
+}
+
+/* ---- the region ---------------------------------------------------------------------------- */
+
+static void write_inspector(loop_text *loop, writer *out) {
+    writer_line(out, "/* inspector: which elements does each iteration update? */");
+    writer_line(out, "while (redcc_inspect(&redcc__worker))");
+    writer_line(out, "    for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last;");
+    writer_line(out, "         redcc__k += redcc__worker.stride) {");
+    out->depth += 2;
+    write_inspected_iteration(loop, out);
+    out->depth -= 2;
+    writer_line(out, "    }");
+}
+
+static void declare_chunk(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->array_count; i++) {
+        const array_text *array = &loop->arrays[i];
+        writer_line(out, "__typeof__(&(%s)[0]) const %s = redcc__worker.base[%u];", array->base,
+                    array->local, i);
+        writer_line(out, "const redcc_owner %s = redcc__worker.owner[%u];", array->owner, i);
+    }
+    declare_live_privates(loop, out);
+    writer_line(out, "const redcc_run *redcc__run = redcc__worker.run;");
+}
+
+static void write_run(loop_text *loop, writer *out) {
+    writer_line(out, "const redcc_int redcc__end = redcc__worker.origin + redcc__run->begin");
+    writer_line(out, "                             + redcc__run->count_and_guard / 2;");
+    writer_line(out, "redcc__k = redcc__worker.origin + redcc__run->begin;");
+    writer_line(out, "if (!(redcc__run->count_and_guard & 1))");
+    for (int is_guarded = 0; is_guarded < 2; is_guarded++) {
+        if (is_guarded)
+            writer_line(out, "else");
+        writer_line(out, "    for (; redcc__k < redcc__end; redcc__k++) {");
+        out->depth += 2;
+        write_iteration(loop, out, is_guarded);
+        out->depth -= 2;
+        writer_line(out, "    }");
+    }
+    if (has_last_values(loop->facts)) {
+        writer_line(out, "if (redcc__end == redcc__trip && redcc_claims_last(&redcc__worker)) {");
+        out->depth++;
+        write_last_values(loop, out, false);
+        out->depth--;
+        writer_line(out, "}");
+    }
+}
+
+static void write_executor(loop_text *loop, writer *out) {
+    writer_line(out, "/* executor */");
+    writer_line(out, "while (redcc_next(&redcc__worker)) {");
+    out->depth++;
+    declare_chunk(loop, out);
+    writer_line(out, "for (; redcc__run != redcc__worker.run_end; redcc__run++) {");
+    out->depth++;
+    write_run(loop, out);
+    out->depth--;
+    writer_line(out, "}");
+    out->depth--;
+    writer_line(out, "}");
+}
+
+void write_region(loop_text *loop, writer *out) {
+    buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads)%s\n",
+                  firstprivate_clause(loop));
+    writer_line(out, "{");
+    out->depth++;
+    writer_line(out, "redcc_worker redcc__worker;");
+    writer_line(out, "redcc_int redcc__k;");
+    write_thread_local_copies(loop, out, true);
+    writer_line(out, "redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), "
+                     "omp_get_num_threads());");
+    write_inspector(loop, out);
+    write_executor(loop, out);
+    out->depth--;
+    writer_line(out, "}");
+}

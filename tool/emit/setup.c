@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Before a loop is written: what things will be called, what the runtime is told of, and what
+ *  forbids writing it at all. */
+#include <string.h>
+
+#include "emit/loop.h"
+#include "emit/syntax.h"
+
+/* ---- names --------------------------------------------------------------------------------- */
+
+/** The last identifier of a base: `b` of `s->b`. */
+static const char *short_name(const ir_node *base) {
+    if (base->kind == IR_MEMBER && base->field && base->field->name[0])
+        return base->field->name;
+    if (base->kind == IR_VARIABLE)
+        return base->variable->name;
+    return "array";
+}
+
+static bool has_sizeof(const ir_node *node) {
+    if (node->kind == IR_SIZEOF || node->kind == IR_OPAQUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_sizeof(node->children[i]))
+            return true;
+    return false;
+}
+
+/** A pointer of the same name may stand for the variable, unless its size as an array is asked. */
+static bool can_be_shadowed(const loop_facts *facts, const ir_node *base) {
+    return base->kind == IR_VARIABLE &&
+           (base->type->kind == IR_POINTER || !has_sizeof(facts->counted.body));
+}
+
+static void name_arrays(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    array_text *arrays = ARENA_ARRAY(loop->arena, array_text, facts->array_count);
+    for (unsigned i = 0; i < facts->array_count; i++) {
+        const ir_node *base = facts->arrays[i].base;
+        const char *name = short_name(base);
+        for (unsigned other = 0; other < i; other++)
+            if (strcmp(short_name(facts->arrays[other].base), name) == 0) {
+                name = arena_format(loop->arena, "%s_%u", name, i);
+                break;
+            }
+        array_text *text = &arrays[i];
+        text->base = loop_expression(loop, base);
+        text->is_shadowed = can_be_shadowed(facts, base);
+        text->local = text->is_shadowed ? base->variable->name
+                                        : arena_format(loop->arena, "redcc__to_%s", name);
+        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
+    }
+    loop->arrays = arrays;
+}
+
+static void name_counter(loop_text *loop) {
+    const counted_loop *counted = &loop->facts->counted;
+    if (!counted->counter_is_declared_in_header)
+        loop->counter_type = arena_format(loop->arena, "__typeof__(%s)", counted->counter->name);
+    else if (counted->counter->type->spelling)
+        loop->counter_type = counted->counter->type->spelling;
+    else
+        loop_obstacle(loop, loop->facts->loop->range, "the type of its counter has no name");
+    if (!loop->counter_type)
+        loop->counter_type = "int";
+}
+
+/* ---- sources ------------------------------------------------------------------------------- */
+
+/** Do two facts tell of one thing, so that the runtime need be told of only one? */
+static bool move_together(const loop_source *left, const loop_source *right) {
+    if (left->extent != right->extent)
+        return false;
+    if (left->extent == EXTENT_TOUCHED)
+        return left->base && right->base && syntax_same(left->base, right->base);
+    return syntax_same(left->row, right->row);
+}
+
+/** Numbers the sources that the runtime must know: what may overlap, what decides subscripts. */
+static void number_sources(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    source_text *sources = ARENA_ARRAY(loop->arena, source_text, facts->source_count + 1);
+    int *numbers = ARENA_ARRAY(loop->arena, int, facts->source_count + 1);
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *fact = &facts->sources[i];
+        numbers[i] = SOURCE_NOT_TOLD;
+        if (!fact->needs_guard && !fact->is_subscript)
+            continue;
+        unsigned number = 0;
+        while (number < loop->source_count && !move_together(sources[number].fact, fact))
+            number++;
+        if (number == loop->source_count)
+            sources[loop->source_count++] = (source_text){fact, false};
+        sources[number].is_subscript |= fact->is_subscript;
+        numbers[i] = (int)number;
+    }
+    loop->sources = sources;
+    loop->source_number = numbers;
+}
+
+/* ---- what may stop it ---------------------------------------------------------------------- */
+
+static void check_statement(loop_text *loop, const ir_node *node) {
+    if (node->kind == IR_LABEL)
+        loop_obstacle(loop, node->range, "its body holds a label, which cannot stand twice");
+    if (node->kind == IR_DECLARATOR && node->variable->storage == IR_STATIC_LOCAL)
+        loop_obstacle(loop, node->range, "its body declares '%s' static", node->variable->name);
+    if (node->kind == IR_VARIABLE && node->variable->storage == IR_THREAD_LOCAL &&
+        !ir_type_is_scalar(node->variable->type))
+        loop_obstacle(loop, node->range, "'%s' is another object in each thread",
+                      node->variable->name);
+    for (unsigned i = 0; i < node->child_count; i++)
+        check_statement(loop, node->children[i]);
+}
+
+/** Does the function's text say `inline` before its body, and not `static`? A static object may
+ *  not stand in it (C17 6.7.4p3). */
+static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
+    if (function->is_static || !function->body)
+        return false;
+    const char *text = unit->source->text;
+    for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)
+        if (strncmp(text + i, "inline", 6) == 0)
+            return true;
+    return false;
+}
+
+static void check_loop(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    if (is_shared_inline(loop->unit, facts->function))
+        loop_obstacle(loop, facts->loop->range,
+                      "'%s' is inline but not static: it cannot hold static data",
+                      facts->function->name);
+    if (syntax_editable_statement(facts->loop, facts->function->body) != facts->loop)
+        loop_obstacle(loop, facts->loop->range, "one macro call stands for it and more");
+    for (unsigned i = 0; i < facts->array_count; i++) {
+        const ir_variable *root = ir_root_variable(facts->arrays[i].base);
+        if (root && root->storage == IR_THREAD_LOCAL)
+            loop_obstacle(loop, facts->loop->range, "'%s' is another object in each thread",
+                          root->name);
+    }
+    check_statement(loop, facts->loop);
+}
+
+void prepare_loop(loop_text *loop) {
+    check_loop(loop);
+    name_arrays(loop);
+    name_counter(loop);
+    number_sources(loop);
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/syntax.h"
+
+#include <string.h>
+
+/* ---- sameness ------------------------------------------------------------------------------ */
+
+static bool is_dereference(const ir_node *node) {
+    return node && node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
+}
+
+/** The pointer of p->f and of (*p).f; NULL for o.f. */
+static const ir_node *pointer_of_member(const ir_node *member) {
+    const ir_node *object = ir_child(member, 0);
+    if (member->flags & IR_ARROW)
+        return object;
+    return is_dereference(object) ? ir_child(object, 0) : NULL;
+}
+
+static bool same_members(const ir_node *left, const ir_node *right) {
+    if (left->field != right->field) {
+        if (!left->field || !right->field || left->field->offset != right->field->offset ||
+            strcmp(left->field->name, right->field->name) != 0)
+            return false;
+    }
+    const ir_node *left_pointer = pointer_of_member(left);
+    const ir_node *right_pointer = pointer_of_member(right);
+    if (left_pointer && right_pointer)
+        return syntax_same(left_pointer, right_pointer);
+    return !left_pointer && !right_pointer && syntax_same(ir_child(left, 0), ir_child(right, 0));
+}
+
+static bool same_text(const char *left, const char *right) {
+    return left == right || (left && right && strcmp(left, right) == 0);
+}
+
+bool syntax_same(const ir_node *left, const ir_node *right) {
+    if (!left || !right)
+        return left == right;
+    if (left->kind != right->kind || left->op != right->op)
+        return false;
+    switch (left->kind) {
+    case IR_OPAQUE:
+    case IR_ASSIGN:
+    case IR_CALL:
+        return false;
+    case IR_MEMBER:
+        return same_members(left, right);
+    case IR_VARIABLE:
+        return left->variable == right->variable;
+    case IR_FUNCTION:
+        return left->function == right->function;
+    case IR_NUMBER:
+        if ((left->flags & IR_HAS_VALUE) && (right->flags & IR_HAS_VALUE))
+            return left->value == right->value && ir_type_equal(left->type, right->type);
+        return same_text(left->text, right->text);
+    case IR_STRING:
+    case IR_SIZEOF:
+        return same_text(left->text, right->text);
+    case IR_CAST:
+        if (!ir_type_equal(left->type, right->type))
+            return false;
+        break;
+    default:
+        break;
+    }
+    if (left->child_count != right->child_count)
+        return false;
+    for (unsigned i = 0; i < left->child_count; i++)
+        if (!syntax_same(left->children[i], right->children[i]))
+            return false;
+    return true;
+}
+
+/* ---- ends ---------------------------------------------------------------------------------- */
+
+/** Skips blanks, comments and spliced lines. */
+static uint32_t skip_blanks(const source *s, uint32_t at) {
+    const char *text = s->text; /* ends in 0: looking one byte ahead is safe */
+    while (at < s->length) {
+        if (strchr(" \t\r\n\v\f", text[at]) && text[at] != '\0') {
+            at++;
+        } else if (text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r')) {
+            at += 2;
+        } else if (text[at] == '/' && text[at + 1] == '*') {
+            const char *close = strstr(text + at + 2, "*/");
+            if (!close)
+                return s->length;
+            at = (uint32_t)(close + 2 - text);
+        } else if (text[at] == '/' && text[at + 1] == '/') {
+            while (at < s->length && text[at] != '\n')
+                at += text[at] == '\\' && at + 1 < s->length ? 2 : 1;
+        } else {
+            break;
+        }
+    }
+    return at < s->length ? at : s->length;
+}
+
+bool syntax_is_blank(const source *text, uint32_t begin, uint32_t end) {
+    return skip_blanks(text, begin) >= end;
+}
+
+/** After the `;` that follows `at`, or `at` where none does (a macro's body has it). */
+static uint32_t after_semicolon(const source *s, uint32_t at) {
+    const uint32_t next = skip_blanks(s, at);
+    return next < s->length && s->text[next] == ';' ? next + 1 : at;
+}
+
+uint32_t syntax_statement_end(const source *text, const ir_node *statement) {
+    const uint32_t end = statement->range.end;
+    switch (statement->kind) {
+    case IR_IF:
+    case IR_FOR:
+    case IR_WHILE:
+    case IR_SWITCH:
+    case IR_CASE:
+    case IR_DEFAULT:
+    case IR_LABEL: {
+        const ir_node *last =
+            statement->child_count > 0 ? statement->children[statement->child_count - 1] : NULL;
+        if (!last || last->range.begin == last->range.end)
+            return after_semicolon(text, end); /* an empty statement of no known place */
+        const uint32_t last_end = syntax_statement_end(text, last);
+        return last_end > end ? last_end : end;
+    }
+    case IR_BLOCK:
+    case IR_DECLARATION:
+        return end;
+    case IR_EMPTY:
+        return end > 0 && text->text[end - 1] == ';' ? end : after_semicolon(text, end);
+    default:
+        return after_semicolon(text, end);
+    }
+}
+
+/* ---- statements ---------------------------------------------------------------------------- */
+
+bool syntax_is_statement(const ir_node *node) {
+    return node->kind >= IR_BLOCK && node->kind != IR_DECLARATOR;
+}
+
+const ir_node *syntax_enclosing_statement(const ir_node *node, const ir_node *outer) {
+    while (node && node != outer && !syntax_is_statement(node))
+        node = node->parent;
+    return node;
+}
+
+static bool overlap(const ir_node *left, const ir_node *right) {
+    return left->range.begin < right->range.end && right->range.begin < left->range.end;
+}
+
+static bool shares_text_with_sibling(const ir_node *statement) {
+    const ir_node *parent = statement->parent;
+    if (!parent)
+        return false;
+    for (unsigned i = 0; i < parent->child_count; i++) {
+        const ir_node *sibling = parent->children[i];
+        if (sibling != statement && overlap(sibling, statement))
+            return true;
+    }
+    return false;
+}
+
+const ir_node *syntax_editable_statement(const ir_node *statement, const ir_node *outer) {
+    if (statement->range.begin == statement->range.end)
+        return NULL;
+    const ir_node *outermost = statement;
+    for (const ir_node *node = statement; node; node = node->parent) {
+        if (node->range.begin == statement->range.begin && syntax_is_statement(node))
+            outermost = node;
+        if (node == outer)
+            break;
+    }
+    return shares_text_with_sibling(outermost) ? NULL : outermost;
+}

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SPACES_A_LEVEL = 4 };
+
+void writer_line(writer *w, const char *format, ...) {
+    for (unsigned i = 0; !w->on_one_line && i < w->depth * SPACES_A_LEVEL; i++)
+        buffer_byte(&w->out, ' ');
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    char small[256];
+    if (length >= 0 && (size_t)length < sizeof small) {
+        vsnprintf(small, sizeof small, format, again);
+        buffer_text(&w->out, small);
+    } else if (length >= 0) {
+        arena *scratch = arena_new();
+        char *large = arena_allocate(scratch, (size_t)length + 1);
+        vsnprintf(large, (size_t)length + 1, format, again);
+        buffer_text(&w->out, large);
+        arena_free(scratch);
+    }
+    va_end(again);
+    buffer_byte(&w->out, w->on_one_line ? ' ' : '\n');
+}
+
+const char *writer_text(arena *a, writer *w) {
+    const char *text = arena_copy(a, w->out.length > 0 ? w->out.data : "", w->out.length);
+    buffer_free(&w->out);
+    w->out = (buffer){0};
+    return text;
+}
+
+const char *text_quoted(arena *a, const char *text) {
+    buffer out = {0};
+    buffer_byte(&out, '"');
+    for (const char *c = text; *c; c++) {
+        const unsigned char byte = (unsigned char)*c;
+        if (byte == '"' || byte == '\\')
+            buffer_format(&out, "\\%c", byte);
+        else if (byte == '?' && c[1] == '?') /* no trigraph */
+            buffer_text(&out, "\\?");
+        else if (byte < ' ' || byte == 0x7f)
+            buffer_format(&out, "\\%03o", byte);
+        else
+            buffer_byte(&out, *c);
+    }
+    buffer_byte(&out, '"');
+    const char *quoted = arena_copy(a, out.data, out.length);
+    buffer_free(&out);
+    return quoted;
+}
+
+const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename,
+                            void *context) {
+    buffer out = {0};
+    const char *text = NULL;
+    if (ir_c_expression(&out, expression, rename, context))
+        text = arena_copy(a, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+/** Postfix and primary expressions bind tighter than any cast or & before them. */
+static bool is_tight(const ir_node *expression) {
+    switch (expression->kind) {
+    case IR_NUMBER: /* may print as -1 where an enumerator or macro was */
+        return expression->text && expression->text[0] != '-';
+    case IR_STRING:
+    case IR_VARIABLE:
+    case IR_FUNCTION:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CALL:
+        return true;
+    default:
+        return false;
+    }
+}
+
+const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename, void *context) {
+    const char *text = text_expression(a, expression, rename, context);
+    if (!text || is_tight(expression))
+        return text;
+    return arena_format(a, "(%s)", text);
+}
+
+const char *text_declaration(arena *a, const ir_type *type, const char *name) {
+    if (!type || !type->spelling)
+        return NULL;
+    const char *spelling = type->spelling;
+    if (strpbrk(spelling, "(["))
+        return arena_format(a, "__typeof__(%s) %s", spelling, name);
+    const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
+    return arena_format(a, last == '*' ? "%s%s" : "%s %s", spelling, name);
+}

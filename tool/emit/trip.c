@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The trip count, exactly as the sequential loop would have it.
+ *
+ * The counter runs through lower, lower + step, ... while (counter <comparison> bound) holds, in
+ * the type that C's usual conversions give the comparison. All is computed in redcc_int (64 bits,
+ * signed). Values for which this would not be what the loop does - it would wrap, never end, or
+ * compare otherwise after conversion to an unsigned type - give a count of 0, which leaves the
+ * original loop to run.
+ */
+#include "emit/loop.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+enum {
+    INT_SIZE = 4,  /* of every target that OpenMP runs on */
+    WIDE_SIZE = 8, /* redcc_int */
+    STEP_BITS = 40 /* longer steps are not written */
+};
+
+/** Beyond this, in either direction, counters run sequentially: sums with a step cannot overflow.
+ */
+static const char limit[] = "((redcc_int)1 << 61)";
+
+typedef struct integer_type {
+    bool is_signed;
+    int64_t size;
+} integer_type;
+
+static integer_type promote(const ir_type *type) {
+    if (type->kind == IR_BOOLEAN || type->size < INT_SIZE)
+        return (integer_type){true, INT_SIZE};
+    return (integer_type){type->is_signed, type->size};
+}
+
+/** C's usual arithmetic conversions (C17 6.3.1.8), by size: equal sizes count as equal ranks. */
+static integer_type common_type(integer_type a, integer_type b) {
+    if (a.size != b.size)
+        return a.size > b.size ? a : b;
+    return (integer_type){a.is_signed && b.is_signed, a.size};
+}
+
+/** Is every value of `inner` a value of `outer`? */
+static bool holds_all(const ir_type *outer, const ir_type *inner) {
+    if (inner->kind == IR_BOOLEAN)
+        return true;
+    if (outer->is_signed == inner->is_signed)
+        return outer->size >= inner->size;
+    return outer->is_signed && outer->size > inner->size;
+}
+
+static bool is_constant(const ir_node *node) {
+    return node && (node->flags & IR_HAS_VALUE);
+}
+
+/** A constant that is not negative, and the same after conversion to `type`. */
+static bool is_natural_constant(const ir_node *node, const ir_type *type) {
+    if (!is_constant(node) || node->value < 0)
+        return false;
+    const int64_t bits = 8 * type->size - (type->is_signed ? 1 : 0);
+    return bits >= 63 || node->value >> bits == 0;
+}
+
+/** Conditions joined by &&. */
+typedef struct conditions {
+    buffer text;
+} conditions;
+
+static void require(conditions *list, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+static void require(conditions *list, const char *format, ...) {
+    char text[128];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    buffer_text(&list->text, list->text.length > 0 ? " && " : "");
+    buffer_text(&list->text, text);
+}
+
+/** What is known of the header, worked out once. */
+typedef struct header {
+    const counted_loop *counted;
+    const ir_type *counter;
+    const ir_type *bound;
+    bool compares_unsigned;
+    bool compares_wide; /* in 64 bits */
+    bool ascends;
+    bool inclusive;
+    int64_t stride;        /* |step| */
+    bool lower_is_natural; /* a constant that is not negative */
+    bool ends_at_bound;    /* the counter's last value is the bound itself */
+} header;
+
+static header header_of(const counted_loop *counted) {
+    header h = {
+        .counted = counted, .counter = counted->counter->type, .bound = counted->bound->type};
+    const integer_type common = common_type(promote(h.counter), promote(h.bound));
+    h.compares_unsigned = !common.is_signed;
+    h.compares_wide = common.size == WIDE_SIZE;
+    h.ascends = counted->step > 0;
+    h.inclusive =
+        counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
+    h.stride = h.ascends ? counted->step : -counted->step;
+    h.lower_is_natural = is_natural_constant(counted->lower, h.counter);
+    h.ends_at_bound = h.stride == 1 && !h.inclusive;
+    return h;
+}
+
+/** What must hold of lower and bound before they are subtracted. */
+static void require_of_ends(conditions *list, const header *h) {
+    const bool lower_may_be_negative =
+        !h->lower_is_natural && (h->counter->is_signed || h->counter->size == WIDE_SIZE);
+    const bool bound_is_natural = is_natural_constant(h->counted->bound, h->bound);
+    if (h->compares_unsigned && lower_may_be_negative)
+        require(list, "redcc__lower >= 0");
+    if (h->compares_unsigned && h->compares_wide && !h->ascends && !bound_is_natural)
+        require(list, "redcc__bound >= 0");
+    const bool is_simple =
+        h->ends_at_bound && (h->ascends ? h->lower_is_natural : bound_is_natural);
+    if (!h->compares_wide || is_simple)
+        return;
+    const char *low = h->ascends ? "redcc__lower" : "redcc__bound";
+    const char *high = h->ascends ? "redcc__bound" : "redcc__lower";
+    if (!h->compares_unsigned && !(h->ascends ? h->lower_is_natural : bound_is_natural))
+        require(list, "%s >= -%s", low, limit);
+    require(list, "%s <= %s", high, limit);
+}
+
+/** What must hold of the counter's value after the loop. */
+static void require_of_final(conditions *list, const header *h, const char *counter_type) {
+    if (h->compares_unsigned && !h->ascends && !h->ends_at_bound)
+        require(list, "redcc__final >= 0");
+    const bool bound_fits =
+        holds_all(h->counter, h->bound) && !(h->compares_unsigned && h->counter->is_signed);
+    if (h->counter->size < WIDE_SIZE && !(h->ends_at_bound && bound_fits))
+        require(list, "redcc__final == (%s)redcc__final", counter_type);
+}
+
+static const char *comparison_text(const header *h) {
+    if (h->ascends)
+        return h->inclusive ? "redcc__lower <= redcc__bound" : "redcc__lower < redcc__bound";
+    return h->inclusive ? "redcc__lower >= redcc__bound" : "redcc__lower > redcc__bound";
+}
+
+/** Iterations, where there are any: (high - low) / stride + 1, or with (high - low - 1). */
+static const char *count_text(arena *a, const header *h) {
+    const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
+    if (h->stride == 1)
+        return h->inclusive ? arena_format(a, "%s + 1", span) : span;
+    return arena_format(a, h->inclusive ? "(%s) / %lld + 1" : "(%s - 1) / %lld + 1", span,
+                        (long long)h->stride);
+}
+
+static const char *final_text(arena *a, const header *h) {
+    const char *sign = h->ascends ? "+" : "-";
+    if (h->stride == 1)
+        return arena_format(a, "redcc__lower %s redcc__trip", sign);
+    return arena_format(a, "redcc__lower %s %lld * redcc__trip", sign, (long long)h->stride);
+}
+
+static const char *lower_text(loop_text *loop, const header *h) {
+    const ir_node *lower = h->counted->lower;
+    if (!lower)
+        return arena_format(loop->arena, "(redcc_int)%s", h->counted->counter->name);
+    const char *text = loop_operand(loop, lower);
+    if (h->lower_is_natural && lower->kind == IR_NUMBER)
+        return text;
+    if (lower->type->kind != IR_FLOATING && holds_all(h->counter, lower->type))
+        return arena_format(loop->arena, "(redcc_int)%s", text);
+    return arena_format(loop->arena, "(redcc_int)(%s)%s", loop->counter_type, text);
+}
+
+static const char *bound_text(loop_text *loop, const header *h) {
+    const char *text = loop_operand(loop, h->counted->bound);
+    if (!h->compares_unsigned || !promote(h->bound).is_signed || is_constant(h->counted->bound))
+        return arena_format(loop->arena, "(redcc_int)%s", text);
+    return arena_format(loop->arena, "(redcc_int)(%s)%s",
+                        h->compares_wide ? "redcc_word" : "redcc_u32", text);
+}
+
+static bool is_integer(const ir_type *type) {
+    return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
+}
+
+static bool can_be_counted(loop_text *loop, const header *h) {
+    const counted_loop *counted = h->counted;
+    if (h->counter->kind != IR_INTEGER || h->counter->size > WIDE_SIZE || !is_integer(h->bound))
+        loop_obstacle(loop, loop->facts->loop->range, "its counter or bound is not an integer");
+    else if (counted->lower && !is_integer(counted->lower->type) &&
+             counted->lower->type->kind != IR_FLOATING)
+        loop_obstacle(loop, counted->lower->range, "the counter's first value is not an integer");
+    else if (h->stride <= 0 || h->stride >> STEP_BITS != 0)
+        loop_obstacle(loop, loop->facts->loop->range, "its step is too long");
+    return loop->obstacle == NULL;
+}
+
+const char *write_trip_count(loop_text *loop, writer *out) {
+    const header h = header_of(&loop->facts->counted);
+    if (!can_be_counted(loop, &h))
+        return "0";
+    conditions ends = {0};
+    require_of_ends(&ends, &h);
+    require(&ends, "%s", comparison_text(&h));
+    writer_line(out, "const redcc_int redcc__lower = %s;", lower_text(loop, &h));
+    writer_line(out, "const redcc_int redcc__bound = %s;", bound_text(loop, &h));
+    writer_line(out, "const redcc_int redcc__trip = %s ? %s : 0;", ends.text.data,
+                count_text(loop->arena, &h));
+    writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
+    buffer_free(&ends.text);
+
+    conditions entry = {0};
+    require(&entry, "redcc__trip > 0");
+    require_of_final(&entry, &h, loop->counter_type);
+    const char *text = arena_copy(loop->arena, entry.text.data, entry.text.length);
+    buffer_free(&entry.text);
+    return text;
+}

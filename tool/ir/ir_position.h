@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Where the user takes a byte of the file to be: `#line` directives of his text are followed. */
+#ifndef IR_IR_POSITION_H
+#define IR_IR_POSITION_H
+
+#include "ir/ir.h"
+
+typedef struct ir_position {
+    const char *file; /* "<stdin>" for standard input */
+    unsigned line;    /* from 1 */
+    unsigned column;  /* from 1, in bytes */
+} ir_position;
+
+/** The file's name is in the unit's arena, or the source's. */
+ir_position ir_position_of(const ir_unit *unit, uint32_t offset);
+
+#endif

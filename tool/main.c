@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** redcc: command line and exit status. */
+#include <stdio.h>
+#include <string.h>
+
+#include "compile_commands.h"
+#include "frontend/frontend.h"
+#include "ir/ir_text.h"
+#include "options.h"
+#include "output.h"
+#include "self_check.h"
+#include "verify.h"
+
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
+
+typedef struct outcome {
+    bool failed;
+    unsigned transformed; /* loops */
+} outcome;
+
+static outcome fail(const char *path, const char *message) {
+    if (path)
+        fprintf(stderr, "redcc: error: %s: %s\n", path, message);
+    else
+        fprintf(stderr, "redcc: error: %s\n", message);
+    return (outcome){.failed = true};
+}
+
+/* ---- parsing ------------------------------------------------------------------------------- */
+
+static const char *parser_flags(arena *a, const options *o, const char *input, string_list *flags) {
+    if (o->database_folder) {
+        const char *wrong = compile_commands_flags(a, o->database_folder, input, flags);
+        if (wrong)
+            return wrong;
+    }
+    for (unsigned i = 0; i < o->flags.count; i++)
+        VECTOR_PUSH(a, flags, o->flags.items[i]);
+    return NULL;
+}
+
+/** Judged is the program that the parallel form becomes part of: the one with OpenMP on. */
+static frontend_result parse(arena *a, const source *file, const string_list *flags) {
+    string_list all = {0};
+    for (unsigned i = 0; i < flags->count; i++)
+        VECTOR_PUSH(a, &all, flags->items[i]);
+    VECTOR_PUSH(a, &all, "-fopenmp");
+    return frontend_parse(a, file, all.count, all.items);
+}
+
+static bool has_errors(const frontend_result *parsed) {
+    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
+        if (parsed->diagnostics[i].is_error)
+            return true;
+    return !parsed->unit || parsed->unit->error_count > 0;
+}
+
+static void show_errors(const frontend_result *parsed) {
+    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
+        if (parsed->diagnostics[i].is_error)
+            fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
+}
+
+/* ---- verdicts ------------------------------------------------------------------------------ */
+
+static analysis_result judge(arena *a, const ir_unit *unit, const options *o) {
+    const analysis_options how = {.pure_count = o->pure.count,
+                                  .pure = o->pure.items,
+                                  .assume_noalias = o->assume_noalias,
+                                  .report_all = o->all};
+    return analyse(a, unit, &how);
+}
+
+/** The verdicts as they came out: what could not be written is refused. */
+static analysis_result after_writing(arena *a, const analysis_result *analysis,
+                                     const emit_result *written) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysis->verdict_count + 1);
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        verdicts[i] = analysis->verdicts[i];
+        const reason *obstacle = &written->obstacles[i];
+        if (!obstacle->message)
+            continue;
+        verdicts[i].kind = VERDICT_REFUSE;
+        verdicts[i].why = *obstacle;
+        verdicts[i].why.id = REASON_TEXT;
+        verdicts[i].why.message =
+            arena_format(a, "its parallel form cannot be written: %s", obstacle->message);
+    }
+    return (analysis_result){analysis->verdict_count, verdicts};
+}
+
+static const char *show_report(arena *a, const options *o, const report_input *input) {
+    buffer text = {0};
+    const char *wrong = NULL;
+    report_write(a, &text, o->form, input);
+    const char *data = text.data ? text.data : "";
+    if (o->report_file)
+        wrong = output_write(a, o->report_file, data, text.length);
+    else if (o->form == REPORT_TEXT)
+        fwrite(data, 1, text.length, stderr);
+    else
+        wrong = output_write(a, "-", data, text.length);
+    buffer_free(&text);
+    return wrong;
+}
+
+/* ---- one file ------------------------------------------------------------------------------ */
+
+static void dump(const ir_unit *unit) {
+    buffer text = {0};
+    ir_print(&text, unit);
+    fwrite(text.data ? text.data : "", 1, text.length, stdout);
+    buffer_free(&text);
+}
+
+static const char *check_result(arena *a, const source *file, const string_list *flags,
+                                const emit_result *written) {
+    const char *error = written->text ? NULL : "edits overlap";
+    if (!error && written->loop_count > 0)
+        error = self_check(a, file, flags, written->text, written->length);
+    if (!error)
+        return NULL;
+    return arena_format(a,
+                        "internal error, nothing was written: the result would not compile: %s\n"
+                        "redcc: note: please report this with the source file and the command "
+                        "line",
+                        error);
+}
+
+static outcome translate(arena *a, const options *o, const source *file, const string_list *flags,
+                         const ir_unit *unit) {
+    const analysis_result judged = judge(a, unit, o);
+    const emit_options how = {o->order, o->order_is_given};
+    const emit_result written = emit_file(a, unit, &judged, &how);
+    const char *wrong = check_result(a, file, flags, &written);
+    if (wrong)
+        return fail(file->path, wrong);
+    const analysis_result final = after_writing(a, &judged, &written);
+    const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
+    wrong = show_report(a, o, &input);
+    if (!wrong && o->verify)
+        wrong = verify_output(a, file, flags, written.text, written.length);
+    if (!wrong && o->output)
+        wrong = output_write(a, o->output, written.text, written.length);
+    if (wrong)
+        return fail(NULL, wrong);
+    return (outcome){.transformed = written.loop_count};
+}
+
+static outcome process(arena *a, const options *o, const char *path) {
+    const char *wrong = NULL;
+    const source *file = source_read(a, path, &wrong);
+    if (!file)
+        return fail(NULL, wrong);
+    string_list flags = {0};
+    wrong = parser_flags(a, o, path, &flags);
+    if (wrong)
+        return fail(NULL, wrong);
+    const frontend_result parsed = parse(a, file, &flags);
+    if (has_errors(&parsed)) {
+        show_errors(&parsed);
+        return fail(path, "cannot be parsed; nothing was written");
+    }
+    if (o->dump_ir)
+        dump(parsed.unit);
+    if (!o->analyze && !o->output)
+        return (outcome){0};
+    return translate(a, o, file, &flags, parsed.unit);
+}
+
+static outcome process_all(const options *o) {
+    outcome all = {0};
+    for (unsigned i = 0; i < o->inputs.count; i++) {
+        arena *a = arena_new();
+        const outcome one = process(a, o, o->inputs.items[i]);
+        all.failed |= one.failed;
+        all.transformed += one.transformed;
+        arena_free(a);
+    }
+    return all;
+}
+
+static int run(arena *a, int argc, char **argv) {
+    options o;
+    const char *wrong = options_read(a, argc, argv, &o);
+    if (wrong) {
+        fprintf(stderr, "redcc: error: %s\nredcc: note: 'redcc --help' lists the options\n", wrong);
+        return EXIT_USAGE;
+    }
+    if (o.help) {
+        fputs(options_help, stdout);
+        return EXIT_DONE;
+    }
+    if (o.version) {
+        printf("redcc %s (%s)\n", REDCC_VERSION, frontend_version(a));
+        return EXIT_DONE;
+    }
+    const outcome all = process_all(&o);
+    if (all.failed)
+        return EXIT_FAILED;
+    if (o.require && all.transformed == 0) {
+        fputs("redcc: error: no loop was transformed (--require)\n", stderr);
+        return EXIT_REQUIREMENT;
+    }
+    return EXIT_DONE;
+}
+
+int main(int argc, char **argv) {
+    arena *a = arena_new();
+    int status = run(a, argc, argv);
+    if (fflush(stdout) != 0 && status == EXIT_DONE) {
+        perror("redcc: error: cannot write standard output");
+        status = EXIT_FAILED;
+    }
+    arena_free(a);
+    return status;
+}

@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "options.h"
+
+#include <string.h>
+
+const char options_help[] =
+    "redcc: parallel irregular reductions, with the bits of the sequential program\n"
+    "\n"
+    "usage: redcc INPUT.c -o OUTPUT.c [options] [-- COMPILER-FLAGS]\n"
+    "       redcc --analyze INPUT.c... [options] [-- COMPILER-FLAGS]\n"
+    "\n"
+    "  -o FILE              where the result goes; - is standard output. A file with\n"
+    "                       nothing to transform is copied byte for byte\n"
+    "  -I -isystem -iquote -include -D -U -std=\n"
+    "                       as a compiler takes them; also after --\n"
+    "  -p DIR               take the flags from DIR/compile_commands.json\n"
+    "  --analyze            report only, write no source\n"
+    "  --report=FORM        text (default; remarks on standard error), json, sarif, yaml\n"
+    "                       (on standard output with --analyze, else to --report-file)\n"
+    "  --report-file=FILE   where the report goes\n"
+    "  --order=ORDER        what the result may differ from: serial (default: from nothing\n"
+    "                       the sequential loop gives), fixed (the same in every run and at\n"
+    "                       every number of threads), any\n"
+    "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
+    "  --assume-noalias     your word that distinct pointers do not overlap\n"
+    "  --require            exit with 3 where no loop was transformed\n"
+    "  --verify             build and run the sequential and the parallel program (the input\n"
+    "                       must be all of it) and compare what they print\n"
+    "  --all                report loops without an irregular update too\n"
+    "  --dump=ir            print what the translator understood of the source, for debugging\n"
+    "  --help, --version\n"
+    "\n"
+    "To compile the result:\n"
+    "  cc -fopenmp OUTPUT.c $(pkg-config --cflags --libs redcc)\n"
+    "Compile it with the flags of INPUT.c; where it stands in another folder, add\n"
+    "-iquote FOLDER-OF-INPUT for its own headers. Without -fopenmp it is the sequential\n"
+    "program and needs nothing of redcc. redcc-cc does all this in the compiler's place.\n"
+    "\n"
+    "Exit status: 0 done; 1 the input cannot be read or parsed, or the output cannot be\n"
+    "written (an old one is then untouched); 2 wrong usage; 3 --require not met.\n";
+
+/* ---- options by name ----------------------------------------------------------------------- */
+
+typedef enum option_name {
+    OPTION_ALL,
+    OPTION_ANALYZE,
+    OPTION_ASSUME_NOALIAS,
+    OPTION_DUMP,
+    OPTION_HELP,
+    OPTION_ORDER,
+    OPTION_PURE,
+    OPTION_REPORT,
+    OPTION_REPORT_FILE,
+    OPTION_REQUIRE,
+    OPTION_VERIFY,
+    OPTION_VERSION
+} option_name;
+
+/** Those with two dashes; a name that ends in = takes a value. */
+static const struct long_option {
+    const char *text;
+    option_name name;
+} long_options[] = {
+    {"--all", OPTION_ALL},
+    {"--analyze", OPTION_ANALYZE},
+    {"--assume-noalias", OPTION_ASSUME_NOALIAS},
+    {"--dump=", OPTION_DUMP},
+    {"--help", OPTION_HELP},
+    {"--order=", OPTION_ORDER},
+    {"--pure=", OPTION_PURE},
+    {"--report-file=", OPTION_REPORT_FILE},
+    {"--report=", OPTION_REPORT},
+    {"--require", OPTION_REQUIRE},
+    {"--verify", OPTION_VERIFY},
+    {"--version", OPTION_VERSION},
+};
+
+/** Flags for the parser that take their value joined or as the next word. */
+static const char *const parser_flags[] = {"-I", "-isystem", "-iquote", "-include", "-D", "-U"};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* ---- the nearest valid option -------------------------------------------------------------- */
+
+static size_t smallest(size_t a, size_t b, size_t c) {
+    const size_t ab = a < b ? a : b;
+    return ab < c ? ab : c;
+}
+
+/** Levenshtein's distance: how many letters must be inserted, dropped or changed. */
+static size_t edit_distance(const char *from, const char *to) {
+    enum { LONGEST = 64 };
+    size_t row[LONGEST + 1];
+    const size_t width = strlen(to) < LONGEST ? strlen(to) : LONGEST;
+    for (size_t k = 0; k <= width; k++)
+        row[k] = k;
+    for (size_t i = 0; from[i]; i++) {
+        size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (size_t k = 0; k < width; k++) {
+            const size_t above = row[k + 1];
+            row[k + 1] = smallest(diagonal + (from[i] != to[k]), above + 1, row[k] + 1);
+            diagonal = above;
+        }
+    }
+    return row[width];
+}
+
+static const char *nearest_option(const char *word) {
+    const char *best = long_options[0].text;
+    size_t least = (size_t)-1;
+    for (size_t i = 0; i < COUNT(long_options); i++) {
+        const size_t distance = edit_distance(word, long_options[i].text);
+        if (distance < least) {
+            least = distance;
+            best = long_options[i].text;
+        }
+    }
+    static const char *const others[] = {"-o", "-p", "-std=", "-isystem", "-iquote", "-include"};
+    for (size_t i = 0; i < COUNT(others); i++) {
+        const size_t distance = edit_distance(word, others[i]);
+        if (distance < least) {
+            least = distance;
+            best = others[i];
+        }
+    }
+    return best;
+}
+
+static const char *unknown_option(arena *a, const char *word) {
+    return arena_format(a,
+                        "unknown option '%s'; the nearest is '%s' (compiler flags may follow "
+                        "after --)",
+                        word, nearest_option(word));
+}
+
+/* ---- values -------------------------------------------------------------------------------- */
+
+/** The number of `word` among `words`, or -1. */
+static int find_word(const char *const *words, size_t count, const char *word) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(words[i], word) == 0)
+            return (int)i;
+    return -1;
+}
+
+static const char *const order_words[] = {"serial", "fixed", "any"};
+
+const char *options_order_word(emit_order order) {
+    return order_words[order];
+}
+
+static const char *read_order(arena *a, options *o, const char *value) {
+    const int number = find_word(order_words, COUNT(order_words), value);
+    if (number < 0)
+        return arena_format(a, "--order takes serial, fixed or any, not '%s'", value);
+    o->order = (emit_order)number;
+    o->order_is_given = true;
+    return NULL;
+}
+
+static const char *read_form(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"text", "json", "sarif", "yaml"};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--report takes text, json, sarif or yaml, not '%s'", value);
+    o->form = (report_form)number;
+    o->form_is_given = true;
+    return NULL;
+}
+
+static const char *read_pure(arena *a, options *o, const char *value) {
+    while (*value) {
+        const size_t length = strcspn(value, ",");
+        if (length == 0)
+            return "--pure takes names of functions, separated by commas";
+        VECTOR_PUSH(a, &o->pure, arena_copy(a, value, length));
+        value += length + (value[length] == ',');
+    }
+    return NULL;
+}
+
+static const char *read_dump(arena *a, options *o, const char *value) {
+    o->dump_ir = strcmp(value, "ir") == 0;
+    return o->dump_ir ? NULL : arena_format(a, "--dump takes ir, not '%s'", value);
+}
+
+static const char *set_option(arena *a, options *o, option_name name, const char *value) {
+    switch (name) {
+    case OPTION_ALL:
+        o->all = true;
+        return NULL;
+    case OPTION_ANALYZE:
+        o->analyze = true;
+        return NULL;
+    case OPTION_ASSUME_NOALIAS:
+        o->assume_noalias = true;
+        return NULL;
+    case OPTION_DUMP:
+        return read_dump(a, o, value);
+    case OPTION_HELP:
+        o->help = true;
+        return NULL;
+    case OPTION_ORDER:
+        return read_order(a, o, value);
+    case OPTION_PURE:
+        return *value ? read_pure(a, o, value) : "--pure takes names of functions";
+    case OPTION_REPORT:
+        return read_form(a, o, value);
+    case OPTION_REPORT_FILE:
+        o->report_file = value;
+        return *value ? NULL : "--report-file takes the name of a file";
+    case OPTION_REQUIRE:
+        o->require = true;
+        return NULL;
+    case OPTION_VERIFY:
+        o->verify = true;
+        return NULL;
+    case OPTION_VERSION:
+        o->version = true;
+        return NULL;
+    }
+    return NULL;
+}
+
+/* ---- words --------------------------------------------------------------------------------- */
+
+typedef struct words {
+    int count;
+    char **items;
+    int next;
+} words;
+
+static const char *read_long_option(arena *a, options *o, const char *word) {
+    for (size_t i = 0; i < COUNT(long_options); i++) {
+        const char *text = long_options[i].text;
+        const size_t length = strlen(text);
+        const bool takes_value = text[length - 1] == '=';
+        if (takes_value ? strncmp(word, text, length) == 0 : strcmp(word, text) == 0)
+            return set_option(a, o, long_options[i].name, word + length);
+        if (takes_value && strlen(word) == length - 1 && strncmp(word, text, length - 1) == 0)
+            return arena_format(a, "%s takes a value: %sVALUE", word, text);
+    }
+    return unknown_option(a, word);
+}
+
+/** The value of a short option: the rest of the word, or the next one. */
+static const char *short_value(words *w, const char *word, size_t length) {
+    if (word[length])
+        return word + length;
+    return w->next < w->count ? w->items[w->next++] : NULL;
+}
+
+static const char *read_parser_flag(arena *a, options *o, words *w, const char *word,
+                                    bool *is_flag) {
+    *is_flag = true;
+    if (strncmp(word, "-std=", 5) == 0) {
+        VECTOR_PUSH(a, &o->flags, word);
+        return NULL;
+    }
+    const char *flag = NULL; /* the longest that fits: -include is not -I */
+    for (size_t i = 0; i < COUNT(parser_flags); i++)
+        if (strncmp(word, parser_flags[i], strlen(parser_flags[i])) == 0)
+            flag = parser_flags[i];
+    if (!flag) {
+        *is_flag = false;
+        return NULL;
+    }
+    const char *value = short_value(w, word, strlen(flag));
+    if (!value)
+        return arena_format(a, "%s takes a value", flag);
+    VECTOR_PUSH(a, &o->flags, flag);
+    VECTOR_PUSH(a, &o->flags, value);
+    return NULL;
+}
+
+static const char *read_short_option(arena *a, options *o, words *w, const char *word) {
+    bool is_flag;
+    const char *wrong = read_parser_flag(a, o, w, word, &is_flag);
+    if (is_flag)
+        return wrong;
+    const bool is_output = word[1] == 'o';
+    if (!is_output && word[1] != 'p')
+        return unknown_option(a, word);
+    const char *value = short_value(w, word, 2);
+    if (!value || !*value)
+        return arena_format(a, "%.2s takes a value", word);
+    *(is_output ? &o->output : &o->database_folder) = value;
+    return NULL;
+}
+
+static const char *check_together(arena *a, const options *o) {
+    if (o->inputs.count == 0)
+        return "no input file";
+    if (o->inputs.count > 1 && !o->analyze)
+        return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
+                            o->inputs.items[1]);
+    if (o->analyze && o->output)
+        return "--analyze writes no source: -o does not go with it";
+    if (o->analyze && o->verify)
+        return "--analyze writes no source: --verify does not go with it";
+    if (!o->analyze && !o->output && !o->dump_ir)
+        return "where shall the result go? -o FILE, or --analyze";
+    if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
+        return "a report that is not text needs --report-file=FILE, or --analyze";
+    if (o->form == REPORT_SARIF && o->inputs.count > 1)
+        return "--report=sarif takes one input file";
+    return NULL;
+}
+
+const char *options_read(arena *a, int argc, char **argv, options *result) {
+    *result = (options){.form = REPORT_TEXT, .order = EMIT_ORDER_SERIAL};
+    words w = {argc, argv, 1};
+    bool only_flags = false;
+    while (w.next < w.count) {
+        const char *word = w.items[w.next++];
+        const char *wrong = NULL;
+        if (only_flags)
+            VECTOR_PUSH(a, &result->flags, word);
+        else if (strcmp(word, "--") == 0)
+            only_flags = true;
+        else if (strncmp(word, "--", 2) == 0)
+            wrong = read_long_option(a, result, word);
+        else if (word[0] == '-' && word[1])
+            wrong = read_short_option(a, result, &w, word);
+        else
+            VECTOR_PUSH(a, &result->inputs, word);
+        if (wrong)
+            return wrong;
+    }
+    return result->help || result->version ? NULL : check_together(a, result);
+}

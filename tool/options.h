@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The command line of redcc. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "emit/emit.h"
+#include "report/report.h"
+#include "support/vector.h"
+
+typedef VECTOR(const char *) string_list;
+
+typedef struct options {
+    string_list inputs;
+    const char *output;          /* -o; "-": standard output; NULL: none */
+    const char *database_folder; /* -p */
+    string_list flags;           /* for the compiler's parser, in order */
+    string_list pure;            /* --pure */
+    report_form form;
+    bool form_is_given;
+    const char *report_file;
+    emit_order order;
+    bool order_is_given;
+    bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;
+} options;
+
+/** Reads the command line. Returns NULL, or in the arena what is wrong with it. */
+const char *options_read(arena *a, int argc, char **argv, options *result);
+
+/** The text of --help. */
+extern const char options_help[];
+/** "serial", "fixed", "any". */
+const char *options_order_word(emit_order order);
+
+#endif

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "report/facts.h"
+
+#include <string.h>
+
+const char *verdict_word(const loop_verdict *verdict) {
+    switch (verdict->kind) {
+    case VERDICT_TRANSFORM:
+        return "transformed";
+    case VERDICT_REFUSE:
+        return "refused";
+    default:
+        return "not-a-reduction";
+    }
+}
+
+const char *element_word(const reduction_array *array) {
+    return array->element && array->element->spelling ? array->element->spelling : "unknown";
+}
+
+static bool contains(const text_list *list, const char *text) {
+    for (unsigned i = 0; i < list->count; i++)
+        if (strcmp(list->items[i], text) == 0)
+            return true;
+    return false;
+}
+
+text_list verdict_guards(arena *a, const loop_verdict *verdict) {
+    text_list guards = {0};
+    if (verdict->kind != VERDICT_TRANSFORM)
+        return guards;
+    const loop_facts *facts = verdict->facts;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        for (unsigned k = 0; k < facts->source_count; k++) {
+            if (!facts->sources[k].needs_guard)
+                continue;
+            const char *guard = arena_format(a, "no-overlap(%s, %s)", facts->arrays[i].name,
+                                             facts->sources[k].name);
+            if (!contains(&guards, guard))
+                VECTOR_PUSH(a, &guards, guard);
+        }
+    return guards;
+}
+
+static const char *array_list(arena *a, const loop_facts *facts) {
+    buffer out = {0};
+    for (unsigned i = 0; i < facts->array_count; i++)
+        buffer_format(&out, "%s%s (%s %s)", i > 0 ? ", " : "", facts->arrays[i].name,
+                      reduction_operator_spelling(facts->arrays[i].op),
+                      element_word(&facts->arrays[i]));
+    const char *text = arena_copy(a, out.length > 0 ? out.data : "", out.length);
+    buffer_free(&out);
+    return text;
+}
+
+const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
+    const char *function = verdict->function->name;
+    switch (verdict->kind) {
+    case VERDICT_TRANSFORM:
+        return arena_format(a, "loop in '%s' runs in parallel: %s", function,
+                            array_list(a, verdict->facts));
+    case VERDICT_REFUSE:
+        return arena_format(a, "loop in '%s' stays sequential: %s: %s", function,
+                            reason_code(verdict->why.id), verdict->why.message);
+    default:
+        return arena_format(a, "loop in '%s' has no update through an irregular subscript",
+                            function);
+    }
+}
+
+ir_position verdict_position(const report_input *input, const loop_verdict *verdict) {
+    return ir_position_of(input->unit, verdict->loop->range.begin);
+}
+
+ir_position reason_position(const report_input *input, const loop_verdict *verdict) {
+    const ir_range range = verdict->why.range;
+    if (range.begin == range.end)
+        return verdict_position(input, verdict);
+    return ir_position_of(input->unit, range.begin);
+}
+
+void report_write(arena *a, buffer *out, report_form form, const report_input *input) {
+    switch (form) {
+    case REPORT_TEXT:
+        report_text(a, out, input);
+        break;
+    case REPORT_JSON:
+        report_json(a, out, input);
+        break;
+    case REPORT_SARIF:
+        report_sarif(a, out, input);
+        break;
+    case REPORT_YAML:
+        report_yaml(a, out, input);
+        break;
+    }
+}

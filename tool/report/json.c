@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The JSON report: docs/report.md has its fields. */
+#include <jansson.h>
+#include <stdlib.h>
+
+#include "report/facts.h"
+#include "report/json_text.h"
+
+static json_t *arrays_of(const loop_verdict *verdict) {
+    json_t *arrays = json_array();
+    const loop_facts *facts = verdict->facts;
+    for (unsigned i = 0; facts && i < facts->array_count; i++) {
+        const reduction_array *array = &facts->arrays[i];
+        json_t *one = json_object();
+        json_object_set_new(one, "name", json_text(array->name));
+        json_object_set_new(one, "operator", json_text(reduction_operator_spelling(array->op)));
+        json_object_set_new(one, "type", json_text(element_word(array)));
+        json_array_append_new(arrays, one);
+    }
+    return arrays;
+}
+
+static json_t *guards_of(arena *a, const loop_verdict *verdict) {
+    json_t *guards = json_array();
+    const text_list list = verdict_guards(a, verdict);
+    for (unsigned i = 0; i < list.count; i++)
+        json_array_append_new(guards, json_text(list.items[i]));
+    return guards;
+}
+
+static json_t *reason_of(const report_input *input, const loop_verdict *verdict) {
+    if (verdict->kind != VERDICT_REFUSE)
+        return json_null();
+    const ir_position at = reason_position(input, verdict);
+    json_t *why = json_object();
+    json_object_set_new(why, "id", json_text(reason_code(verdict->why.id)));
+    json_object_set_new(why, "slug", json_text(reason_slug(verdict->why.id)));
+    json_object_set_new(why, "message", json_text(verdict->why.message));
+    json_object_set_new(why, "line", json_integer(at.line));
+    json_object_set_new(why, "column", json_integer(at.column));
+    return why;
+}
+
+static json_t *loop_object(arena *a, const report_input *input, const loop_verdict *verdict) {
+    const ir_position at = verdict_position(input, verdict);
+    json_t *loop = json_object();
+    json_object_set_new(loop, "line", json_integer(at.line));
+    json_object_set_new(loop, "column", json_integer(at.column));
+    json_object_set_new(loop, "function", json_text(verdict->function->name));
+    json_object_set_new(loop, "verdict", json_text(verdict_word(verdict)));
+    json_object_set_new(loop, "reason", reason_of(input, verdict));
+    json_object_set_new(loop, "arrays", arrays_of(verdict));
+    json_object_set_new(loop, "guards", guards_of(a, verdict));
+    json_object_set_new(loop, "multiversioned", json_boolean(verdict->kind == VERDICT_TRANSFORM));
+    return loop;
+}
+
+void report_json(arena *a, buffer *out, const report_input *input) {
+    json_t *root = json_object();
+    json_object_set_new(root, "redcc", json_text(input->version));
+    json_object_set_new(root, "file", json_text(input->unit->source->path));
+    json_object_set_new(root, "order", json_text(input->order));
+    json_t *loops = json_array();
+    for (unsigned i = 0; i < input->analysis->verdict_count; i++)
+        json_array_append_new(loops, loop_object(a, input, &input->analysis->verdicts[i]));
+    json_object_set_new(root, "loops", loops);
+    json_print(out, root);
+}

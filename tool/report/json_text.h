@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** JSON out of text that need not be UTF-8: paths and source text are bytes. */
+#ifndef REPORT_JSON_TEXT_H
+#define REPORT_JSON_TEXT_H
+
+#include <jansson.h>
+
+#include "support/buffer.h"
+
+/** A JSON string; bytes that are not UTF-8 become '?'. NULL becomes null. A new reference. */
+json_t *json_text(const char *text);
+/** Appends the value with indentation and a line end, and gives it up. */
+void json_print(buffer *out, json_t *value);
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** SARIF 2.1.0 (OASIS standard): one run, one rule for each kind of outcome, one result a loop. */
+#include "report/facts.h"
+#include "report/json_text.h"
+
+#include <string.h>
+
+/** A path as a URI reference: everything but unreserved characters and / is escaped. */
+static json_t *uri(const char *path) {
+    buffer out = {0};
+    for (const char *c = path; *c; c++) {
+        const unsigned char byte = (unsigned char)*c;
+        const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                              (byte >= '0' && byte <= '9') || strchr("-._~/", byte);
+        if (is_plain)
+            buffer_byte(&out, *c);
+        else
+            buffer_format(&out, "%%%02X", byte);
+    }
+    json_t *value = json_text(out.data ? out.data : "");
+    buffer_free(&out);
+    return value;
+}
+
+static json_t *message(const char *text) {
+    json_t *object = json_object();
+    json_object_set_new(object, "text", json_text(text));
+    return object;
+}
+
+static json_t *location(ir_position at) {
+    json_t *artifact = json_object();
+    json_object_set_new(artifact, "uri", uri(at.file));
+    json_t *region = json_object();
+    json_object_set_new(region, "startLine", json_integer(at.line));
+    json_object_set_new(region, "startColumn", json_integer(at.column));
+    json_t *physical = json_object();
+    json_object_set_new(physical, "artifactLocation", artifact);
+    json_object_set_new(physical, "region", region);
+    json_t *object = json_object();
+    json_object_set_new(object, "physicalLocation", physical);
+    return object;
+}
+
+static const char *rule_of(const loop_verdict *verdict) {
+    return verdict->kind == VERDICT_REFUSE ? reason_code(verdict->why.id) : verdict_word(verdict);
+}
+
+static json_t *result_of(arena *a, const report_input *input, const loop_verdict *verdict) {
+    const bool is_refused = verdict->kind == VERDICT_REFUSE;
+    json_t *result = json_object();
+    json_object_set_new(result, "ruleId", json_text(rule_of(verdict)));
+    json_object_set_new(result, "kind",
+                        json_text(verdict->kind == VERDICT_TRANSFORM ? "pass"
+                                  : is_refused                       ? "review"
+                                                                     : "notApplicable"));
+    json_object_set_new(result, "level", json_text("none"));
+    json_object_set_new(result, "message", message(verdict_sentence(a, verdict)));
+    json_t *locations = json_array();
+    json_array_append_new(locations, location(verdict_position(input, verdict)));
+    json_object_set_new(result, "locations", locations);
+    if (is_refused) {
+        json_t *where = location(reason_position(input, verdict));
+        json_object_set_new(where, "message", message(verdict->why.message));
+        json_t *related = json_array();
+        json_array_append_new(related, where);
+        json_object_set_new(result, "relatedLocations", related);
+    }
+    return result;
+}
+
+static bool has_rule(const json_t *rules, const char *id) {
+    for (size_t i = 0; i < json_array_size(rules); i++)
+        if (strcmp(json_string_value(json_object_get(json_array_get(rules, i), "id")), id) == 0)
+            return true;
+    return false;
+}
+
+static json_t *rules_of(const report_input *input) {
+    json_t *rules = json_array();
+    for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
+        const loop_verdict *verdict = &input->analysis->verdicts[i];
+        if (has_rule(rules, rule_of(verdict)))
+            continue;
+        json_t *rule = json_object();
+        json_object_set_new(rule, "id", json_text(rule_of(verdict)));
+        json_object_set_new(rule, "name",
+                            json_text(verdict->kind == VERDICT_REFUSE ? reason_slug(verdict->why.id)
+                                                                      : verdict_word(verdict)));
+        json_array_append_new(rules, rule);
+    }
+    return rules;
+}
+
+void report_sarif(arena *a, buffer *out, const report_input *input) {
+    json_t *driver = json_object();
+    json_object_set_new(driver, "name", json_text("redcc"));
+    json_object_set_new(driver, "version", json_text(input->version));
+    json_object_set_new(driver, "rules", rules_of(input));
+    json_t *tool = json_object();
+    json_object_set_new(tool, "driver", driver);
+    json_t *results = json_array();
+    for (unsigned i = 0; i < input->analysis->verdict_count; i++)
+        json_array_append_new(results, result_of(a, input, &input->analysis->verdicts[i]));
+    json_t *run = json_object();
+    json_object_set_new(run, "tool", tool);
+    json_object_set_new(run, "results", results);
+    json_t *runs = json_array();
+    json_array_append_new(runs, run);
+    json_t *root = json_object();
+    json_object_set_new(root, "$schema",
+                        json_text("https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/"
+                                  "schemas/sarif-schema-2.1.0.json"));
+    json_object_set_new(root, "version", json_text("2.1.0"));
+    json_object_set_new(root, "runs", runs);
+    json_print(out, root);
+}

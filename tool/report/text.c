@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Remarks in the form that clang prints and editors read. */
+#include <string.h>
+
+#include "report/facts.h"
+
+/** The source line with a caret below it. */
+static void show_place(buffer *out, const ir_unit *unit, uint32_t offset) {
+    const source *s = unit->source;
+    const position at = source_position(s, offset);
+    const uint32_t begin = s->line_begin[at.line - 1];
+    uint32_t end = begin;
+    while (end < s->length && s->text[end] != '\n' && s->text[end] != '\r')
+        end++;
+    buffer_text(out, "    ");
+    buffer_append(out, s->text + begin, end - begin);
+    buffer_text(out, "\n    ");
+    for (uint32_t i = begin; i < offset; i++)
+        buffer_byte(out, s->text[i] == '\t' ? '\t' : ' ');
+    buffer_text(out, "^\n");
+}
+
+static void message(buffer *out, const report_input *input, uint32_t offset, const char *kind,
+                    const char *text, const char *flag) {
+    const ir_position at = ir_position_of(input->unit, offset);
+    buffer_format(out, "%s:%u:%u: %s: %s%s\n", at.file, at.line, at.column, kind, text, flag);
+    show_place(out, input->unit, offset);
+}
+
+static bool has_place(ir_range range) {
+    return range.begin < range.end;
+}
+
+static void transformed(arena *a, buffer *out, const report_input *input,
+                        const loop_verdict *verdict) {
+    const loop_facts *facts = verdict->facts;
+    message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+            " [-Rredcc=reduction]");
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (has_place(facts->updates[i].target->range))
+            message(out, input, facts->updates[i].target->range.begin, "note",
+                    arena_format(a, "'%s' is updated here",
+                                 facts->arrays[facts->updates[i].array].name),
+                    "");
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *read = &facts->sources[i];
+        bool is_first = read->needs_guard;
+        for (unsigned k = 0; k < i && is_first; k++)
+            is_first =
+                !facts->sources[k].needs_guard || strcmp(facts->sources[k].name, read->name) != 0;
+        if (is_first && has_place(read->row->range))
+            message(out, input, read->row->range.begin, "note",
+                    arena_format(a,
+                                 "runs sequentially where '%s' is found to overlap an array "
+                                 "that is updated",
+                                 read->name),
+                    "");
+    }
+}
+
+static void refused(arena *a, buffer *out, const report_input *input, const loop_verdict *verdict) {
+    message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+            arena_format(a, " [-Rredcc-missed=%s]", reason_slug(verdict->why.id)));
+    const char *advice = verdict->why.advice;
+    if (has_place(verdict->why.range) && verdict->why.range.begin != verdict->loop->range.begin)
+        message(out, input, verdict->why.range.begin, "note", advice ? advice : "here", "");
+    else if (advice)
+        message(out, input, verdict->loop->range.begin, "note", advice, "");
+}
+
+void report_text(arena *a, buffer *out, const report_input *input) {
+    for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
+        const loop_verdict *verdict = &input->analysis->verdicts[i];
+        if (verdict->kind == VERDICT_TRANSFORM)
+            transformed(a, out, input, verdict);
+        else if (verdict->kind == VERDICT_REFUSE)
+            refused(a, out, input, verdict);
+        else
+            message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+                    " [-Rredcc-analysis=not-a-reduction]");
+    }
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** LLVM optimization records: what opt-viewer and its like read (llvm.org/docs/Remarks.html). */
+#include "report/facts.h"
+
+/** A single-quoted YAML scalar on one line. */
+static void scalar(buffer *out, const char *text) {
+    buffer_byte(out, '\'');
+    for (const char *c = text; *c; c++) {
+        if (*c == '\'')
+            buffer_byte(out, '\'');
+        buffer_byte(out, *c == '\n' || *c == '\r' ? ' ' : *c);
+    }
+    buffer_byte(out, '\'');
+}
+
+static void record(arena *a, buffer *out, const report_input *input, const loop_verdict *verdict) {
+    const bool is_refused = verdict->kind == VERDICT_REFUSE;
+    const ir_position at = verdict_position(input, verdict);
+    buffer_format(out, "--- !%s\nPass:            redcc\nName:            ",
+                  verdict->kind == VERDICT_TRANSFORM ? "Passed"
+                  : is_refused                       ? "Missed"
+                                                     : "Analysis");
+    scalar(out, is_refused                           ? reason_slug(verdict->why.id)
+                : verdict->kind == VERDICT_TRANSFORM ? "reduction"
+                                                     : "not-a-reduction");
+    buffer_text(out, "\nDebugLoc:        { File: ");
+    scalar(out, at.file);
+    buffer_format(out, ", Line: %u, Column: %u }\nFunction:        ", at.line, at.column);
+    scalar(out, verdict->function->name);
+    buffer_text(out, "\nArgs:\n  - String:          ");
+    scalar(out, verdict_sentence(a, verdict));
+    if (is_refused) {
+        const ir_position why = reason_position(input, verdict);
+        buffer_text(out, "\n  - Reason:          ");
+        scalar(out, reason_code(verdict->why.id));
+        buffer_text(out, "\n    DebugLoc:        { File: ");
+        scalar(out, why.file);
+        buffer_format(out, ", Line: %u, Column: %u }", why.line, why.column);
+    }
+    buffer_text(out, "\n...\n");
+}
+
+void report_yaml(arena *a, buffer *out, const report_input *input) {
+    for (unsigned i = 0; i < input->analysis->verdict_count; i++)
+        record(a, out, input, &input->analysis->verdicts[i]);
+}
