@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Meshes, scenes, states and the command line of the cloth simulator.
+set(scenes_folder ${PROJECT_SOURCE_DIR}/examples/fabric/scenes)
+set(app_folder ${CMAKE_CURRENT_BINARY_DIR}/app)
+file(MAKE_DIRECTORY ${app_folder})
+
+function(fabric_app_test name)
+  add_executable(test_fabric_${name} app_${name}.c)
+  target_link_libraries(test_fabric_${name} PRIVATE redcc_warnings PkgConfig::CMOCKA ${ARGN})
+  target_compile_definitions(test_fabric_${name} PRIVATE SCENES_FOLDER="${scenes_folder}")
+  add_test(NAME fabric.app.${name} COMMAND test_fabric_${name} WORKING_DIRECTORY ${app_folder})
+endfunction()
+
+fabric_app_test(mesh fabric_mesh m)
+fabric_app_test(scene fabric_scene)
+if(TARGET fabric_app)
+  fabric_app_test(state fabric_app)
+  fabric_app_test(picture fabric_app)
+  foreach(script cli run render)
+    add_test(NAME fabric.app.${script}
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
+                     ${scenes_folder} ${app_folder}/${script})
+  endforeach()
+endif()
+if(TARGET fabric)
+  # The parallel program gives the bits of the serial one; label threads: for the thread sanitizer.
+  add_test(NAME fabric.app.same_bits
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_same_bits.sh $<TARGET_FILE:fabric-serial>
+                   $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/same_bits)
+  set_tests_properties(fabric.app.same_bits PROPERTIES LABELS threads)
+endif()

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What the command line says, above all to wrong ones. Arguments: PROGRAM SCENES FOLDER.
+source "$(dirname "$0")/app_common.sh"
+name=$(basename "$program")
+
+expect 2 "usage: $name COMMAND" "$program"
+expect 0 "usage: $name COMMAND" "$program" --help
+expect 0 "$name " "$program" --version
+for command in run plan compare render mesh; do
+  expect 0 "usage: $name $command " "$program" $command --help
+done
+expect 2 "unknown command 'rum', did you mean 'run'?" "$program" rum patch
+expect 2 "unknown command 'xyzzy', --help lists the known ones" "$program" xyzzy
+expect 2 "unknown option '--hepl', did you mean '--help'?" "$program" --hepl
+expect 2 "$name accuracy: not in this version" "$program" accuracy dt
+
+expect 2 "$name run: unknown option '--step', did you mean '--steps'?" "$program" run patch --step 3
+expect 2 "option '--steps' needs a value: N" "$program" run patch --steps
+expect 2 "--steps is 'x', expected a whole number from 0 to 1000000000" "$program" run patch --steps x
+expect 2 "--steps is '-1'" "$program" run patch --steps=-1
+expect 2 "--threads is '0'" "$program" run patch --threads 0
+expect 2 "--progress is 'liens', expected one of 'auto', 'bar', 'lines', 'json', 'none'; did you mean 'lines'?" \
+  "$program" run patch --progress liens
+expect 2 "which scene?" "$program" run
+expect 2 "one scene at a time, not 'b' as well" "$program" run a b
+expect 1 "no scene is called 'pach' in $scenes, expected a path or one of 'hanging', 'patch', 'sheet218k', 'tablecloth'; did you mean 'patch'?" \
+  "$program" run pach
+expect 1 "./none.yaml: cannot be read: No such file or directory" "$program" run ./none.yaml
+expect 1 "--set material.bnd=1: unknown key 'bnd' in 'material'" "$program" run patch --set material.bnd=1
+sed 's/gravity/gravty/' "$scenes/patch.yaml" >wrong.yaml
+expect 1 "wrong.yaml:22: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', 'wind'; did you mean 'gravity'?" \
+  "$program" run wrong.yaml
+expect 1 "wrong.yaml/frames" "$program" run patch -o wrong.yaml/frames --steps 1
+
+expect 0 "stretch" "$program" plan patch
+expect 0 "200 particles, 350 triangles, 549 edges, 501 hinges" "$program" plan patch
+expect 2 "which scene?" "$program" plan
+expect 2 "which states?" "$program" compare a
+expect 2 "--tolerance is 'x'" "$program" compare a b --tolerance x
+expect 2 "which folder?" "$program" render
+expect 1 "none/scene.yaml: cannot be read" "$program" render none
+
+expect 2 "generate, reorder or info?" "$program" mesh
+expect 2 "the action is 'inof', expected one of 'generate', 'reorder', 'info'; did you mean 'info'?" \
+  "$program" mesh inof
+expect 2 "where to? -o FILE.obj" "$program" mesh generate
+expect 2 "which mesh?" "$program" mesh info
+expect 1 "not 6 of 6" "$program" mesh generate --vertices 6 --boundary 6 -o small.obj
+expect 0 "" "$program" mesh generate --vertices 200 --boundary 48 --seed 3 -o made.obj
+expect 0 "edges:     549, of which 48 on the border and 0 of more than two triangles" \
+  "$program" mesh info made.obj
+expect 0 "" "$program" mesh reorder made.obj --order shuffled -o shuffled.obj
+expect 0 "" "$program" mesh reorder shuffled.obj --order sorted -o sorted.obj
+expect 0 "hinges:    501" "$program" mesh info sorted.obj
+holds "the order changes the file" test "$(cmp -s made.obj sorted.obj; echo $?)" -eq 1
+echo "v 0 0" >wrong.obj
+expect 1 "wrong.obj:1: expected 3 finite numbers" "$program" mesh info wrong.obj
+finish

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What the scripts share: sourced with PROGRAM, SCENES and FOLDER; leaves the shell in an empty folder.
+set -uo pipefail
+program=$1 scenes=$2 folder=$3
+export FABRIC_SCENES=$scenes
+# Mesa's drivers keep memory of their own until the end.
+export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=0}
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+failures=0
+
+# expect STATUS TEXT COMMAND...: the command exits with STATUS and its output has TEXT in it.
+expect() {
+  local wanted=$1 text=$2 output status
+  shift 2
+  output=$("$@" 2>&1)
+  status=$?
+  if [ "$status" -ne "$wanted" ]; then
+    echo "FAILED: exit $status, expected $wanted: $*"
+    printf '%s\n' "$output" | head -n 20
+    failures=$((failures + 1))
+  elif [[ "$output" != *"$text"* ]]; then
+    echo "FAILED: not said by $*"
+    printf 'expected: %s\nfound:    %s\n' "$text" "$output" | head -n 20
+    failures=$((failures + 1))
+  fi
+}
+
+# holds DESCRIPTION TEST...: the test command succeeds.
+holds() {
+  local description=$1
+  shift
+  if ! "$@"; then
+    echo "FAILED: $description: $*"
+    failures=$((failures + 1))
+  fi
+}
+
+finish() {
+  [ "$failures" -eq 0 ] || exit 1
+  echo "all hold"
+}

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The parallel program gives the very bits of the serial one, at any thread count, in every order of
+# the mesh. Arguments: SERIAL PARALLEL SCENES FOLDER.
+serial=$1 parallel=$2
+shift
+source "$(dirname "$0")/app_common.sh"
+
+for order in sorted shuffled; do
+  run=(run patch --steps 12 --frames 0 --progress none --set mesh.order=$order)
+  expect 0 "" "$serial" "${run[@]}" -o serial-$order
+  for threads in 1 2 3 7; do
+    expect 0 "" "$parallel" "${run[@]}" -o $order-$threads --threads $threads
+    holds "threads are counted" \
+      jq -e ".threads == $threads and .program == \"$(basename "$parallel")\"" \
+      $order-$threads/summary.json >/dev/null
+    expect 0 "positions: equal, every bit" \
+      "$serial" compare serial-$order/final.state $order-$threads/final.state
+  done
+done
+finish

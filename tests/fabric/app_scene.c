@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Scene files: what is read, and what is said about what is wrong. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "scene.h"
+#include "words.h"
+
+static const char FILE_NAME[] = "scene-test.yaml";
+static char said[4096]; /* on standard error, during the last call */
+
+static int saved_error = -1;
+
+static void start_listening(void) {
+    FILE *file = freopen("said.txt", "w", stderr);
+    assert_non_null(file);
+}
+
+static void stop_listening(void) {
+    fflush(stderr);
+    FILE *file = fopen("said.txt", "r");
+    assert_non_null(file);
+    said[fread(said, 1, sizeof said - 1, file)] = '\0';
+    fclose(file);
+    dup2(saved_error, STDERR_FILENO);
+}
+
+/* A whole scene, line by line, so that tests can name lines. */
+static const char *const lines[] = {
+    "name: test",                             /* 1 */
+    "mesh:",                                  /* 2 */
+    "  vertices: 30",                         /* 3 */
+    "  boundary: 12",                         /* 4 */
+    "  side: 0.5",                            /* 5 */
+    "material:",                              /* 6 */
+    "  density: 0.25",                        /* 7 */
+    "  stretch: 500",                         /* 8 */
+    "  shear: 100",                           /* 9 */
+    "  bend: 0.001",                          /* 10 */
+    "surroundings:",                          /* 11 */
+    "  gravity: [0, 0, -9.81]",               /* 12 */
+    "pins:",                                  /* 13 */
+    "  - {low: [-1, 0.25], high: [1, 0.26]}", /* 14 */
+    "colliders:",                             /* 15 */
+    "  - kind: sphere",                       /* 16 */
+    "    radius: 0.5",                        /* 17 */
+    "time:",                                  /* 18 */
+    "  step: 0.01 # s",                       /* 19 */
+    "  steps: 10",                            /* 20 */
+};
+enum { LINE_COUNT = sizeof lines / sizeof *lines };
+
+/* Reads the scene above with one line (from 1) exchanged, NULL: left out. */
+static int read_with(int line, const char *text, scene *s) {
+    FILE *file = fopen(FILE_NAME, "w");
+    assert_non_null(file);
+    for (int k = 1; k <= LINE_COUNT; k++) {
+        if (k != line)
+            fprintf(file, "%s\n", lines[k - 1]);
+        else if (text)
+            fprintf(file, "%s\n", text);
+    }
+    fclose(file);
+    start_listening();
+    const int status = scene_read(s, FILE_NAME);
+    stop_listening();
+    return status;
+}
+
+static void check_wrong(int line, const char *text, const char *expected) {
+    scene s;
+    char whole[1024];
+    assert_int_equal(read_with(line, text, &s), -1);
+    snprintf(whole, sizeof whole, "%s%s\n", FILE_NAME, expected);
+    assert_string_equal(said, whole);
+    assert_null(s.pins);
+    assert_null(s.colliders);
+}
+
+static void test_read(void **unused) {
+    scene s;
+    (void)unused;
+    assert_int_equal(read_with(0, NULL, &s), 0);
+    assert_string_equal(said, "");
+    assert_string_equal(s.name, "test");
+    assert_int_equal(s.vertices, 30);
+    assert_true(s.side == 0.5 && s.density == 0.25 && s.gravity[2] == -9.81 && s.step == 0.01);
+    assert_int_equal(s.order, MESH_ORDER_SORTED); /* and other defaults */
+    assert_true(s.normal[2] == 1.0 && s.tolerance == 1e-3 && s.drag == 0.0);
+    assert_int_equal(s.seed, 1);
+    assert_int_equal(s.pin_count, 1);
+    assert_true(s.pins[0].low[1] == 0.25 && s.pins[0].velocity[0] == 0.0);
+    assert_int_equal(s.collider_count, 1);
+    assert_int_equal(s.colliders[0].kind, COLLIDER_SPHERE);
+    assert_true(s.colliders[0].size[0] == 0.5 && s.colliders[0].gap == 0.005);
+    scene_free(&s);
+}
+
+static void test_unknown_keys(void **unused) {
+    (void)unused;
+    check_wrong(12, "  gravty: [0, 0, -9.81]",
+                ":12: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', "
+                "'wind'; did you mean 'gravity'?");
+    check_wrong(1, "title: test",
+                ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
+                "'surroundings', 'pins', 'colliders', 'time', 'solution'; did you mean 'time'?");
+    check_wrong(17, "    half_edges: [1, 1, 1]",
+                ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "
+                "'position', 'velocity', 'radius', 'friction', 'gap'");
+    check_wrong(8, "  density: 500", ":8: key 'density' stands here twice");
+}
+
+static void test_missing_keys(void **unused) {
+    (void)unused;
+    check_wrong(5, NULL, ":3: missing key 'side' in 'mesh', expected a number greater than 0");
+    check_wrong(1, NULL, ":1: missing key 'name', expected a text of 1 to 63 bytes");
+    check_wrong(17, NULL,
+                ":16: missing key 'radius' in 'colliders.0', expected a number greater than 0");
+    check_wrong(16, "  - gap: 0.01",
+                ":16: missing key 'kind' in 'colliders.0', expected one of 'plane', 'box', "
+                "'sphere', 'cylinder'");
+    check_wrong(14, "  - {low: [-1, 0.25]}",
+                ":14: missing key 'high' in 'pins.0', expected a list of 2, each a number");
+}
+
+static void test_wrong_values(void **unused) {
+    (void)unused;
+    check_wrong(7, "  density: -0.1",
+                ":7: 'material.density' is '-0.1', expected a number greater than 0");
+    check_wrong(7, "  density: heavy",
+                ":7: 'material.density' is 'heavy', expected a number greater than 0");
+    check_wrong(8, "  stretch: nan",
+                ":8: 'material.stretch' is 'nan', expected a number, 0 or more");
+    check_wrong(8, "  stretch: 1e999",
+                ":8: 'material.stretch' is '1e999', expected a number, 0 or more");
+    check_wrong(20, "  steps: 1.5",
+                ":20: 'time.steps' is '1.5', expected a whole number from 0 to 1000000000");
+    check_wrong(12, "  gravity: [0, 0]",
+                ":12: 'surroundings.gravity' is a list of 2, expected a list of 3, each a number");
+    check_wrong(12, "  gravity: 9.81",
+                ":12: 'surroundings.gravity' is '9.81', expected a list of 3, each a number");
+    check_wrong(16, "  - kind: spere",
+                ":16: 'colliders.0.kind' is 'spere', expected one of 'plane', 'box', 'sphere', "
+                "'cylinder'; did you mean 'sphere'?");
+    check_wrong(4, "  boundary: 30",
+                ":4: 'mesh.boundary' is 30, expected less than 'mesh.vertices', 30");
+    check_wrong(14, "  - {low: [-1, 1], high: [1, 0]}",
+                ":14: 'pins.0.low' lies above 'high', expected a corner below it");
+    check_wrong(5, "  side: 0.5\n  normal: [0, 0, 0]",
+                ":6: 'mesh.normal' has no direction, expected a vector other than 0");
+}
+
+static void test_not_scenes(void **unused) {
+    scene s;
+    (void)unused;
+    check_wrong(12, "  gravity: [0, 0", ":13: not YAML: did not find expected ',' or ']'");
+    check_wrong(1, "--- {}\n---", ":1: missing key 'name', expected a text of 1 to 63 bytes");
+    check_wrong(1, "--- 3\n---", ":1: 'the scene' is '3', expected a section of keys");
+    start_listening();
+    assert_int_equal(scene_read(&s, "no-such-file.yaml"), -1);
+    stop_listening();
+    assert_string_equal(said, "no-such-file.yaml: cannot be read: No such file or directory\n");
+}
+
+static void check_set(scene *s, const char *assignment, const char *expected) {
+    char whole[1024] = "";
+    start_listening();
+    const int status = scene_set(s, assignment);
+    stop_listening();
+    assert_int_equal(status, expected ? -1 : 0);
+    if (expected)
+        snprintf(whole, sizeof whole, "--set %s: %s\n", assignment, expected);
+    assert_string_equal(said, whole);
+}
+
+static void test_set(void **unused) {
+    scene s;
+    (void)unused;
+    assert_int_equal(read_with(0, NULL, &s), 0);
+    check_set(&s, "material.bend=0.5", NULL);
+    assert_true(s.bend == 0.5);
+    check_set(&s, "surroundings.wind=[1, 2, 3]", NULL);
+    assert_true(s.wind[1] == 2.0);
+    check_set(&s, "mesh.order=shuffled", NULL);
+    assert_int_equal(s.order, MESH_ORDER_SHUFFLED);
+    check_set(&s, "colliders.0.radius=2", NULL);
+    assert_true(s.colliders[0].size[0] == 2.0);
+    check_set(&s,
+              "colliders=[{kind: box, half_edges: [1, 2, 3]}, {kind: plane, normal: [0, 0, 2]}]",
+              NULL);
+    assert_int_equal(s.collider_count, 2);
+    assert_true(s.colliders[0].size[2] == 3.0 && s.colliders[1].axis[2] == 1.0);
+    check_set(&s, "pins=[]", NULL);
+    assert_int_equal(s.pin_count, 0);
+    scene_free(&s);
+}
+
+static void test_set_wrong(void **unused) {
+    scene s;
+    (void)unused;
+    assert_int_equal(read_with(0, NULL, &s), 0);
+    check_set(&s, "material.bnd=1",
+              "unknown key 'bnd' in 'material', expected one of 'density', 'stretch', 'shear', "
+              "'bend', 'stretch_damping', 'shear_damping', 'bend_damping'; did you mean 'bend'?");
+    check_set(&s, "material.bend=-1", "'material.bend' is '-1', expected a number, 0 or more");
+    check_set(&s, "material=1", "'material' is a section: set one of its keys");
+    check_set(&s, "material.bend.x=1", "'bend' is a value and has no keys in it");
+    check_set(&s, "colliders.1.gap=0", "'colliders' has no item '1', expected 0 to 0");
+    check_set(&s, "colliders.0=1", "'colliders.0' is an item: set one of its keys");
+    check_set(&s, "colliders.0.kind=box", "the kind of a collider cannot be set, only read");
+    check_set(&s, "mesh.vertices=12",
+              "'mesh.boundary' is 12, expected less than 'mesh.vertices', 12");
+    check_set(&s, "material.bend", "expected KEY=VALUE, such as material.bend=0.01");
+    check_set(&s, "material.bend=", "no value, expected KEY=VALUE");
+    scene_free(&s);
+}
+
+/* Every scene that is shipped can be read, written and read again as the same. */
+static void test_shipped_scenes(void **unused) {
+    static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch"};
+    (void)unused;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        char path[4096];
+        scene first, second;
+        snprintf(path, sizeof path, "%s/%s.yaml", SCENES_FOLDER, names[k]);
+        assert_int_equal(scene_read(&first, path), 0);
+        assert_string_equal(first.name, names[k]);
+        assert_int_equal(scene_write(&first, "written.yaml"), 0);
+        assert_int_equal(scene_read(&second, "written.yaml"), 0);
+        assert_int_equal(first.collider_count, second.collider_count);
+        for (int c = 0; c < first.collider_count; c++)
+            assert_memory_equal(&first.colliders[c], &second.colliders[c], sizeof(collider));
+        assert_int_equal(first.pin_count, second.pin_count);
+        for (int p = 0; p < first.pin_count; p++)
+            assert_memory_equal(&first.pins[p], &second.pins[p], sizeof(pin));
+        free(second.colliders);
+        free(second.pins);
+        second.colliders = first.colliders;
+        second.pins = first.pins;
+        assert_memory_equal(&first, &second, sizeof first);
+        scene_free(&first);
+    }
+}
+
+/* The paper's scenes are what the paper says. */
+static void test_scenes_of_the_paper(void **unused) {
+    static const char *const names[] = {"tablecloth", "hanging"};
+    (void)unused;
+    for (int k = 0; k < 2; k++) {
+        char path[4096], error[256];
+        scene s;
+        mesh m;
+        snprintf(path, sizeof path, "%s/%s.yaml", SCENES_FOLDER, names[k]);
+        assert_int_equal(scene_read(&s, path), 0);
+        assert_int_equal(s.steps, 76);
+        assert_true(s.step == 0.033);
+        assert_int_equal(scene_mesh(&s, &m, NULL, error), 0);
+        assert_int_equal(m.vertex_count, 2602);
+        assert_int_equal(m.triangle_count, 4982);
+        mesh_free(&m);
+        scene_free(&s);
+    }
+}
+
+/* An upright sheet has its material y upwards and faces where its normal points. */
+static void test_placement(void **unused) {
+    scene s;
+    mesh m;
+    char error[256];
+    (void)unused;
+    assert_int_equal(read_with(5, "  side: 0.5\n  origin: [1, 2, 3]\n  normal: [0, -2, 0]", &s), 0);
+    assert_int_equal(scene_mesh(&s, &m, NULL, error), 0);
+    for (int v = 0; v < m.vertex_count; v++) {
+        assert_true(fabs(m.position[v][0] - 1.0 - m.material[v][0]) < 1e-15);
+        assert_true(m.position[v][1] == 2.0);
+        assert_true(fabs(m.position[v][2] - 3.0 - m.material[v][1]) < 1e-15);
+    }
+    mesh_free(&m);
+    scene_free(&s);
+}
+
+static void test_nearest_word(void **unused) {
+    static const char *const words[] = {"bend", "stretch", "gravity"};
+    (void)unused;
+    assert_string_equal(words_nearest("bned", words, 3), "bend"); /* two letters swapped: one */
+    assert_string_equal(words_nearest("strech", words, 3), "stretch");
+    assert_string_equal(words_nearest("gravitty", words, 3), "gravity");
+    assert_null(words_nearest("colour", words, 3));
+    assert_null(words_nearest("", words, 3));
+    assert_null(words_nearest("bend", words, 0));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_read),
+        cmocka_unit_test(test_unknown_keys),
+        cmocka_unit_test(test_missing_keys),
+        cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_not_scenes),
+        cmocka_unit_test(test_set),
+        cmocka_unit_test(test_set_wrong),
+        cmocka_unit_test(test_shipped_scenes),
+        cmocka_unit_test(test_scenes_of_the_paper),
+        cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_nearest_word),
+    };
+    saved_error = dup(STDERR_FILENO);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
