@@ -53,6 +53,8 @@ struct ir_record {
     const char *name; /* tag or typedef name; "" where it has none and cannot be spelled */
     bool is_union;
     bool is_complete;
+    int64_t size;         /* bytes; -1: unknown */
+    const char *spelling; /* of its type: "struct node", "vec"; NULL: cannot be spelled */
     unsigned field_count;
     const ir_field *fields;
 };
@@ -63,15 +65,17 @@ struct ir_type {
     bool is_signed;    /* integers */
     bool is_character; /* char, signed char, unsigned char: may alias anything */
     bool is_const, is_volatile, is_restrict, is_atomic;
-    int64_t size;           /* bytes; -1 unknown: incomplete, variable-length */
-    int64_t count;          /* IR_ARRAY: elements; -1 unknown */
-    const ir_type *target;  /* pointee, element, result */
+    int64_t size;          /* bytes; -1 unknown: incomplete, variable-length */
+    int64_t count;         /* IR_ARRAY: elements; -1 unknown */
+    const ir_type *target; /* pointee, element, result */
     const ir_record *record;
     const char *spelling; /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
 };
 
-bool ir_type_equal(const ir_type *a, const ir_type *b); /* qualifiers apart */
-bool ir_type_is_scalar(const ir_type *type);            /* arithmetic or pointer */
+/** Qualifiers apart, also those of pointees and elements. Compares what a type is, not how it is
+ *  written: an enumeration equals its integer type, long equals a long long of the same size. */
+bool ir_type_equal(const ir_type *a, const ir_type *b);
+bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
 /** The element of an array of arrays ..., or the type itself. */
 const ir_type *ir_type_innermost(const ir_type *type);
 
@@ -105,13 +109,13 @@ struct ir_function {
     const ir_type *type; /* IR_FUNCTION_TYPE; target is the result */
     unsigned parameter_count;
     ir_variable *const *parameters;
-    ir_node *body; /* IR_BLOCK; NULL where only declared */
-    unsigned id;   /* dense in the unit */
+    ir_node *body;       /* IR_BLOCK; NULL where only declared */
+    unsigned id;         /* dense in the unit */
     unsigned node_count; /* ids of the body's nodes are below it */
     ir_range range;
     bool is_static, is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
-    bool has_errors;     /* the compiler complained inside it: judge nothing in it */
+    bool has_errors; /* the compiler complained inside it: judge nothing in it */
     bool is_in_main_file;
 };
 
@@ -119,22 +123,22 @@ struct ir_function {
 
 typedef enum ir_kind {
     /* expressions: `type` is set */
-    IR_NUMBER,      /* text; value, where integer (enumerators and character constants too) */
-    IR_STRING,      /* text */
-    IR_VARIABLE,    /* variable */
-    IR_FUNCTION,    /* function */
-    IR_INDEX,       /* array, subscript (in this order, also for 3[a]) */
-    IR_MEMBER,      /* object or pointer, field; flag IR_ARROW where the child is a pointer */
-    IR_UNARY,       /* operand; op */
-    IR_BINARY,      /* left, right; op; the comma and && || too */
-    IR_ASSIGN,      /* target, value; op: IR_OP_NONE for =, IR_OP_ADD for +=, ... */
-    IR_CONDITIONAL, /* condition, then, else */
-    IR_CALL,        /* callee, arguments */
-    IR_CAST,        /* operand; type; written by the user */
-    IR_SIZEOF,      /* text; value, where constant */
-    IR_INITIALIZERS,/* { values } in source order; flag IR_DESIGNATED if any is designated */
-    IR_OPAQUE,      /* text says what it was; children are what it mentions, if known. Also as a
-                       statement (statement expressions, inline assembly, ...) */
+    IR_NUMBER,       /* text; value, where integer (enumerators and character constants too) */
+    IR_STRING,       /* text */
+    IR_VARIABLE,     /* variable */
+    IR_FUNCTION,     /* function */
+    IR_INDEX,        /* array, subscript (in this order, also for 3[a]) */
+    IR_MEMBER,       /* object or pointer, field; flag IR_ARROW where the child is a pointer */
+    IR_UNARY,        /* operand; op */
+    IR_BINARY,       /* left, right; op; the comma and && || too */
+    IR_ASSIGN,       /* target, value; op: IR_OP_NONE for =, IR_OP_ADD for +=, ... */
+    IR_CONDITIONAL,  /* condition, then, else */
+    IR_CALL,         /* callee, arguments */
+    IR_CAST,         /* operand; type; written by the user */
+    IR_SIZEOF,       /* text; value, where constant */
+    IR_INITIALIZERS, /* { values } in source order; flag IR_DESIGNATED if any is designated */
+    IR_OPAQUE,       /* text says what it was; children are what it mentions, if known. Also as a
+                        statement (statement expressions, inline assembly, ...) */
     /* statements */
     IR_BLOCK,       /* statements */
     IR_DECLARATION, /* IR_DECLARATORs */
@@ -158,15 +162,38 @@ typedef enum ir_kind {
 
 typedef enum ir_operator {
     IR_OP_NONE,
-    IR_OP_ADD, IR_OP_SUBTRACT, IR_OP_MULTIPLY, IR_OP_DIVIDE, IR_OP_REMAINDER,
-    IR_OP_SHIFT_LEFT, IR_OP_SHIFT_RIGHT,
-    IR_OP_BIT_AND, IR_OP_BIT_OR, IR_OP_BIT_XOR,
-    IR_OP_LESS, IR_OP_GREATER, IR_OP_LESS_EQUAL, IR_OP_GREATER_EQUAL, IR_OP_EQUAL, IR_OP_NOT_EQUAL,
-    IR_OP_AND, IR_OP_OR, IR_OP_COMMA,
+    IR_OP_ADD,
+    IR_OP_SUBTRACT,
+    IR_OP_MULTIPLY,
+    IR_OP_DIVIDE,
+    IR_OP_REMAINDER,
+    IR_OP_SHIFT_LEFT,
+    IR_OP_SHIFT_RIGHT,
+    IR_OP_BIT_AND,
+    IR_OP_BIT_OR,
+    IR_OP_BIT_XOR,
+    IR_OP_LESS,
+    IR_OP_GREATER,
+    IR_OP_LESS_EQUAL,
+    IR_OP_GREATER_EQUAL,
+    IR_OP_EQUAL,
+    IR_OP_NOT_EQUAL,
+    IR_OP_AND,
+    IR_OP_OR,
+    IR_OP_COMMA,
     /* unary */
-    IR_OP_PLUS, IR_OP_MINUS, IR_OP_NOT, IR_OP_BIT_NOT, IR_OP_DEREFERENCE, IR_OP_ADDRESS,
-    IR_OP_PRE_INCREMENT, IR_OP_PRE_DECREMENT, IR_OP_POST_INCREMENT, IR_OP_POST_DECREMENT,
-    IR_OP_REAL, IR_OP_IMAG
+    IR_OP_PLUS,
+    IR_OP_MINUS,
+    IR_OP_NOT,
+    IR_OP_BIT_NOT,
+    IR_OP_DEREFERENCE,
+    IR_OP_ADDRESS,
+    IR_OP_PRE_INCREMENT,
+    IR_OP_PRE_DECREMENT,
+    IR_OP_POST_INCREMENT,
+    IR_OP_POST_DECREMENT,
+    IR_OP_REAL,
+    IR_OP_IMAG
 } ir_operator;
 
 enum {
@@ -182,7 +209,8 @@ struct ir_node {
     ir_kind kind;
     ir_operator op;
     unsigned flags;
-    unsigned id; /* dense in its function, in evaluation-independent preorder: indexes side tables */
+    unsigned
+        id; /* dense in its function, in evaluation-independent preorder: indexes side tables */
     unsigned child_count;
     ir_node **children;
     ir_node *parent; /* NULL for a body, and for what belongs to no function */
@@ -250,9 +278,15 @@ void ir_walk(ir_node *node, ir_visitor visit, void *context);
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count);
 /** Sets parents, ids and node_count of a finished function. */
 void ir_finish_function(ir_function *function);
-/** A copy of an expression with each parameter of `function` replaced by the argument given (NULL:
- *  left as it is). The copy's nodes have no ids and belong to no function. */
+/** A copy of an expression with each parameter of `function` replaced by a copy of the argument
+ *  given (NULL: left as it is). An argument of another scalar type than the parameter's is wrapped
+ *  in an IR_CAST to it, as the call would convert it. The copy's nodes have no ids and belong to no
+ *  function; its root has no parent. */
 ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
                        ir_node *const *arguments);
+
+/** How C spells a type of this kind, target and qualifiers, as clang does ("const double *");
+ *  records and enumerations by the spelling they were given. NULL: cannot be spelled. */
+const char *ir_type_default_spelling(arena *a, const ir_type *type);
 
 #endif

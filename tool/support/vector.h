@@ -20,8 +20,8 @@
 #define VECTOR_PUSH(a, vector, item)                                                               \
     do {                                                                                           \
         if ((vector)->count == (vector)->capacity)                                                 \
-            (vector)->items = vector_grow((a), (vector)->items, sizeof *(vector)->items,           \
-                                          &(vector)->capacity);                                    \
+            (vector)->items =                                                                      \
+                vector_grow((a), (vector)->items, sizeof *(vector)->items, &(vector)->capacity);   \
         (vector)->items[(vector)->count++] = (item);                                               \
     } while (0)
 

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ir/ir.h"
+
+#include <string.h>
+
+bool ir_is_expression(const ir_node *node) {
+    if (node->kind == IR_OPAQUE)
+        return node->type != NULL;
+    return node->kind < IR_OPAQUE;
+}
+
+bool ir_is_loop(const ir_node *node) {
+    return node->kind == IR_FOR || node->kind == IR_WHILE || node->kind == IR_DO;
+}
+
+/* Is the value that `child` gives to its parent used there? */
+static bool parent_uses_value(const ir_node *parent, const ir_node *child) {
+    switch (parent->kind) {
+    case IR_EXPRESSION:
+        return false;
+    case IR_FOR:
+        return child != parent->children[0] && child != parent->children[2];
+    case IR_CAST:
+        return parent->type->kind != IR_VOID;
+    case IR_CONDITIONAL: /* the chosen side's value is the whole's */
+        return child == parent->children[0] || ir_value_is_used(parent);
+    case IR_BINARY:
+        if (parent->op == IR_OP_COMMA)
+            return child == parent->children[1] && ir_value_is_used(parent);
+        if (parent->op == IR_OP_AND || parent->op == IR_OP_OR)
+            return child == parent->children[0] || ir_value_is_used(parent);
+        return true;
+    default:
+        return true;
+    }
+}
+
+bool ir_value_is_used(const ir_node *node) {
+    return node->parent == NULL || parent_uses_value(node->parent, node);
+}
+
+bool ir_contains(const ir_node *outer, const ir_node *inner) {
+    while (inner != NULL && inner != outer)
+        inner = inner->parent;
+    return inner != NULL;
+}
+
+static bool is_path_step(const ir_node *node) {
+    switch (node->kind) {
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+        return true;
+    case IR_UNARY:
+        return node->op == IR_OP_DEREFERENCE || node->op == IR_OP_ADDRESS;
+    default:
+        return false;
+    }
+}
+
+ir_variable *ir_root_variable(const ir_node *node) {
+    while (is_path_step(node))
+        node = node->children[0];
+    return node->kind == IR_VARIABLE ? node->variable : NULL;
+}
+
+const ir_function *ir_function_named(const ir_unit *unit, const char *name) {
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (strcmp(unit->functions[i]->name, name) == 0)
+            return unit->functions[i];
+    return NULL;
+}
+
+void ir_walk(ir_node *node, ir_visitor visit, void *context) {
+    if (!visit(node, context))
+        return;
+    for (unsigned i = 0; i < node->child_count; i++)
+        ir_walk(node->children[i], visit, context);
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Making nodes, finishing functions, substituting arguments for parameters. */
+#include "ir/ir.h"
+
+ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count) {
+    ir_node *node = ARENA_NEW(a, ir_node);
+    node->kind = kind;
+    node->type = type;
+    node->child_count = child_count;
+    if (child_count > 0)
+        node->children = ARENA_ARRAY(a, ir_node *, child_count);
+    return node;
+}
+
+static void number_nodes(ir_node *node, ir_node *parent, unsigned *next_id) {
+    node->parent = parent;
+    node->id = (*next_id)++;
+    for (unsigned i = 0; i < node->child_count; i++)
+        number_nodes(node->children[i], node, next_id);
+}
+
+void ir_finish_function(ir_function *function) {
+    function->node_count = 0;
+    if (function->body != NULL)
+        number_nodes(function->body, NULL, &function->node_count);
+}
+
+/* ---- substitution -------------------------------------------------------------------------- */
+
+static ir_node *copy_one(arena *a, const ir_node *node) {
+    ir_node *copy = ir_new(a, node->kind, node->type, node->child_count);
+    ir_node **children = copy->children;
+    *copy = *node;
+    copy->children = children;
+    copy->parent = NULL;
+    copy->id = 0;
+    return copy;
+}
+
+static bool is_scalar_or_array(const ir_type *type) {
+    return ir_type_is_scalar(type) || type->kind == IR_ARRAY;
+}
+
+/* Does passing a value of type `from` to a parameter of type `to` leave it as it is? */
+static bool passes_unchanged(const ir_type *from, const ir_type *to) {
+    if (from == NULL || to == NULL || !is_scalar_or_array(from) || !ir_type_is_scalar(to))
+        return true;
+    if (from->kind == IR_ARRAY)
+        return to->kind == IR_POINTER && ir_type_equal(from->target, to->target);
+    return ir_type_equal(from, to);
+}
+
+static ir_node *copy_argument(arena *a, const ir_node *argument, const ir_variable *parameter) {
+    ir_node *copy = ir_substitute(a, argument, NULL, NULL);
+    if (passes_unchanged(argument->type, parameter->type))
+        return copy;
+    ir_node *cast = ir_new(a, IR_CAST, parameter->type, 1);
+    cast->range = argument->range;
+    cast->flags = argument->flags & IR_FROM_MACRO;
+    cast->children[0] = copy;
+    copy->parent = cast;
+    return cast;
+}
+
+static ir_node *argument_for(const ir_node *node, const ir_function *function,
+                             ir_node *const *arguments) {
+    if (node->kind != IR_VARIABLE || function == NULL)
+        return NULL;
+    for (unsigned i = 0; i < function->parameter_count; i++)
+        if (function->parameters[i] == node->variable)
+            return arguments[i];
+    return NULL;
+}
+
+ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
+                       ir_node *const *arguments) {
+    const ir_node *argument = argument_for(expression, function, arguments);
+    if (argument != NULL)
+        return copy_argument(a, argument, expression->variable);
+    ir_node *copy = copy_one(a, expression);
+    for (unsigned i = 0; i < copy->child_count; i++) {
+        copy->children[i] = ir_substitute(a, expression->children[i], function, arguments);
+        copy->children[i]->parent = copy;
+    }
+    return copy;
+}

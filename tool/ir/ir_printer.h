@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Inside the printer of the text form: keys (how the text tells things of one name apart), types.
+ */
+#ifndef IR_IR_PRINTER_H
+#define IR_IR_PRINTER_H
+
+#include "ir/ir.h"
+#include "support/buffer.h"
+#include "support/map.h"
+#include "support/vector.h"
+
+typedef struct ir_printer {
+    buffer *out;
+    arena *scratch;
+    const ir_unit *unit;               /* NULL: a node alone, all names as they are */
+    VECTOR(const ir_record *) records; /* all that are reachable, in order of first use */
+    map *record_numbers;               /* record -> 1 for the first of its name, 2 ... */
+    map *record_names;                 /* name -> how many */
+    map *seen_types;
+    map *variable_names;        /* likewise, of the file, and "function's id, name" */
+    unsigned *variable_numbers; /* by id: as for records, in the variable's function */
+    ir_variable ***undeclared;  /* by function id: locals without a declarator in its body; each
+                                   list ends in NULL */
+} ir_printer;
+
+/** Finds and numbers all variables and records of the unit. */
+void ir_printer_begin(ir_printer *p, buffer *out, arena *scratch, const ir_unit *unit);
+void ir_print_variable_key(const ir_printer *p, const ir_variable *variable);
+void ir_print_record_key(const ir_printer *p, const ir_record *record);
+void ir_print_type(const ir_printer *p, const ir_type *type);
+
+/** " @begin-end", or nothing for the empty range. */
+void ir_print_range(const ir_printer *p, ir_range range);
+/** Appends the text as it is where it is one atom, else quoted. */
+void ir_print_word(const ir_printer *p, const char *text);
+void ir_print_line(const ir_printer *p, unsigned depth);
+void ir_print_tree(const ir_printer *p, const ir_node *node, unsigned depth);
+
+#endif
