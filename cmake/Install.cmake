@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What `cmake --install` puts below the prefix besides the programs, which their rooms install: the
+# runtime, the CMake package, the pkg-config file, manual pages, completions. Every file in it finds
+# the others from its own place, so that the tree can be moved.
+include(CMakePackageConfigHelpers)
+
+# Programs find what they link to in the system's folders; nothing points into the build folder.
+set(redcc_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/redcc)
+set(redcc_pkgconfig_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+foreach(target redcc_rt redcc_rt_static)
+  if(TARGET ${target})
+    install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+                              ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/include/redcc/runtime.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/redcc)
+
+configure_package_config_file(
+  ${PROJECT_SOURCE_DIR}/cmake/redcc-config.cmake.in ${PROJECT_BINARY_DIR}/cmake/redcc-config.cmake
+  INSTALL_DESTINATION ${redcc_cmake_folder}
+  PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/redcc-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/redcc-config.cmake
+              ${PROJECT_BINARY_DIR}/cmake/redcc-config-version.cmake
+        DESTINATION ${redcc_cmake_folder})
+
+# The prefix, seen from the folder of redcc.pc.
+file(RELATIVE_PATH redcc_prefix_from_pkgconfig /prefix/${redcc_pkgconfig_folder} /prefix)
+string(REGEX REPLACE "/$" "" redcc_prefix_from_pkgconfig "${redcc_prefix_from_pkgconfig}")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/redcc.pc.in ${PROJECT_BINARY_DIR}/cmake/redcc.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/redcc.pc DESTINATION ${redcc_pkgconfig_folder})
+
+foreach(page redcc redcc-cc fabric)
+  configure_file(${PROJECT_SOURCE_DIR}/docs/man/${page}.1 ${PROJECT_BINARY_DIR}/man/${page}.1 @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/man/${page}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/completions/${page}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endforeach()
