@@ -10,9 +10,9 @@ typedef struct mesh {
     int hinge_count;
     double (*position)[3]; /* [vertex_count] m, where the cloth starts */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
-    int (*triangle)[3];    /* [triangle_count] vertices, counter-clockwise in material coordinates */
-    int (*edge)[2];        /* [edge_count] vertices, first < second */
-    int (*hinge)[4];       /* [hinge_count] the shared edge's two vertices, then the two wings' */
+    int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
+    int (*edge)[2];     /* [edge_count] vertices, first < second */
+    int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings' */
 } mesh;
 
 /** Order of vertices; triangles, edges and hinges then follow their vertices' order. */

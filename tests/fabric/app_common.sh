@@ -3,8 +3,6 @@
 set -uo pipefail
 program=$1 scenes=$2 folder=$3
 export FABRIC_SCENES=$scenes
-# Mesa's drivers keep memory of their own until the end.
-export ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=0}
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder" || exit 1

@@ -49,8 +49,8 @@ static void draw_box(const collider *c, const double center[3]) {
 }
 
 static void sphere_vertex(const collider *c, const double center[3], int around, int down) {
-    const double longitude = 2.0 * PI * around / AROUND,
-                 latitude = PI * (0.5 - (double)down / DOWN);
+    const double longitude = 2.0 * PI * around / (double)AROUND,
+                 latitude = PI * (0.5 - (double)down / (double)DOWN);
     const double normal[3] = {cos(latitude) * cos(longitude), cos(latitude) * sin(longitude),
                               sin(latitude)};
     glNormal3dv(normal);
@@ -73,7 +73,7 @@ static void draw_sphere(const collider *c, const double center[3]) {
 static void rim(const collider *c, const double center[3], int around, double end, double point[3],
                 double normal[3]) {
     double first[3], second[3];
-    const double angle = 2.0 * PI * around / AROUND;
+    const double angle = 2.0 * PI * around / (double)AROUND;
     axes_across(c->axis, first, second);
     for (int k = 0; k < 3; k++) {
         normal[k] = cos(angle) * first[k] + sin(angle) * second[k];
