@@ -17,8 +17,8 @@
 
 /* A step may stretch no triangle by more than this part of its rest length, unless it ends below
  * the second. */
-static const double greatest_growth = 0.25;
-static const double harmless_strain = 0.5;
+static const double greatest_growth = 0.5;
+static const double harmless_strain = 1;
 /* A contact not foreseen is added and the system solved again, this many times in a step. */
 enum { most_solutions = 3 };
 /* After this many steps in a row without trouble a halved length is doubled. */
@@ -57,7 +57,7 @@ static void add_drag(simulation *sim) {
 }
 
 void evaluateForces(simulation *sim) {
-    sim->h = sim->scene->step * sim->ticks / TICKS_PER_STEP;
+    sim->h = ticks_to_seconds(sim, sim->ticks);
     const double start = clock_seconds();
     system_reset(&sim->system, sim->mass, sim->scene->gravity, sim->h);
     sim->effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
@@ -104,8 +104,7 @@ void solveSystem(simulation *sim) {
 /* x_next and v_next; returns whether all of them are finite. */
 static int move(simulation *sim) {
     const int count = sim->mesh->vertex_count;
-    const double end = sim->scene->step * ((double)sim->frame +
-                                           (double)(sim->ticks_done + sim->ticks) / TICKS_PER_STEP);
+    const double end = time_at_tick(sim, sim->ticks_done + sim->ticks);
     int broken = 0;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)

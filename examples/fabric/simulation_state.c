@@ -158,7 +158,7 @@ const double (*simulation_velocities(const simulation *sim))[3] {
 }
 
 double simulation_time(const simulation *sim) {
-    return sim->scene->step * ((double)sim->frame + (double)sim->ticks_done / TICKS_PER_STEP);
+    return time_at_tick(sim, sim->ticks_done);
 }
 
 const phase *simulation_phases(const simulation *sim) {

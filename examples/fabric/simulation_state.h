@@ -69,4 +69,14 @@ struct simulation {
     long iterations, steps_taken, steps_rejected;
 };
 
+/** A number of ticks as part of the scene's step, s. */
+static inline double ticks_to_seconds(const simulation *sim, int ticks) {
+    return sim->scene->step * (double)ticks / (double)TICKS_PER_STEP;
+}
+
+/** The time that many ticks into the step under way, s. Exact on whole steps of exact length. */
+static inline double time_at_tick(const simulation *sim, int ticks) {
+    return sim->scene->step * ((double)sim->frame + (double)ticks / (double)TICKS_PER_STEP);
+}
+
 #endif

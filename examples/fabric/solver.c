@@ -55,38 +55,49 @@ static int chunk_end(const solver *s, int chunk) {
     return end < s->count ? end : s->count;
 }
 
-/* residual = b - product, preconditioned = P residual; returns r'Pr. Clears product. */
-static double start_residual(solver *s, const double (*b)[3]) {
+/* r = S r for vertex i. */
+static void filter(const constraints *c, int i, double r[3]) {
+    if (c->given[i] == 0)
+        return;
+    const double whole[3] = {r[0], r[1], r[2]};
+    for (int a = 0; a < 3; a++)
+        r[a] = vector_dot(c->S[i][a], whole);
+}
+
+/* residual = S (b - product), preconditioned = P residual; returns r'Pr. Clears product. */
+static double start_residual(solver *s, const constraints *c, const double (*b)[3]) {
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < s->chunks; chunk++) {
         double sum = 0;
         for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
             vector_subtract(b[i], s->product[i], s->residual[i]);
+            filter(c, i, s->residual[i]);
             precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
             sum += vector_dot(s->residual[i], s->preconditioned[i]);
-            for (int c = 0; c < 3; c++)
-                s->product[i][c] = 0;
+            for (int a = 0; a < 3; a++)
+                s->product[i][a] = 0;
         }
         s->sum_residual[chunk] = sum;
     }
     return sum_in_order(s->sum_residual, s->chunks);
 }
 
-/* dv = S dv + z; returns whether any z is not 0. */
+enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
+
+/* dv = S dv + z; returns which of the above holds. */
 static int apply_constraints(const constraints *c, double (*dv)[3]) {
-    int driven = 0;
-#pragma omp parallel for schedule(static) reduction(max : driven)
+    int which = UNCONSTRAINED;
+#pragma omp parallel for schedule(static) reduction(max : which)
     for (int i = 0; i < c->count; i++) {
         if (c->given[i] == 0)
             continue;
-        const double guess[3] = {dv[i][0], dv[i][1], dv[i][2]};
+        filter(c, i, dv[i]);
         for (int a = 0; a < 3; a++) {
-            dv[i][a] = vector_dot(c->S[i][a], guess) + c->z[i][a];
-            if (c->z[i][a] != 0)
-                driven = 1;
+            dv[i][a] += c->z[i][a];
+            which = c->z[i][a] != 0 ? DRIVEN : (which > CONSTRAINED ? which : CONSTRAINED);
         }
     }
-    return driven;
+    return which;
 }
 
 static void clear(double (*y)[3], int count) {
@@ -110,11 +121,12 @@ static double direction_sum(const solver *s, int chunk) {
     return sum;
 }
 
-/* dv += alpha p, r -= alpha A p, Pr; returns r'Pr of one chunk. */
-static double advance(solver *s, int chunk, double alpha, double (*dv)[3]) {
+/* dv += alpha p, r -= alpha S A p, Pr; returns r'Pr of one chunk. */
+static double advance(solver *s, const constraints *c, int chunk, double alpha, double (*dv)[3]) {
     double sum = 0;
     for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
         vector_add_scaled(dv[i], alpha, s->direction[i], dv[i]);
+        filter(c, i, s->product[i]);
         vector_add_scaled(s->residual[i], -alpha, s->product[i], s->residual[i]);
         precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
         sum += vector_dot(s->residual[i], s->preconditioned[i]);
@@ -133,7 +145,7 @@ static void turn(solver *s, int chunk, double beta) {
 
 /* All of an iteration but the product. *rz = r'Pr, before and after; returns p'Ap. A p'Ap that is
  * not positive changes nothing but the direction. */
-static double iterate(solver *s, double (*dv)[3], double *rz) {
+static double iterate(solver *s, const constraints *c, double (*dv)[3], double *rz) {
     const double before = *rz;
 #pragma omp parallel
     {
@@ -144,7 +156,8 @@ static double iterate(solver *s, double (*dv)[3], double *rz) {
         curvature = sum_in_order(s->sum_direction, s->chunks);
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
-            s->sum_residual[chunk] = advance(s, chunk, curvature > 0 ? before / curvature : 0, dv);
+            s->sum_residual[chunk] =
+                advance(s, c, chunk, curvature > 0 ? before / curvature : 0, dv);
         after = sum_in_order(s->sum_residual, s->chunks);
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
@@ -159,35 +172,55 @@ static double reference_square(solver *s, const linear_system *system, const con
                                int driven) {
     if (driven)
         half_product(&system->A, (const double(*)[3])c->z, s->product);
-    return start_residual(s, (const double(*)[3])system->b);
+    return start_residual(s, c, (const double(*)[3])system->b);
 }
 
-solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
-                           const solver_limits *limits, double (*dv)[3], long *iterations) {
-    preconditioner_build(&system->A, c, s->inverse);
-    const int driven = apply_constraints(c, dv);
-    clear(s->product, s->count);
-    const double reference = reference_square(s, system, c, driven);
-    half_product(&system->A, (const double(*)[3])dv, s->product);
-    double rz = start_residual(s, (const double(*)[3])system->b);
-    copy((const double(*)[3])s->preconditioned, s->direction, s->count);
-
-    const double relative = limits->tolerance * limits->tolerance * reference;
-    const double absolute = limits->floor * limits->floor;
-    const double goal = relative > absolute ? relative : absolute;
+static solver_status iterate_to(double goal, solver *s, const linear_system *system,
+                                const constraints *c, int max_iterations, double (*dv)[3],
+                                double rz, long *iterations) {
     for (int k = 0;; k++) {
-        if (!isfinite(rz) || !isfinite(reference))
+        if (!isfinite(rz))
             return SOLVER_NOT_FINITE;
         if (rz <= goal)
             return SOLVER_CONVERGED;
-        if (k == limits->max_iterations)
+        if (k == max_iterations)
             return SOLVER_TOO_MANY_ITERATIONS;
         half_product(&system->A, (const double(*)[3])s->direction, s->product);
         ++*iterations;
-        const double curvature = iterate(s, dv, &rz);
+        const double curvature = iterate(s, c, dv, &rz);
         if (!isfinite(curvature))
             return SOLVER_NOT_FINITE;
         if (!(curvature > 0))
             return SOLVER_BREAKDOWN;
     }
+}
+
+/* residual = b - A dv, with what the constraints take. The iteration keeps S r only: along given
+ * directions r may be larger by many orders, and its rounding would drown the rest. */
+static void whole_residual(solver *s, const linear_system *system, const double (*dv)[3]) {
+    half_product(&system->A, dv, s->product);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < s->count; i++)
+        vector_subtract(system->b[i], s->product[i], s->residual[i]);
+}
+
+solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
+                           const solver_limits *limits, double (*dv)[3], long *iterations) {
+    preconditioner_build(&system->A, c, s->inverse);
+    const int which = apply_constraints(c, dv);
+    clear(s->product, s->count);
+    const double reference = reference_square(s, system, c, which == DRIVEN);
+    half_product(&system->A, (const double(*)[3])dv, s->product);
+    const double rz = start_residual(s, c, (const double(*)[3])system->b);
+    copy((const double(*)[3])s->preconditioned, s->direction, s->count);
+    if (!isfinite(reference))
+        return SOLVER_NOT_FINITE;
+
+    const double relative = limits->tolerance * limits->tolerance * reference;
+    const double absolute = limits->floor * limits->floor;
+    const solver_status status = iterate_to(relative > absolute ? relative : absolute, s, system, c,
+                                            limits->max_iterations, dv, rz, iterations);
+    if (which != UNCONSTRAINED && status != SOLVER_NOT_FINITE)
+        whole_residual(s, system, (const double(*)[3])dv);
+    return status;
 }

@@ -18,10 +18,11 @@ typedef enum solver_status {
 } solver_status;
 
 typedef struct solver {
-    int count;                             /* vertices */
-    int chunks;                            /* of vertices, for sums */
-    double (*residual)[3];                 /* b - A dv; along given directions, minus the impulse
-                                              in kg m/s by which the constraint holds the vertex */
+    int count;  /* vertices */
+    int chunks; /* of vertices, for sums */
+    /* b - A dv: along given directions, minus the impulse in kg m/s by which the constraint holds
+       the vertex. (While iterating, S times that.) */
+    double (*residual)[3];
     double (*preconditioned)[3];           /* P residual */
     double (*direction)[3], (*product)[3]; /* p, A p; product is 0 between iterations */
     double (*inverse)[6];                  /* P's blocks: xx xy xz yy yz zz */

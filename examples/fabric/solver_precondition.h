@@ -8,9 +8,9 @@
 
 /**
  * P_i = S (S A_ii S + s (I - S))^-1 S, any s > 0: the inverse of A's diagonal block on vertex i's
- * free directions, 0 on the others, so that P filters as well and the iteration needs no filter of
- * its own (Tamstorf, Jones and McCormick 2015, prefiltered conjugate gradients). A block that is
- * not positive definite, which no force makes, gives P_i = 0: its vertex keeps the guess.
+ * free directions, 0 on the others, so that directions of search stay within the constraints (as in
+ * the prefiltered conjugate gradients of Tamstorf, Jones and McCormick 2015). A block that is not
+ * positive definite, which no force makes, gives P_i = 0: its vertex keeps the guess.
  */
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]);
 

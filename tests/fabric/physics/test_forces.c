@@ -220,8 +220,7 @@ static void test_diagonal_blocks_are_symmetric(void **state) {
     b.drag = 0.2;
     assemble(&b, 0.033, x, v);
     for (int i = 0; i < b.n; i++) {
-        const double(*block)[3] =
-            (const double(*)[3])b.system.A.value[b.system.A.row_start[i]];
+        const double(*block)[3] = (const double(*)[3])b.system.A.value[b.system.A.row_start[i]];
         for (int r = 0; r < 3; r++)
             for (int c = 0; c < 3; c++)
                 assert_true(block[r][c] == block[c][r]);

@@ -37,8 +37,8 @@ static problem problem_new(unsigned seed) {
                 for (int c = 0; c < 3; c++) {
                     A->value[k][r][c] = random_number(&seed);
                     if (A->column[k] == i)
-                        A->value[k][r][c] = r == c ? 40 : (r < c ? A->value[k][r][c]
-                                                                 : A->value[k][c][r]);
+                        A->value[k][r][c] =
+                            r == c ? 40 : (r < c ? A->value[k][r][c] : A->value[k][c][r]);
                 }
     for (int i = 0; i < p.n; i++)
         for (int c = 0; c < 3; c++)
@@ -56,8 +56,7 @@ static void problem_end(problem *p) {
 
 static solver_status solve(problem *p) {
     p->iterations = 0;
-    return solver_solve(&p->solver, &p->system, &p->constraints, &p->limits, p->dv,
-                        &p->iterations);
+    return solver_solve(&p->solver, &p->system, &p->constraints, &p->limits, p->dv, &p->iterations);
 }
 
 /* dv = y + z where (S A S + I - S) y = S (b - A z), by elimination (Tamstorf et al. 2015). */

@@ -35,8 +35,8 @@ static void fill(block_matrix *A, unsigned seed) {
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
             for (int r = 0; r < 3; r++)
                 for (int c = 0; c < 3; c++)
-                    A->value[k][r][c] = A->column[k] == i && c < r ? A->value[k][c][r]
-                                                                  : random_number(&seed);
+                    A->value[k][r][c] =
+                        A->column[k] == i && c < r ? A->value[k][c][r] : random_number(&seed);
 }
 
 /* Exactly the pairs that share an element, each once, diagonal first, ascending, and found. */
@@ -50,8 +50,7 @@ static void test_layout_is_the_elements_pairs(void **state) {
         for (int i = 0; i < m.vertex_count; i++) {
             assert_int_equal(s.A.column[s.A.row_start[i]], i);
             for (int j = i; j < m.vertex_count; j++) {
-                if (i != j && !share(&lists[0], i, j) &&
-                    !(with_hinges && share(&lists[1], i, j)))
+                if (i != j && !share(&lists[0], i, j) && !(with_hinges && share(&lists[1], i, j)))
                     continue;
                 blocks++;
                 const int block = block_find(&s.A, i, j);
@@ -77,8 +76,7 @@ static void test_reset_is_mass_and_gravity(void **state) {
         for (int k = s.A.row_start[i]; k < s.A.row_start[i + 1]; k++)
             for (int r = 0; r < 3; r++)
                 for (int c = 0; c < 3; c++)
-                    assert_true(s.A.value[k][r][c] ==
-                                (s.A.column[k] == i && r == c ? mass[i] : 0));
+                    assert_true(s.A.value[k][r][c] == (s.A.column[k] == i && r == c ? mass[i] : 0));
     for (int i = 0; i < 9; i++)
         for (int c = 0; c < 3; c++)
             assert_true(s.b[i][c] == 0.5 * mass[i] * gravity[c]);

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Shapes, swept paths, contact and friction. */
+#include "check.h"
+
+#include <stdlib.h>
+
+#include "cloth.h"
+#include "collision.h"
+#include "shape.h"
+#include "simulation.h"
+
+static const collider shapes[] = {
+    {.kind = COLLIDER_PLANE, .axis = {0, 0.6, 0.8}, .gap = 0.01},
+    {.kind = COLLIDER_BOX, .size = {0.5, 0.3, 0.005}, .gap = 0.01},
+    {.kind = COLLIDER_SPHERE, .size = {0.4, 0, 0}, .gap = 0.01},
+    {.kind = COLLIDER_CYLINDER, .axis = {0.6, 0, 0.8}, .size = {0.2, 0.5, 0}, .gap = 0.01},
+};
+enum { shape_count = sizeof shapes / sizeof shapes[0] };
+
+static void random_point(double size, unsigned *seed, double p[3]) {
+    for (int a = 0; a < 3; a++)
+        p[a] = size * random_number(seed);
+}
+
+static double distance(const collider *k, const double p[3]) {
+    double normal[3];
+    return shape_distance(k, p, normal);
+}
+
+/* The normal is the distance's gradient: unit, and right by differences (but at creases). */
+static void test_normal_is_the_gradient(void **state) {
+    (void)state;
+    unsigned seed = 1;
+    const double d = 1e-6;
+    for (int s = 0; s < shape_count; s++)
+        for (int n = 0, creases = 0; n < 500; n++) {
+            double p[3], normal[3], error = 0;
+            random_point(0.8, &seed, p);
+            shape_distance(&shapes[s], p, normal);
+            for (int a = 0; a < 3; a++) {
+                double up[3] = {p[0], p[1], p[2]}, down[3] = {p[0], p[1], p[2]};
+                up[a] += d;
+                down[a] -= d;
+                const double slope =
+                    (distance(&shapes[s], up) - distance(&shapes[s], down)) / (2 * d);
+                error = fmax(error, fabs(slope - normal[a]));
+            }
+            creases += error > 1e-5;
+            assert_in_range(creases, 0, 2);
+            assert_near(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2], 1,
+                        1e-12);
+        }
+}
+
+/* Known points. */
+static void test_distances(void **state) {
+    (void)state;
+    const double origin[3] = {0, 0, 0}, above[3] = {0, 0, 2}, corner[3] = {3.5, 4.3, 0};
+    double normal[3];
+    assert_near(distance(&shapes[0], above), 1.6, 1e-15);
+    assert_near(distance(&shapes[1], above), 1.995, 1e-15);
+    assert_near(distance(&shapes[1], corner), 5, 1e-14);
+    assert_near(distance(&shapes[1], origin), -0.005, 1e-15);
+    assert_near(distance(&shapes[2], above), 1.6, 1e-15);
+    assert_near(distance(&shapes[3], origin), -0.2, 1e-15);
+    for (int s = 0; s < shape_count; s++) {
+        shape_distance(&shapes[s], origin, normal);
+        assert_near(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2], 1,
+                    1e-12);
+    }
+}
+
+/* S28. Against the dumb oracle: the path in a thousand small steps. Whoever is kept outside of the
+ * plane found never comes nearer than the gap, and no path is stopped that stays clear. */
+static void test_no_path_gets_through(void **state) {
+    (void)state;
+    unsigned seed = 2;
+    int touches = 0;
+    for (int s = 0; s < shape_count; s++)
+        for (int n = 0; n < 2000; n++) {
+            double p[3], end[3], u[3], least = INFINITY;
+            approach found;
+            random_point(1, &seed, p);
+            random_point(1, &seed, end);
+            if (distance(&shapes[s], p) < 0.0101)
+                continue;
+            for (int a = 0; a < 3; a++)
+                u[a] = end[a] - p[a];
+            for (int k = 0; k <= 1000; k++) {
+                const double at[3] = {p[0] + k * 1e-3 * u[0], p[1] + k * 1e-3 * u[1],
+                                      p[2] + k * 1e-3 * u[2]};
+                least = fmin(least, distance(&shapes[s], at));
+            }
+            const int touched = shape_approach(&shapes[s], p, u, &found);
+            if (least < 0.01)
+                assert_true(touched);
+            if (least > 0.0111)
+                assert_false(touched && found.beyond > 0);
+            if (!touched)
+                continue;
+            touches++;
+            double kept[3];
+            for (int a = 0; a < 3; a++)
+                kept[a] = end[a] + (found.beyond > 0 ? found.beyond : 0) * found.normal[a];
+            assert_true(distance(&shapes[s], kept) > 0.01 - 1e-7);
+        }
+    assert_in_range(touches, 1000, 8000);
+}
+
+/* A cloth that lies on a slope of the given angle: a plane, with gravity turned instead. */
+typedef struct slope {
+    mesh m;
+    scene s;
+    collider plane;
+    simulation *sim;
+} slope;
+
+static void slope_new(slope *on, double angle, double friction) {
+    char error[256];
+    on->m = cloth_sheet(4, 4, 0.1, 0.2, 3);
+    on->s = cloth_scene();
+    on->plane =
+        (collider){.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = friction, .gap = 0.005};
+    on->plane.position[2] = -0.005;
+    on->s.colliders = &on->plane;
+    on->s.collider_count = 1;
+    on->s.gravity[0] = 9.81 * sin(angle);
+    on->s.gravity[2] = -9.81 * cos(angle);
+    on->sim = simulation_new(&on->m, &on->s, error);
+    assert_non_null(on->sim);
+}
+
+static void slope_end(slope *on) {
+    simulation_free(on->sim);
+    cloth_free(&on->m);
+}
+
+static void run(simulation *sim, int steps) {
+    char error[256];
+    for (int n = 0; n < steps; n++)
+        assert_int_equal(simulation_step(sim, error), 0);
+}
+
+static double mean_speed(const simulation *sim, int vertices) {
+    double sum = 0;
+    for (int i = 0; i < vertices; i++)
+        sum += simulation_velocities(sim)[i][0];
+    return sum / vertices;
+}
+
+/* Coulomb: below the friction angle cloth stays, above it slides with g (sin - mu cos). */
+static void test_friction(void **state) {
+    (void)state;
+    const double angle = 0.5;
+    slope on;
+    slope_new(&on, angle, 1.2 * tan(angle));
+    run(on.sim, 100);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            assert_near(simulation_velocities(on.sim)[i][a], 0, 1e-9);
+    slope_end(&on);
+
+    slope_new(&on, angle, 0.5 * tan(angle));
+    run(on.sim, 100);
+    const double expected = 9.81 * (sin(angle) - 0.5 * tan(angle) * cos(angle)) * 1.0;
+    assert_near(mean_speed(on.sim, on.m.vertex_count), expected, 0.05 * expected);
+    slope_end(&on);
+
+    slope_new(&on, angle, 0);
+    run(on.sim, 100);
+    assert_near(mean_speed(on.sim, on.m.vertex_count), 9.81 * sin(angle), 1e-6);
+    slope_end(&on);
+}
+
+/* Cloth at rest on the plane hangs by nothing when gravity is turned round. */
+static void test_contact_does_not_hold_back(void **state) {
+    (void)state;
+    slope on;
+    slope_new(&on, 0, 0.5);
+    run(on.sim, 20);
+    on.s.gravity[2] = 9.81;
+    run(on.sim, 30);
+    const double moved = simulation_positions(on.sim)[0][2];
+    assert_true(moved > 0.5 * 9.81 * 0.25 * 0.25);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        assert_near(simulation_positions(on.sim)[i][2], moved, 0.02);
+    slope_end(&on);
+}
+
+/* A moving plane carries what lies on it. */
+static void test_moving_collider_carries(void **state) {
+    (void)state;
+    slope on;
+    slope_new(&on, 0, 5);
+    on.plane.velocity[0] = 0.2;
+    on.plane.velocity[2] = 0.3;
+    run(on.sim, 100);
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        assert_near(simulation_velocities(on.sim)[i][0], 0.2, 1e-3);
+        assert_near(simulation_positions(on.sim)[i][2], 0.3, 1e-4);
+    }
+    slope_end(&on);
+}
+
+/* S29: a pin and a wedge of two planes on one vertex, and three planes: finite, and outside. */
+static void test_many_contacts_at_once(void **state) {
+    (void)state;
+    char error[256];
+    collider walls[4];
+    pin held = {{-0.01, -0.01}, {0.01, 0.01}, {0, 0, 0}};
+    mesh m = cloth_sheet(5, 5, 0.1, 0.2, 3);
+    scene s = cloth_scene();
+    const double normals[4][3] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}, {0, 0.6, 0.8}, {0, -0.6, 0.8}};
+    for (int k = 0; k < 4; k++) {
+        walls[k] = (collider){.kind = COLLIDER_PLANE, .friction = 0.3, .gap = 0.005};
+        walls[k].position[0] = walls[k].position[1] = 0.2;
+        walls[k].position[2] = -0.4;
+        for (int a = 0; a < 3; a++)
+            walls[k].axis[a] = normals[k][a];
+    }
+    s.colliders = walls;
+    s.collider_count = 4;
+    s.pins = &held;
+    s.pin_count = 1;
+    s.step = 0.033;
+    simulation *sim = simulation_new(&m, &s, error);
+    assert_non_null(sim);
+    for (int n = 0; n < 60; n++) {
+        run(sim, 1);
+        for (int i = 0; i < m.vertex_count; i++)
+            for (int k = 0; k < 4; k++) {
+                double p[3];
+                for (int a = 0; a < 3; a++)
+                    p[a] = simulation_positions(sim)[i][a] - walls[k].position[a];
+                assert_true(distance(&walls[k], p) > -1e-6);
+            }
+    }
+    simulation_free(sim);
+    cloth_free(&m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_normal_is_the_gradient),
+        cmocka_unit_test(test_distances),
+        cmocka_unit_test(test_no_path_gets_through),
+        cmocka_unit_test(test_friction),
+        cmocka_unit_test(test_contact_does_not_hold_back),
+        cmocka_unit_test(test_moving_collider_carries),
+        cmocka_unit_test(test_many_contacts_at_once),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,396 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Whole steps: what a cloth must do whatever the details. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cloth.h"
+#include "simulation.h"
+#include "simulation_state.h"
+#include "vector.h"
+
+typedef struct stage {
+    mesh m;
+    scene s;
+    simulation *sim;
+} stage;
+
+static stage stage_of(mesh m, scene s) {
+    return (stage){.m = m, .s = s};
+}
+
+/* The stage must stay where it is from now on. */
+static void begin(stage *on) {
+    char error[256] = "";
+    on->sim = simulation_new(&on->m, &on->s, error);
+    if (!on->sim)
+        fail_msg("%s", error);
+}
+
+static void end(stage *on) {
+    simulation_free(on->sim);
+    cloth_free(&on->m);
+}
+
+static void run(stage *on, int steps) {
+    char error[256] = "";
+    for (int n = 0; n < steps; n++)
+        if (simulation_step(on->sim, error) != 0)
+            fail_msg("%s", error);
+}
+
+static void assert_all_finite(const stage *on) {
+    for (int i = 0; i < on->m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            assert_true(isfinite(simulation_positions(on->sim)[i][a]) &&
+                        isfinite(simulation_velocities(on->sim)[i][a]));
+}
+
+/* Kinetic and elastic, in J. */
+static double energy(stage *on) {
+    simulation *sim = on->sim;
+    const double(*x)[3] = simulation_positions(sim);
+    double stretch, shear, sum = 0;
+    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
+    hinge_update_angles(&sim->hinges, x);
+    for (int i = 0; i < on->m.vertex_count; i++)
+        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
+    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + sum;
+}
+
+/* S24: v = -g t, and after the first step nothing is left to iterate. */
+static void test_free_fall(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    begin(&on);
+    run(&on, 50);
+    const double t = simulation_time(on.sim);
+    assert_near(t, 0.5, 1e-15);
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        assert_near(simulation_velocities(on.sim)[i][2], -9.81 * t, 1e-7);
+        assert_near(simulation_velocities(on.sim)[i][0], 0, 1e-7);
+    }
+    assert_true(simulation_iterations(on.sim) <= 50);
+    assert_int_equal(simulation_steps_taken(on.sim), 50);
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    end(&on);
+}
+
+/* S06: inner forces move nothing; as exact as the solution of the system. */
+static void test_momentum_is_kept(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    on.s.tolerance = 1e-12;
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    unsigned seed = 3;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            on.m.position[i][a] += 0.005 * random_number(&seed);
+    begin(&on);
+    run(&on, 60);
+    double sum[3] = {0, 0, 0}, size = 0;
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        vector_add_scaled(sum, on.sim->mass[i], on.sim->v[i], sum);
+        size += on.sim->mass[i] * vector_length(on.sim->v[i]);
+    }
+    assert_true(size > 0);
+    assert_below(vector_length(sum) / size, 1e-10);
+    end(&on);
+}
+
+/* S08: a free sheet stretched by 5 % gains no energy in any step. */
+static void test_energy_does_not_grow(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    on.s.stretch_damping = on.s.shear_damping = on.s.bend_damping = 0;
+    on.s.step = 0.033;
+    unsigned seed = 3;
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        for (int a = 0; a < 2; a++)
+            on.m.position[i][a] *= 1.05;
+        on.m.position[i][2] = 1e-4 * random_number(&seed);
+    }
+    begin(&on);
+    const double first = energy(&on);
+    double before = first;
+    for (int n = 0; n < 60; n++) {
+        run(&on, 1);
+        const double now = energy(&on);
+        assert_below(now - before, 1e-12 * first);
+        before = now;
+    }
+    end(&on);
+}
+
+/* S09: compressed by 20 % it buckles; no step fails. */
+static void test_compressed_sheet(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(8, 8, 0.1, 0.3, 1), cloth_scene());
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    on.s.step = 0.033;
+    unsigned seed = 3;
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][0] *= 0.8;
+        on.m.position[i][2] = 1e-4 * random_number(&seed);
+    }
+    begin(&on);
+    const double first = energy(&on);
+    for (int n = 0; n < 60; n++) {
+        run(&on, 1);
+        assert_below(energy(&on), first);
+    }
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    end(&on);
+}
+
+/* S10: collapsed to a line and to a point, cloth unfolds. */
+static void test_collapsed_sheet_recovers(void **state) {
+    (void)state;
+    for (int to_point = 0; to_point < 2; to_point++) {
+        stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.2, 1), cloth_scene());
+        memset(on.s.gravity, 0, sizeof on.s.gravity);
+        for (int i = 0; i < on.m.vertex_count; i++) {
+            on.m.position[i][1] = on.m.position[i][2] = 0;
+            on.m.position[i][0] *= to_point ? 0 : 1;
+        }
+        begin(&on);
+        run(&on, 200);
+        double area = 0, rest = 0;
+        for (int t = 0; t < on.sim->triangles.count; t++) {
+            const int *v = on.sim->triangles.vertex[t];
+            double one[3], other[3], cross[3];
+            vector_subtract(on.sim->x[v[1]], on.sim->x[v[0]], one);
+            vector_subtract(on.sim->x[v[2]], on.sim->x[v[0]], other);
+            vector_cross(one, other, cross);
+            area += vector_length(cross) / 2;
+            rest += on.sim->triangles.rest[t].area;
+        }
+        assert_true(area >= 0.9 * rest);
+        end(&on);
+    }
+}
+
+/* S22: pins, at rest and moving, are exactly where they belong. */
+static void test_pins_are_exact(void **state) {
+    (void)state;
+    pin pins[2] = {{{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}},
+                   {{0.49, -0.01}, {0.51, 0.51}, {0.03, -0.02, 0.05}}};
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    on.s.tolerance = 1e-4;
+    on.s.pins = pins;
+    on.s.pin_count = 2;
+    begin(&on);
+    run(&on, 100);
+    int held = 0;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        for (int p = 0; p < 2; p++) {
+            const double *at = on.m.material[i];
+            if (at[0] < pins[p].low[0] || at[0] > pins[p].high[0])
+                continue;
+            held++;
+            for (int a = 0; a < 3; a++) {
+                assert_near(simulation_positions(on.sim)[i][a],
+                            on.m.position[i][a] + 1.0 * pins[p].velocity[a], 1e-15);
+                assert_true(simulation_velocities(on.sim)[i][a] == pins[p].velocity[a]);
+            }
+        }
+    assert_int_equal(held, 12);
+    end(&on);
+}
+
+/* S28: a drop of 5 m on a table of 1 cm, in steps of 33 ms: nothing gets through. */
+static void test_nothing_falls_through_a_thin_table(void **state) {
+    (void)state;
+    collider table = {.kind = COLLIDER_BOX,
+                      .position = {0.35, 0.35, -5},
+                      .size = {2, 2, 0.005},
+                      .friction = 0.3,
+                      .gap = 0.004};
+    stage on = stage_of(cloth_sheet(8, 8, 0.1, 0.3, 1), cloth_scene());
+    on.s.step = 0.033;
+    on.s.tolerance = 1e-3;
+    on.s.colliders = &table;
+    on.s.collider_count = 1;
+    begin(&on);
+    for (int n = 0; n < 60; n++) {
+        run(&on, 1);
+        for (int i = 0; i < on.m.vertex_count; i++)
+            assert_true(simulation_positions(on.sim)[i][2] > -4.995 + 0.004 - 1e-6);
+    }
+    assert_near(simulation_positions(on.sim)[0][2], -4.99, 0.01);
+    end(&on);
+}
+
+/* S27: on the table cloth comes to rest and stays there. */
+static void test_cloth_comes_to_rest(void **state) {
+    (void)state;
+    collider ball = {.kind = COLLIDER_SPHERE,
+                     .position = {0.25, 0.25, -0.3},
+                     .size = {0.2},
+                     .friction = 0.5,
+                     .gap = 0.005};
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    on.s.step = 0.033;
+    on.s.tolerance = 1e-3;
+    on.s.drag = 1;
+    on.s.colliders = &ball;
+    on.s.collider_count = 1;
+    begin(&on);
+    run(&on, 300);
+    double sum = 0;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        sum += vector_dot(on.sim->v[i], on.sim->v[i]);
+    assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
+    long contacts;
+    collisions_count(&on.sim->collisions, &contacts, NULL);
+    assert_in_range(contacts, 1, 36);
+    end(&on);
+}
+
+/* An effect that does nothing changes no bit: a collider far away, drag and bend of 0. */
+static void test_far_collider_changes_no_bit(void **state) {
+    (void)state;
+    collider far = {.kind = COLLIDER_SPHERE, .position = {100, 0, 0}, .size = {1}, .gap = 0.01};
+    pin hold = {{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}};
+    stage with = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    stage without = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    with.s.pins = without.s.pins = &hold;
+    with.s.pin_count = without.s.pin_count = 1;
+    with.s.colliders = &far;
+    with.s.collider_count = 1;
+    with.s.wind[0] = 3; /* no drag: no wind */
+    begin(&with);
+    begin(&without);
+    run(&with, 30);
+    run(&without, 30);
+    assert_memory_equal(simulation_positions(with.sim), simulation_positions(without.sim),
+                        sizeof(double[3]) * (size_t)with.m.vertex_count);
+    end(&with);
+    end(&without);
+}
+
+/* No bending, no hinge blocks; no force between vertices, no blocks but the diagonal. */
+static void test_matrix_follows_the_effects(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    const int edges = on.m.hinge_count + (3 * on.m.triangle_count - 2 * on.m.hinge_count);
+    begin(&on);
+    assert_true(simulation_matrix_blocks(on.sim) > 36 + edges);
+    simulation_free(on.sim);
+    on.s.bend = on.s.bend_damping = 0;
+    begin(&on);
+    assert_int_equal(simulation_matrix_blocks(on.sim), 36 + edges);
+    simulation_free(on.sim);
+    on.s.stretch = on.s.shear = on.s.stretch_damping = on.s.shear_damping = 0;
+    on.s.drag = 0.3;
+    begin(&on);
+    assert_int_equal(simulation_matrix_blocks(on.sim), 36);
+    run(&on, 5);
+    int count;
+    const effect_account *effects = simulation_effects(on.sim, &count);
+    for (int k = 0; k < count; k++) {
+        const int expected =
+            !strcmp(effects[k].name, "gravity") || !strcmp(effects[k].name, "drag");
+        assert_int_equal(effects[k].active, expected);
+        assert_true(expected ? effects[k].elements > 0 : effects[k].elements == 0);
+        assert_true(expected || strcmp(effects[k].name, "contact") == 0 || effects[k].seconds == 0);
+    }
+    end(&on);
+}
+
+/* S17, S26: hard steps are halved, the frame still ends on its time, and all is finite. */
+static void test_storm_is_survived(void **state) {
+    (void)state;
+    pin hold = {{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}};
+    stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.step = 0.033;
+    on.s.drag = 1;
+    begin(&on);
+    run(&on, 2);
+    on.s.wind[0] = on.s.wind[2] = 1e3;
+    run(&on, 3);
+    assert_true(simulation_steps_rejected(on.sim) > 0);
+    assert_near(simulation_time(on.sim), 5 * 0.033, 1e-15);
+    assert_all_finite(&on);
+    end(&on);
+}
+
+/* S17, S18 in small: any step and stiffness ends in something finite. */
+static void test_any_step_and_stiffness(void **state) {
+    (void)state;
+    const double steps[] = {1e-3, 1.0 / 30, 1}, stiffness[] = {1, 1e4, 1e8};
+    pin hold = {{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}};
+    for (int h = 0; h < 3; h++)
+        for (int k = 0; k < 3; k++) {
+            stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
+            on.s.pins = &hold;
+            on.s.pin_count = 1;
+            on.s.tolerance = 1e-4;
+            on.s.step = steps[h];
+            on.s.stretch = stiffness[k];
+            begin(&on);
+            run(&on, 4);
+            assert_all_finite(&on);
+            end(&on);
+        }
+}
+
+/* S20: a vertex of no triangle stays where it is, and hurts nobody. */
+static void test_lone_vertex_is_held(void **state) {
+    (void)state;
+    const double material[4][2] = {{0, 0}, {1, 0}, {0, 1}, {5, 5}};
+    const int triangle[1][3] = {{0, 1, 2}};
+    stage on = stage_of(cloth_of(4, material, 1, triangle), cloth_scene());
+    begin(&on);
+    run(&on, 10);
+    assert_all_finite(&on);
+    assert_true(simulation_positions(on.sim)[3][2] == 0);
+    assert_true(simulation_positions(on.sim)[0][2] < -0.01);
+    end(&on);
+}
+
+static void test_broken_position_is_refused(void **state) {
+    (void)state;
+    char error[256] = "";
+    stage on = stage_of(cloth_sheet(3, 3, 0.1, 0, 1), cloth_scene());
+    on.m.position[4][1] = NAN;
+    assert_null(simulation_new(&on.m, &on.s, error));
+    assert_non_null(strstr(error, "finite"));
+    end(&on);
+}
+
+/* A step's phases are counted, one call each. */
+static void test_phases_are_counted(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(3, 3, 0.1, 0, 1), cloth_scene());
+    begin(&on);
+    run(&on, 7);
+    for (int k = 0; k < PHASE_COUNT; k++)
+        assert_int_equal(simulation_phases(on.sim)[k].calls, 7);
+    end(&on);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_free_fall),
+        cmocka_unit_test(test_momentum_is_kept),
+        cmocka_unit_test(test_energy_does_not_grow),
+        cmocka_unit_test(test_compressed_sheet),
+        cmocka_unit_test(test_collapsed_sheet_recovers),
+        cmocka_unit_test(test_pins_are_exact),
+        cmocka_unit_test(test_nothing_falls_through_a_thin_table),
+        cmocka_unit_test(test_cloth_comes_to_rest),
+        cmocka_unit_test(test_far_collider_changes_no_bit),
+        cmocka_unit_test(test_matrix_follows_the_effects),
+        cmocka_unit_test(test_storm_is_survived),
+        cmocka_unit_test(test_any_step_and_stiffness),
+        cmocka_unit_test(test_lone_vertex_is_held),
+        cmocka_unit_test(test_broken_position_is_refused),
+        cmocka_unit_test(test_phases_are_counted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
