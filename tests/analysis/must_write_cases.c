@@ -1189,3 +1189,219 @@ void proved_other_inner_array_whole(int n, int m, const double *v) {
         use(f);
     }
 }
+
+/* ---- orders and forms -------------------------------------------------------------------------- */
+
+static double filled(double *p) {
+    p[0] = 1.0;
+    return 1.0;
+}
+
+static double first(const double *p) {
+    return p[0];
+}
+
+static double both(double a, double b) {
+    return a + b;
+}
+
+static void reset(struct body *b, double v) {
+    b->at.x = b->at.y = b->at.z = v;
+    b->speed = b->at;
+    for (int c = 0; c < 2; c++)
+        b->mass[c] = v;
+}
+
+static void reset_but_one(struct body *b, double v) {
+    b->at.x = b->at.z = v;
+    b->speed = make(v);
+    b->mass[0] = b->mass[1] = v;
+}
+
+void early_two_calls_whole(int n) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++)
+        use(filled(f) + first(f));
+}
+
+void early_two_calls_other_order_whole(int n) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++)
+        use(first(f) * filled(f));
+}
+
+void early_call_arguments_whole(int n) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++)
+        use(both(filled(f), first(f)));
+}
+
+void early_assigned_by_its_own_call_whole(int n) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++)
+        f[0] += filled(f);
+}
+
+void early_initialisers_whole(int n) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++) {
+        double g[2] = {filled(f), f[0]};
+        use(g[1]);
+    }
+}
+
+void early_subscript_order_whole(int n, double *out) {
+    double f[1] = {0};
+    for (int t = 0; t < n; t++)
+        out[(int)filled(f)] = f[0];
+}
+
+void proved_comma_calls_whole(int n) {
+    double f[1];
+    for (int t = 0; t < n; t++)
+        filled(f), use(first(f));
+}
+
+void proved_record_callee_whole(int n, const double *v) {
+    struct body f, copy;
+    for (int t = 0; t < n; t++) {
+        reset(&f, v[t]);
+        copy = f;
+        use(copy.mass[0]);
+    }
+}
+
+void early_record_callee_same(int n, const double *v) {
+    struct body f = {0};
+    for (int t = 0; t < n; t++) {
+        reset_but_one(&f, v[t]);
+        use(f.at.y);
+    }
+}
+
+void proved_record_pointer_whole(int n, const double *v) {
+    struct vector f;
+    for (int t = 0; t < n; t++) {
+        struct vector *p = &f;
+        p->x = v[t];
+        (*p).y = p->x;
+        (&f)->z = -p->y;
+        use(f.z);
+    }
+}
+
+void proved_constant_condition_whole(int n, const double *v) {
+    double f;
+    const int on = 1;
+    for (int t = 0; t < n; t++) {
+        const int dimension = 3, off = !dimension;
+        if (dimension == 3 && !off)
+            f = v[t];
+        use(f + (off ? f : on));
+    }
+}
+
+void early_constant_condition_not_taken_same(int n, const double *v) {
+    double f = 0;
+    for (int t = 0; t < n; t++) {
+        const int dimension = 2;
+        if (dimension > 2)
+            f = v[t];
+        use(f);
+    }
+}
+
+void early_counter_starts_beyond_same(int n, const double *v) {
+    double f[3] = {0};
+    for (int t = 0; t < n; t++) {
+        for (unsigned char c = 254; c < 3; c++)
+            f[c] = v[t];
+        use(f[0]);
+    }
+}
+
+void early_unsigned_comparison(int n, const double *v) {
+    double f[3] = {0};
+    for (int t = 0; t < n; t++) {
+        for (int c = -1; c < 3u; c++) /* -1 is no less than 3u */
+            f[c + 1] = v[t];
+        use(f[0]);
+    }
+}
+
+void early_halves_of_complex(int n, const double *v) {
+    _Complex double f = 0;
+    for (int t = 0; t < n; t++) {
+        __real__ f = v[t];
+        __imag__ f = v[t];
+        use(__real__ f);
+    }
+}
+
+void proved_voided_whole(int n, const double *v) {
+    double f[2];
+    for (int t = 0; t < n; t++) {
+        (void)f;
+        (void)f[1];
+        f[0] = f[1] = v[t];
+    }
+}
+
+void unknown_cast_to_bytes_beyond(int n, const double *v) {
+    double f[2];
+    for (int t = 0; t < n; t++) {
+        char *p = (char *)f;
+        p[16] = 0;
+        f[0] = v[t];
+        use(f[0]);
+    }
+}
+
+void early_bytes(int n, const double *v) {
+    double f[2] = {0};
+    for (int t = 0; t < n; t++) {
+        char *p = (char *)f;
+        for (int c = 0; c < 8; c++)
+            use(p[c]);
+        f[t % 2] = v[t];
+    }
+}
+
+void unknown_address_returned_before(int n, const double *v) {
+    double f[2] = {0};
+    double *p = second(f);
+    for (int t = 0; t < n; t++) {
+        f[0] = f[1] = v[t];
+        use(p[0]);
+    }
+}
+
+void proved_address_cast_before_whole(int n, const double *v) {
+    double f[2];
+    memset((char *)&f[0], 0, 8);
+    filled(&f[1]);
+    for (int t = 0; t < n; t++) {
+        f[0] = f[1] = v[t];
+        use(f[1]);
+    }
+}
+
+void unknown_returns_in_iteration(int n, const double *v, int *found) {
+    double f[2], *g = f;
+    for (int t = 0; t < n; t++) {
+        f[0] = f[1] = v[t];
+        if (v[t] < 0)
+            return;
+    }
+    *found = g[0] > 0;
+}
+
+void proved_break_of_the_loop(int n, const double *v) {
+    double f;
+    for (int t = 0; t < n; t++) {
+        if (v[t] < 0)
+            break;
+        f = v[t];
+        use(f);
+    }
+}
