@@ -179,6 +179,12 @@ static const ir_type *binary_type(arena *a, const ir_node *node) {
     return right->kind == IR_POINTER ? right : usual(a, left, right);
 }
 
+static const ir_type *part_of_complex(arena *a, const ir_type *type) {
+    if (type->kind != IR_COMPLEX)
+        return unqualified(a, type);
+    return scalar(a, type->size == 8 ? "float" : type->size == 16 ? "double" : "ldouble");
+}
+
 static const ir_type *unary_type(arena *a, const ir_node *node) {
     const ir_type *operand = node->children[0]->type;
     switch (node->op) {
@@ -190,7 +196,7 @@ static const ir_type *unary_type(arena *a, const ir_node *node) {
         return pointer_to(a, operand);
     case IR_OP_REAL:
     case IR_OP_IMAG:
-        return NULL;
+        return part_of_complex(a, operand);
     case IR_OP_PLUS:
     case IR_OP_MINUS:
     case IR_OP_BIT_NOT:

@@ -203,14 +203,19 @@ static ir_node *as_statement(ir_reader *r, ir_node *expression) {
     return statement;
 }
 
+static bool expected_children(ir_reader *r, const sexp *list, const ir_kind_word *words) {
+    const char *what = arena_format(r->arena, "%u to %u children", words->least, words->most);
+    if (words->most == IR_ANY_NUMBER)
+        what = arena_format(r->arena, "at least %u children", words->least);
+    else if (words->most == words->least)
+        what = arena_format(r->arena, "%u children", words->least);
+    return ir_reader_expected(r, list, what);
+}
+
 static bool read_children(ir_reader *r, const operands *o, ir_node *node) {
     const ir_kind_word *words = ir_kind_words(node->kind);
     if (node->child_count < words->least || node->child_count > words->most)
-        return ir_reader_expected(
-            r, o->list,
-            words->most == IR_ANY_NUMBER
-                ? arena_format(r->arena, "at least %u children", words->least)
-                : arena_format(r->arena, "%u to %u children", words->least, words->most));
+        return expected_children(r, o->list, words);
     for (unsigned i = 0; i < node->child_count; i++) {
         ir_node *child = ir_read_node(r, o->list->items[o->next + i]);
         if (child == NULL)
