@@ -20,6 +20,11 @@ expect_equal "$case_name" 127 $?
 expect_match messages '/no/such/compiler'
 end
 
+begin "c99 means its standard"
+echo 'int f(void) { return 3; }' >x.c
+"$redcc_cc" c99 -c x.c && expect_match "$RECORD" '-- -std=c99$'
+end
+
 begin "REDCC_OPTS"
 printf '%s' "$source_text" >x.c
 REDCC_OPTS="--order=fixed  --pure='a b,c'" "$redcc_cc" --redcc-show -c x.c >shown || fail "$case_name"

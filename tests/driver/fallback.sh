@@ -55,16 +55,22 @@ end
 begin "the translated text does not compile"
 printf '%s' "$source_text" >x.c
 echo 'int f(void) { return 3; }' >f.c
+expect_regret() {
+  expect_match messages '^redcc-cc: warning: x\.c: the translated text does not compile.*report'
+  expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
+}
 FAKE_BREAK=1 expect_untranslated
+expect_regret
 FAKE_BREAK=1 "$redcc_cc" -c x.c 2>messages || fail "$case_name"
-expect_match messages '^redcc-cc: warning: x\.c: the translated text does not compile.*report'
-expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
+expect_regret
 cc x.o -o p || fail "$case_name"
 expect_equal "$case_name" "ran" "$(./p)"
 FAKE_BREAK=1 "$redcc_cc" -c x.c f.c 2>messages || fail "$case_name: several"
+expect_regret
 cc x.o f.o -o p || fail "$case_name"
 expect_equal "$case_name" "ran" "$(./p)"
-FAKE_BREAK=1 "$redcc_cc" x.c f.c -o p || fail "$case_name: several, linked"
+FAKE_BREAK=1 "$redcc_cc" x.c f.c -o p 2>messages || fail "$case_name: several, linked"
+expect_regret
 expect_equal "$case_name" "ran" "$(./p)"
 end
 
@@ -119,6 +125,17 @@ done
 printf '%s' "$source_text" >CMakeCCompilerId.c
 "$redcc_cc" CMakeCCompilerId.c || fail "$case_name"
 expect_no_file "$RECORD"
+end
+
+begin "DEPENDENCIES_OUTPUT"
+printf '%s' "$source_text" >x.c
+DEPENDENCIES_OUTPUT=1.d cc -c x.c && DEPENDENCIES_OUTPUT=2.d "$redcc_cc" -c x.c
+expect_same 1.d 2.d
+end
+
+begin "a source that can be read but once"
+"$redcc_cc" -x c <(printf '%s' "$source_text") -o p || fail "$case_name"
+expect_equal "$case_name" "ran" "$(./p)"
 end
 
 begin "options that redcc cannot follow"

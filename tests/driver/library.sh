@@ -63,3 +63,16 @@ int main(void) {
     return 0;
 }
 '
+
+# Installs what was built in BUILD below PREFIX; skips the test (status 77) where the programs are
+# not built.
+install_tree() { # BUILD PREFIX
+  local needed
+  for needed in tool/redcc tool/driver/redcc-cc runtime/libredcc_rt.a runtime/libredcc_rt.so; do
+    [ -e "$1/$needed" ] || { echo "SKIPPED: $needed is not built"; exit 77; }
+  done
+  cmake --install "$1" --prefix "$2" >"$work/install.log" 2>&1 || {
+    fail "cmake --install: $(tail -n 5 "$work/install.log")"
+    finish
+  }
+}

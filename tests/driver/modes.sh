@@ -57,6 +57,7 @@ void g(void) {
     puts("g");
 }' >sub/x.c
 expect_same_files -c x.c f.c
+expect_same_files -c x.c f.c -o both.o
 expect_same_files x.c f.c sub/x.c -o p
 expect_equal "$case_name" "translated ran" "$(../by-wrapper/p | paste -sd' ')"
 printf 'void g(void);\nint main(void) { g(); return 0; }\n' >m.c

@@ -130,20 +130,20 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
 }
 
 /* Compiles a translated text; on success its messages are shown, on failure nothing is. */
-static bool compile(session *s, const translation *t, const word_list *words, attempt *made) {
-    *made = try_command(s, words, t->is_input ? t->text : NULL);
-    if (was_interrupted(made))
-        session_end(s, made->status);
-    if (made->status == 0 && !translation_read_same(s, t)) {
+static bool compile(session *s, const translation *t, const word_list *words) {
+    attempt made = try_command(s, words, t->is_input ? t->text : NULL);
+    if (was_interrupted(&made))
+        session_end(s, made.status);
+    bool same = made.status == 0 && translation_read_same(s, t);
+    if (same)
+        show_attempt(s, &made);
+    else if (made.status == 0)
         session_explain(s, "%s: compiled as it is: the compiler would find other headers",
                         t->source->text);
-        made->status = -1;
-        made->error = NULL;
-    }
-    if (made->status == 0)
-        show_attempt(s, made);
-    translation_keep(s, t, made->status == 0, made->status == 0 ? NULL : made->error);
-    return made->status == 0;
+    else
+        words_add(s->memory, &s->regrets, t->source->text);
+    translation_keep(s, t, same, made.status == 0 ? NULL : made.error);
+    return same;
 }
 
 /* Has the compiler write the dependency files that the command asks for, of the sources themselves:
@@ -157,33 +157,13 @@ static bool write_dependencies(session *s) {
     return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
 }
 
-static void regret(const session *s, const translation *t) {
-    session_warn(s,
-                 "%s: the translated text does not compile, the source itself does and was taken; "
-                 "please report this with what REDCC_KEEP=DIR keeps of it",
-                 t->source->text);
-}
-
-/* Compiles one source again, itself, after its translated text failed; ends the process. */
-static _Noreturn void fall_back(session *s, const translation *t, const attempt *failed) {
-    if (s->command.links)
-        build_original(s); /* a link may have failed for reasons of the user's */
-    word_list words = {0};
-    session_add_original(s, &words);
-    int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
-    if (status == 0 && failed->error)
-        regret(s, t);
-    session_end(s, status);
-}
-
 static _Noreturn void build_one(session *s, const translation *t) {
     word_list words = {0};
-    attempt made;
     add_replaced(s, &words, t);
     if (!write_dependencies(s))
         build_original(s);
-    if (!compile(s, t, &words, &made))
-        fall_back(s, t, &made);
+    if (!compile(s, t, &words))
+        build_original(s);
     session_end(s, 0);
 }
 
@@ -251,6 +231,8 @@ static _Noreturn void build_several(session *s, const translation *translations,
         session_explain(s, "compiled as it is: files beside the objects are asked for");
         build_original(s);
     }
+    if (!s->command.links && s->command.output)
+        build_original(s); /* one name for several objects: the compiler will complain */
     if (!write_dependencies(s))
         build_original(s);
     for (unsigned i = 0; i < count; i++) {
@@ -258,9 +240,8 @@ static _Noreturn void build_several(session *s, const translation *translations,
         if (!t->text)
             continue;
         word_list words = {0};
-        attempt made;
         add_alone(s, &words, t, s->command.links ? object_of(s, t) : NULL);
-        done[i] = compile(s, t, &words, &made);
+        done[i] = compile(s, t, &words);
     }
     if (s->command.links)
         build_linked(s, translations, done, count);

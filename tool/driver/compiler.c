@@ -130,6 +130,10 @@ static void describe(arena *a, compiler *c) {
         stem--;
     c->is_cxx = stem >= 2 && base[stem - 1] == '+' && base[stem - 2] == '+';
     c->is_foreign = is_for_another_machine(base);
+    if (strcmp(base, "c89") == 0)
+        c->standard = "-std=c89";
+    else if (strcmp(base, "c99") == 0)
+        c->standard = "-std=c99";
 }
 
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words) {

@@ -11,9 +11,10 @@ typedef struct compiler {
     word_list words; /**< "gcc", or "ccache", "gcc": what stands before the arguments */
     unsigned taken;  /**< how many of the words given named the compiler (launcher form) */
     bool is_clang;
-    bool is_cxx;     /**< takes a C file for C++ */
-    bool is_foreign; /**< compiles for another machine than this */
-    bool found;      /**< false: nothing but this program itself goes by the name */
+    bool is_cxx;          /**< takes a C file for C++ */
+    bool is_foreign;      /**< compiles for another machine than this */
+    const char *standard; /**< -std= that goes with the name (c99); NULL: none */
+    bool found;           /**< false: nothing but this program itself goes by the name */
 } compiler;
 
 /** Chooses: the first of the words given, where it is a compiler's name (launcher form); $REDCC_CC;

@@ -105,7 +105,6 @@ static const option options[] = {
     {"-ftime-trace", OPTION_JOINED | OPTION_AUXILIARY},
     {"-ftree-parallelize-loops=", OPTION_JOINED},
     {"-funsigned-char", OPTION_PARSE},
-    {"-fworking-directory", OPTION_GIVE_UP},
     {"-gcc-toolchain", OPTION_ARGUMENT | OPTION_GIVE_UP},
     {"-gsplit-dwarf", OPTION_JOINED | OPTION_AUXILIARY},
     {"-help", OPTION_NO_OBJECT},

@@ -99,6 +99,8 @@ static const char *general_obstacle(const session *s) {
         return "an option that redcc cannot follow";
     if (s->real.is_foreign)
         return "the compiler is for another machine";
+    if (getenv("DEPENDENCIES_OUTPUT") || getenv("SUNPRO_DEPENDENCIES"))
+        return "DEPENDENCIES_OUTPUT would name temporaries";
     return NULL;
 }
 

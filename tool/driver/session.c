@@ -90,7 +90,17 @@ void session_explain(const session *s, const char *format, ...) {
     va_end(values);
 }
 
+static void name_regrets(const session *s) {
+    for (unsigned i = 0; i < s->regrets.count; i++)
+        session_warn(s,
+                     "%s: the translated text does not compile, the source itself does and was "
+                     "taken; please report this with what REDCC_KEEP=DIR keeps of it",
+                     s->regrets.items[i]);
+}
+
 _Noreturn void session_end(session *s, int status) {
+    if (status == 0)
+        name_regrets(s);
     if (s->folder && !s->show)
         temporary_remove(s->folder);
     if (process_signal())
@@ -111,7 +121,7 @@ _Noreturn void session_become_compiler(session *s) {
         show(s, &words, (process_streams){NULL, NULL, NULL});
         exit(0);
     }
-    if (s->input) { /* what was read cannot be read again: the compiler gets the copy */
+    if (s->input || s->regrets.count > 0) { /* input that was read must come from the copy */
         int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
         session_end(s, status);
     }

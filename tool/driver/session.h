@@ -21,6 +21,7 @@ typedef struct session {
     const char *folder; /**< for temporaries; NULL before there is one */
     const char *input;  /**< what standard input held, in a file; NULL where it is no source */
     unsigned attempts;  /**< made so far: their files are numbered */
+    word_list regrets;  /**< sources whose translated text did not compile */
 } session;
 
 /** Reads $REDCC_OPTS into the session. */
@@ -38,10 +39,12 @@ void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /** Removes the temporaries and ends the process as `status` (process_run's) says, or as a signal
- *  that came in the meantime. */
+ *  that came in the meantime. Where all went well in the end, names the sources whose translated
+ *  text did not compile. */
 _Noreturn void session_end(session *s, int status);
 
-/** Removes the temporaries and becomes the compiler, with the arguments given. */
+/** Removes the temporaries and becomes the compiler, with the arguments given; runs it instead
+ * where something is left to do after it. */
 _Noreturn void session_become_compiler(session *s);
 
 /** Adds the compiler and its arguments as they were given. */

@@ -48,6 +48,8 @@ static int run_translator(session *s, const translation *t, const char *messages
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
     }
     words_add(a, &words, "--");
+    if (s->real.standard)
+        words_add(a, &words, s->real.standard);
     command_add_parse_options(a, &words, &s->command);
     return session_run(s, &words, (process_streams){s->input, messages, messages});
 }
@@ -139,6 +141,9 @@ translation translate(session *s, const item *source, unsigned number) {
     t.is_input = strcmp(source->text, "-") == 0;
     t.file = t.is_input ? s->input : source->text;
     t.folder = arena_format(s->memory, "%s/%u", s->folder, number);
+    struct stat about;
+    if (!t.is_input && stat(t.file, &about) == 0 && !S_ISREG(about.st_mode))
+        return t; /* a pipe can be read but once */
     if (!s->show && mkdir(t.folder, 0700) != 0)
         return t;
     t.text = temporary(s, &t, t.is_input ? "stdin.c" : path_base(source->text));

@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The installed tree: complete, movable, with nothing in it that points to where it was built.
+# BUILD is the build folder, SOURCE the source folder.
+. "$(dirname "$0")/library.sh"
+install_tree "$BUILD" "$work/first"
+mv "$work/first" "$work/prefix" # whatever knows its place by heart breaks here
+prefix=$work/prefix
+
+begin "the tree"
+for file in bin/redcc bin/redcc-cc include/redcc/runtime.h lib/libredcc_rt.a lib/libredcc_rt.so \
+  lib/pkgconfig/redcc.pc lib/cmake/redcc/redcc-config.cmake lib/cmake/redcc/redcc-config-version.cmake \
+  share/man/man1/redcc.1 share/man/man1/redcc-cc.1 share/man/man1/fabric.1 \
+  share/bash-completion/completions/redcc share/bash-completion/completions/redcc-cc \
+  share/bash-completion/completions/fabric; do
+  expect_file "$prefix/$file"
+done
+if [ -e "$BUILD/examples/fabric/fabric" ]; then
+  expect_file "$prefix/bin/fabric"
+  expect_file "$prefix/bin/fabric-serial"
+fi
+end
+
+begin "nothing points back"
+# debugging information (a Debug build) names the sources, as it should; look at the rest
+cp -r "$prefix" stripped
+find stripped -type f \( -path '*/bin/*' -o -name '*.so*' -o -name '*.a' \) -exec strip -g {} + 2>/dev/null
+for folder in "$BUILD" "$SOURCE" "$work/first"; do
+  found=$(grep -rlF -- "$folder" stripped)
+  expect_equal "$case_name: $folder" "" "$found"
+done
+for program in "$prefix"/bin/* "$prefix"/lib/*.so; do
+  readelf -d "$program" 2>/dev/null >dynamic
+  expect_no_match dynamic 'RPATH|RUNPATH'
+  ldd "$program" 2>/dev/null >libraries
+  expect_no_match libraries 'not found'
+done
+end
+
+begin "every program says its version"
+for program in redcc; do "$prefix/bin/$program" --version >version || fail "$program"; done
+"$prefix/bin/redcc-cc" --redcc-version >>version || fail redcc-cc
+expect_match version '[0-9]+\.[0-9]+\.[0-9]+'
+end
+
+begin "pkg-config"
+export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+expect_equal version "$("$prefix/bin/redcc-cc" --redcc-version | sed 's/.* //')" "$(pkg-config --modversion redcc)"
+cat >use.c <<'END'
+#include <redcc/runtime.h>
+REDCC_REQUIRE_VERSION(REDCC_RUNTIME_VERSION);
+int (*enter)(redcc_call *, redcc_loop *, redcc_int, void *const *, const redcc_extent *,
+             const redcc_word *, int, int) = redcc_enter;
+int main(void) { return enter == 0; }
+END
+eval "cc use.c $(pkg-config --cflags --libs redcc) -o use" || fail "$case_name"
+LD_LIBRARY_PATH="$prefix/lib" ./use || fail "$case_name: run"
+eval "cc use.c $(pkg-config --cflags redcc) '$prefix/lib/libredcc_rt.a' -lm -o use-static" && ./use-static ||
+  fail "$case_name: static"
+end
+
+begin "manual pages and completions"
+if command -v man >/dev/null; then
+  for page in "$prefix"/share/man/man1/*.1; do
+    man --warnings -l "$page" >text 2>messages || fail "$page"
+    expect_empty messages
+    expect_no_match "$page" '@[A-Z_]+@'
+  done
+fi
+for file in "$prefix"/share/bash-completion/completions/*; do bash -n "$file" || fail "$file"; done
+complete_with() { # FILE FUNCTION WORDS...: what is offered for the last word
+  bash -c '. "$1"; COMP_WORDS=("${@:3}"); COMP_CWORD=$(($# - 3)); "$2" 2>/dev/null; echo "${COMPREPLY[*]}"' \
+    - "$prefix/share/bash-completion/completions/$1" "${@:2}"
+}
+expect_equal completion json "$(complete_with redcc _redcc redcc --report = j)"
+expect_equal completion --order= "$(complete_with redcc _redcc redcc --or)"
+expect_equal completion --redcc-show "$(complete_with redcc-cc _redcc_cc redcc-cc --redcc-s)"
+expect_equal completion render "$(complete_with fabric _fabric fabric re)"
+# what a page or a completion names, the program knows
+"$prefix/bin/redcc" --help >help
+for option in $(grep -oE -- '--[a-z-]+' "$prefix/share/bash-completion/completions/redcc" | sort -u); do
+  expect_match help "$option"
+done
+end
+
+begin "the installed redcc-cc, from a folder with spaces, on a real loop"
+cat >'a loop.c' <<'END'
+#include <stdio.h>
+static double b[64];
+static int s[100000];
+int main(void) {
+    for (int t = 0; t < 100000; t++)
+        s[t] = (t * 7919) % 64;
+    for (int t = 0; t < 100000; t++)
+        b[s[t]] += 1.0 / (1 + t);
+    for (int e = 0; e < 64; e++)
+        printf("%a\n", b[e]);
+    return 0;
+}
+END
+cc -O2 -ffp-contract=off 'a loop.c' -o serial && ./serial >expected
+for compiler in gcc clang-19; do
+  command -v $compiler >/dev/null || continue
+  for how in "-O0" "-O2" "-O3 -march=native -flto" "-O2 -static" "-std=c99 -pedantic-errors -Wall -Werror -O1" "-g -O2 -fsanitize=undefined"; do
+    [ "$compiler $how" != "clang-19 -O2 -static" ] || continue # has no static libomp
+    # shellcheck disable=SC2086
+    REDCC_KEEP=$PWD/kept "$prefix/bin/redcc-cc" $compiler $how 'a loop.c' -o parallel 2>messages || fail "$compiler $how"
+    expect_empty messages
+    expect_match 'kept/a loop.c' redcc_enter
+    rm -r kept
+    for threads in 1 2 3; do
+      OMP_NUM_THREADS=$threads ./parallel | expect_same expected /dev/stdin
+    done
+    nm parallel | grep -q redcc_enter || fail "$compiler $how: not parallel"
+  done
+done
+end
+
+finish

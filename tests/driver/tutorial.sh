@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Does what docs/tutorial.md says, with an installed redcc: writes its files (```c NAME), runs its
+# commands (```sh) in an empty folder, and compares what they print with the ```text that follows.
+# BUILD is the build folder to install from, TUTORIAL the document.
+. "$(dirname "$0")/library.sh"
+install_tree "$BUILD" "$work/prefix"
+export PATH="$work/prefix/bin:$PATH" PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig"
+begin "tutorial"
+
+kind='' name='' text='' printed='' command=''
+finish_block() {
+  case "$kind" in
+    c | make | cmake)
+      mkdir -p "$(dirname "$name")"
+      printf '%s' "$text" >"$name" ;;
+    sh)
+      command=$text
+      printed=$(bash -euo pipefail -c "$command" 2>&1) || fail "status $? of: $command$printed" ;;
+    text)
+      expect_equal "$command" "${text%$'\n'}" "$printed" ;;
+    *) fail "a block of unknown kind '$kind'" ;;
+  esac
+}
+blocks=0
+while IFS= read -r line; do
+  if [ -z "$kind" ]; then
+    case "$line" in '```'*) read -r kind name <<<"${line#\`\`\`}"; text='' ;; esac
+  elif [ "$line" = '```' ]; then
+    finish_block
+    kind=''
+    blocks=$((blocks + 1))
+  else
+    text+=$line$'\n'
+  fi
+done <"$TUTORIAL"
+[ "$blocks" -gt 20 ] || fail "only $blocks blocks were found"
+end
+finish
