@@ -58,7 +58,9 @@ void mesh_sort_triangles(mesh *m) {
     qsort(m->triangle, (size_t)m->triangle_count, sizeof *m->triangle, compare_3);
 }
 
-void mesh_sort_edges(mesh *m) {
+/** Sorts edges (first < second in each) and hinges (likewise their shared edge) by their vertices.
+ */
+static void sort_edges(mesh *m) {
     for (int e = 0; e < m->edge_count; e++)
         if (m->edge[e][0] > m->edge[e][1]) {
             const int swap = m->edge[e][0];
@@ -233,7 +235,7 @@ static int renumber(mesh *m, mesh_order order, unsigned seed, int *new_of_old) {
         shuffled_order(m->vertex_count, &source, new_of_old);
     if (move_vertices(m, new_of_old) != 0)
         return -1;
-    mesh_sort_edges(m);
+    sort_edges(m);
     if (order == MESH_ORDER_SORTED) {
         mesh_sort_triangles(m);
         return 0;

@@ -12,8 +12,4 @@ int mesh_allocate(mesh *m, int vertices, int triangles);
 /** Turns each triangle to begin with its lowest vertex, then sorts triangles by their vertices. */
 void mesh_sort_triangles(mesh *m);
 
-/** Sorts edges (first < second in each) and hinges (shared edge's first < second) by their
- * vertices. */
-void mesh_sort_edges(mesh *m);
-
 #endif

@@ -3,6 +3,8 @@
 
 #include "scene.h"
 
+_Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the scene's name");
+
 #define ANY -1e300, 1e300, 0
 #define POSITIVE 0.0, 1e300, 1
 #define NOT_NEGATIVE 0.0, 1e300, 0

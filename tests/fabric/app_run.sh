@@ -52,6 +52,21 @@ holds "no frames" test -z "$(ls a/frames)"
 holds "one JSON object a step and nothing else" \
   test "$(jq -s 'map(.step)' -c steps.json)" = "[1,2,3]"
 expect 0 "step 3 of 3" "$program" run patch -o l --steps 3 --progress lines
+
+# Interrupted after a step: the account of what was done, and the state so far.
+mkfifo steps
+"$program" run patch -o i --steps 100000000 --frames 0 --progress json >steps &
+running=$!
+exec 3<steps
+read -r first <&3
+kill -TERM $running
+cat <&3 >/dev/null
+wait $running
+holds "an interrupted run exits with 130" test $? -eq 130
+holds "its first step" test "$(jq .step <<<"$first")" -eq 1
+holds "its account" jq -e '.interrupted and .steps.taken >= 1' i/summary.json >/dev/null
+expect 0 "" "$program" compare i/final.state i/final.state
+
 expect 0 "" "$program" run "$scenes/patch.yaml" --steps 1
 holds "the default folder" test -s patch-run/final.state
 finish
