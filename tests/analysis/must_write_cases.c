@@ -1301,6 +1301,27 @@ void proved_constant_condition_whole(int n, const double *v) {
     }
 }
 
+void proved_constant_before_the_loop_whole(int n, const double *v) {
+    double f[3];
+    const int dimension = 3;
+    for (int t = 0; t < n; t++) {
+        for (int c = 0; c < dimension; c++)
+            f[c] = v[t];
+        use(f[2]);
+    }
+}
+
+void early_variable_before_the_loop(int n, const double *v) {
+    double f[3] = {0};
+    int dimension = 3;
+    for (int t = 0; t < n; t++) {
+        for (int c = 0; c < dimension; c++)
+            f[c] = v[t];
+        use(f[2]);
+        dimension = 2;
+    }
+}
+
 void early_constant_condition_not_taken_same(int n, const double *v) {
     double f = 0;
     for (int t = 0; t < n; t++) {

@@ -191,11 +191,37 @@ static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
 
 /* ---- the judgement --------------------------------------------------------------------------- */
 
+typedef struct constants {
+    arena *arena;
+    const ir_node *body;
+    state *head;
+} constants;
+
+static bool bind_constant(ir_node *node, void *context) {
+    constants *known = context;
+    const ir_variable *variable = node->variable;
+    if (node == known->body)
+        return false;
+    if (node->kind != IR_DECLARATOR || node->child_count == 0 || !variable->type->is_const ||
+        variable->type->kind != IR_INTEGER || (node->children[0]->flags & IR_HAS_VALUE) == 0)
+        return true;
+    const value v = value_integer(node->children[0]->value, variable->type);
+    state_set(known->arena, known->head, variable, v);
+    return true;
+}
+
+/* const int dimension = 3; before the loop */
+static void bind_constants(const run *r, const ir_node *body, state *head) {
+    constants known = {r->prover->scratch, body, head};
+    ir_walk(r->function->body, bind_constant, &known);
+}
+
 /* Interprets iterations, each with nothing written, until what they leave in variables for the
  * next one no longer changes. Gives the state at an iteration's end. */
 static state interpret_iterations(run *r, const ir_node *body) {
     arena *a = r->prover->scratch;
     state head = state_new(a, r->size);
+    bind_constants(r, body, &head);
     for (;;) {
         state s = state_copy(a, &head), end = {.is_reachable = false};
         r->on_break = r->on_continue = &end;
