@@ -181,7 +181,7 @@ static int save_frame(job *j, int number, const picture *large, double time) {
     if (picture_halve(large, &frame) != 0)
         return out_of_memory();
     snprintf(label, sizeof label, "t = %.2f s", time);
-    picture_text(&frame, j->width / 40, j->height / 30, j->height / 240 + 1, label);
+    picture_text(&frame, j->width / 40, j->height / 30, j->height / 360 + 1, label);
     snprintf(name, sizeof name, "%04ld.png", j->steps[number]);
     const int status = files_join(path, j->frames_folder, name) == 0 &&
                                picture_write_png(&frame, path) == 0 &&

@@ -19,7 +19,7 @@ struct stage {
 };
 
 static const GLfloat BACKGROUND[3] = {0.93f, 0.945f, 0.96f};
-static const GLfloat LIGHT[4] = {-0.45f, -0.55f, 1.0f, 0.0f}; /* towards it; 0: infinitely far */
+static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* towards it; 0: infinitely far */
 static const double REPEAT = 0.16; /* m, of the pattern woven into the cloth */
 enum { WEAVE = 64 };
 
@@ -46,7 +46,7 @@ static GLuint make_weave(void) {
 }
 
 static void set_light(void) {
-    static const GLfloat ambient[4] = {0.36f, 0.37f, 0.40f, 1.0f};
+    static const GLfloat ambient[4] = {0.39f, 0.40f, 0.43f, 1.0f};
     static const GLfloat key[4] = {0.66f, 0.64f, 0.60f, 1.0f};
     static const GLfloat fill[4] = {0.16f, 0.17f, 0.20f, 1.0f};
     static const GLfloat fill_from[4] = {0.9f, -0.5f, 0.25f, 0.0f};
