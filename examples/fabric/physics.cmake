@@ -11,3 +11,9 @@ endforeach()
 # Built without OpenMP, its pragmas on regular loops mean nothing.
 set_source_files_properties(${FABRIC_PHYSICS_SOURCES} PROPERTIES
                             COMPILE_OPTIONS -Wno-unknown-pragmas)
+
+# Measures one of its choices; by hand: cmake --build ... --target bench_product.
+if(CMAKE_CURRENT_LIST_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
+  add_executable(bench_product EXCLUDE_FROM_ALL bench_product.c)
+  target_link_libraries(bench_product PRIVATE fabric_physics redcc_warnings)
+endif()
