@@ -1,0 +1,13 @@
+/* REDCC: -std=c89 */
+/* K&R definitions and implicit int; declarations at the head of blocks only. */
+old(n, k, h)
+int n, *k;
+double *h;
+{
+    register int t;
+    for (t = 0; t < n; t += 3) {
+        int i = k[t];
+        h[i] += 1;
+    }
+    return t;
+}
