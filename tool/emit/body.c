@@ -270,7 +270,7 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
-    buffer_format(&out->out, "%s\n", loop_line_directive(loop, body->range.begin));
-    buffer_format(&out->out, "%s\n", text);
-    buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
+    buffer_format(&out->out, "%s\n%s%s\n%s\n", loop_line_directive(loop, body->range.begin),
+                  loop_column_blanks(loop, body->range.begin), text,
+                  loop_line_directive(loop, loop->facts->loop->range.begin));
 }

@@ -39,20 +39,10 @@ static const char *element_name(const ir_type *type) {
     return "REDCC_OTHER_TYPE";
 }
 
-/** What the array is an array of, rows looked through. */
-static const ir_type *innermost_of_base(const ir_type *type) {
-    if (type->kind == IR_POINTER && type->target)
-        type = type->target;
-    return ir_type_innermost(type);
-}
-
-/**
- * Private copies hold elements side by side. Where the elements are members of records, a copy of
- * the array would lack the other members, and the runtime is told of a type that it cannot copy.
- */
+/** Private copies hold elements side by side. Where other things lie between them, the runtime is
+ *  told of a type that it cannot copy. */
 static const char *runtime_type(const reduction_array *array) {
-    const ir_type *held = innermost_of_base(array->base->type);
-    return ir_type_equal(held, array->element) ? element_name(array->element) : "REDCC_OTHER_TYPE";
+    return array->is_interleaved ? "REDCC_OTHER_TYPE" : element_name(array->element);
 }
 
 /** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */

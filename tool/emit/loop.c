@@ -43,6 +43,15 @@ const char *loop_line_directive(loop_text *loop, uint32_t offset) {
                         text_quoted(loop->arena, place.file));
 }
 
+const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
+    const source *text = loop->unit->source;
+    const uint32_t begin = text->line_begin[source_position(text, offset).line - 1];
+    char *blanks = arena_allocate(loop->arena, offset - begin + 1);
+    for (uint32_t i = begin; i < offset; i++)
+        blanks[i - begin] = text->text[i] == '\t' ? '\t' : ' ';
+    return blanks;
+}
+
 const char *loop_iteration_offset(loop_text *loop) {
     const int64_t step = loop->facts->counted.step;
     if (step == 1)
@@ -145,9 +154,11 @@ static uint32_t begin_with_pragmas(const ir_unit *unit, const ir_node *loop) {
 
 static void write_sequential_form(loop_text *loop, writer *out, ir_range range) {
     const char *text = loop->unit->source->text;
-    buffer_format(&out->out, "%s\n", loop_line_directive(loop, range.begin));
+    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
+                  loop_column_blanks(loop, range.begin));
     buffer_append(&out->out, text + range.begin, range.end - range.begin);
-    buffer_format(&out->out, "\n%s\n}", loop_line_directive(loop, range.end - 1));
+    buffer_format(&out->out, "\n%s\n%s}", loop_line_directive(loop, range.end - 1),
+                  loop_column_blanks(loop, range.end - 1));
 }
 
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,

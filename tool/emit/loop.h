@@ -51,6 +51,9 @@ const char *loop_expression(loop_text *loop, const ir_node *expression);
 const char *loop_operand(loop_text *loop, const ir_node *expression);
 /** `#line N "file"` for the user's text at `offset`. */
 const char *loop_line_directive(loop_text *loop, uint32_t offset);
+/** Blanks (and tabs) as wide as what stands before `offset` on its line: what follows them keeps
+ * its column. */
+const char *loop_column_blanks(loop_text *loop, uint32_t offset);
 /** How far iteration redcc__k is from redcc__lower: "redcc__k", "2 * redcc__k". */
 const char *loop_iteration_offset(loop_text *loop);
 /** The array whose base this node says, or -1. */
