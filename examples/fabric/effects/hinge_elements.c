@@ -90,7 +90,8 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
 #pragma omp parallel for schedule(static)
     for (int t = 0; t < e->count; t++) {
         const double angle = hinge_angle(x, e->corner[t]);
-        const double turns = round((e->angle[t] - angle) / (2 * pi));
+        const double change = e->angle[t] - angle;
+        const double turns = fabs(change) > pi ? round(change / (2 * pi)) : 0;
         e->angle[t] = angle + 2 * pi * turns;
     }
 }

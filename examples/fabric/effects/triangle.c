@@ -13,7 +13,7 @@ static const double collapsed = 1e-8;
  * would be indefinite: g is held at 0 or more. A collapsed triangle is pushed along `axis`.
  * gradient = h dE/dw; hessian = h^2 d2E/dw2 + h kd a n n'.
  */
-static void stretch_terms(const double w[3], int axis, double area, double stiffness,
+static inline void stretch_terms(const double w[3], int axis, double area, double stiffness,
                           double damping, double h, double gradient[3], double hessian[3][3]) {
     const double length = vector_length(w);
     const int usable = length > collapsed;
