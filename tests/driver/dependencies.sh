@@ -106,6 +106,21 @@ expect_same expected actual
 expect_match messages "other headers"
 end
 
+begin "a header that several headers include"
+make_project
+printf '#ifndef X_H\n#define X_H\nstatic inline const char *x_file(void) { return __FILE__; }\n#endif\n' >src/x.h
+printf '#include "../x.h"\nstatic inline const char *inner_file(void) { return __FILE__; }\n' >src/inner/inner.h
+sed 's|"x.h"|"x.h"\n#include "inner/inner.h"|' src/x.c >src/twice.c
+"$redcc_cc" -v -Iinc src/twice.c -o p 2>messages && ./p >actual
+expect_no_match messages 'compiled as it is'
+expect_match actual '^translated$'
+printf '#include "x.h"\nstatic inline const char *inner_file(void) { return __FILE__; }\n' >src/inner.h
+sed 's|"x.h"|"x.h"\n#include "inner.h"|' src/x.c >src/twice.c
+"$redcc_cc" -v -Iinc src/twice.c -o p 2>messages && ./p >actual
+expect_no_match messages 'compiled as it is'
+expect_match actual '^translated$'
+end
+
 begin "debug information names the user's file and lines"
 make_project
 for compiler in cc clang-19; do

@@ -177,8 +177,10 @@ static void compares_dependencies(void **state) {
     word_list original = split(a, "src/x.c y.h z.h");
     word_list same = split(a, "/tmp/x.c /i/redcc/runtime.h y.h z.h");
     word_list other = split(a, "/tmp/x.c /i/redcc/runtime.h src/y.h z.h");
+    word_list twice = split(a, "/tmp/x.c y.h z.h y.h");
     word_list fewer = split(a, "/tmp/x.c y.h");
     assert_true(dependencies_equal(a, &original, "./src/x.c", &same, "/tmp/x.c"));
+    assert_true(dependencies_equal(a, &original, "src/x.c", &twice, "/tmp/x.c"));
     assert_false(dependencies_equal(a, &original, "src/x.c", &other, "/tmp/x.c"));
     assert_false(dependencies_equal(a, &original, "src/x.c", &fewer, "/tmp/x.c"));
 }

@@ -58,16 +58,22 @@ static bool ends_in(const char *text, const char *end) {
     return length >= end_length && strcmp(text + length - end_length, end) == 0;
 }
 
-/* The list without the source itself, where it stands first as its own, and the runtime's header.
- */
+static bool is_listed(const word_list *list, const char *name) {
+    for (unsigned i = 0; i < list->count; i++)
+        if (strcmp(list->items[i], name) == 0)
+            return true;
+    return false;
+}
+
+/* The headers of a list: without the source itself, the runtime's header, and what stands there for
+ * a second time (gcc repeats a header that is found by two ways). */
 static word_list headers_of(arena *a, const word_list *list, const char *source) {
     word_list headers = {0};
-    bool seen = false;
+    const char *itself = without_dot_slash(source);
     for (unsigned i = 0; i < list->count; i++) {
         const char *name = list->items[i];
-        if (!seen && strcmp(name, without_dot_slash(source)) == 0)
-            seen = true;
-        else if (!ends_in(name, "/redcc/runtime.h"))
+        if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
+            !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;
