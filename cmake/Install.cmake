@@ -1,21 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What `cmake --install` puts below the prefix besides the programs, which their rooms install: the
-# runtime, the CMake package, the pkg-config file, manual pages, completions. Every file in it finds
-# the others from its own place, so that the tree can be moved.
+# What `cmake --install` puts below the prefix besides what the rooms install themselves (programs,
+# runtime): the CMake package, the pkg-config file, manual pages, completions. Every file finds the
+# others from its own place, so that the tree can be moved.
 include(CMakePackageConfigHelpers)
 
-# Programs find what they link to in the system's folders; nothing points into the build folder.
 set(redcc_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/redcc)
 set(redcc_pkgconfig_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-
-foreach(target redcc_rt redcc_rt_static)
-  if(TARGET ${target})
-    install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-                              ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  endif()
-endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/runtime/include/redcc/runtime.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/redcc)
 
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/cmake/redcc-config.cmake.in ${PROJECT_BINARY_DIR}/cmake/redcc-config.cmake
