@@ -174,6 +174,10 @@ typedef struct redcc_worker {
     redcc_int position;
 } redcc_worker;
 
+#if defined(__GNUC__)
+#pragma GCC visibility push(default) /* the library hides everything else */
+#endif
+
 /**
  * Begins an execution of `loop`.
  *   trip     iterations, counted by the caller; bases [array_count] the arrays' first elements (or
@@ -210,6 +214,10 @@ int redcc_claims_last(redcc_worker *worker);
  *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
  *  original loop; the report says why. */
 int redcc_leave(redcc_call *call);
+
+#if defined(__GNUC__)
+#pragma GCC visibility pop
+#endif
 
 /** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
 static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Execution, the same for all methods: chunks, stages between barriers, copies and their merge. */
+#include "loop.h"
+
+#include "clock.h"
+
+static struct barrier *team_barrier(const struct plan *plan, int team) {
+    return &plan->team_barrier[team];
+}
+
+static int team_size(const struct plan *plan, int team) {
+    return redcc_team_first(plan->threads, plan->teams, team + 1) -
+           redcc_team_first(plan->threads, plan->teams, team);
+}
+
+/* Where this thread writes: in place, or where its copy would begin if it were the whole array. */
+static void place_bases(struct member *member) {
+    const struct plan *plan = member->plan;
+    void *const *bases = member->execution->request.bases;
+    const int number = redcc_copy_of(plan, member->thread);
+    const struct copy *copy = number < 0 ? NULL : &plan->copies.copy[number];
+    for (uint32_t array = 0; array < plan->array_count; array++) {
+        const uint32_t group = plan->group_of[array];
+        member->base[array] = bases[array];
+        if (copy && copy->memory[group])
+            member->base[array] =
+                (void *)((uintptr_t)copy->memory[group] +
+                         (uintptr_t)(plan->shift[array] - copy->held[group].first));
+    }
+}
+
+static void place_owners(struct member *member) {
+    const struct plan *plan = member->plan;
+    const uint32_t owner = (uint32_t)member->thread;
+    for (uint32_t array = 0; array < plan->array_count; array++) {
+        const uint32_t group = plan->group_of[array];
+        const uintptr_t base = (uintptr_t)member->execution->request.bases[group];
+        member->owner[array] = (redcc_owner){(const char *)base, 0};
+        if (owner >= plan->owners)
+            continue; /* a method with fewer owners than threads: nothing is guarded */
+        const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1) + owner;
+        member->owner[array].first = (const char *)(base + (uintptr_t)bound[0]);
+        member->owner[array].size = (redcc_size)(bound[1] - bound[0]);
+    }
+}
+
+static void begin_running(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const struct plan *plan = member->plan;
+    struct execution *execution = member->execution;
+    if (member->thread == 0)
+        execution->ready = redcc_seconds();
+    member->phase = PHASE_RUNNING;
+    member->stage = 0;
+    worker->position = 0;
+    worker->base = member->base;
+    worker->owner = member->owner;
+    place_owners(member);
+    if (execution->course == COURSE_SOLO) {
+        for (uint32_t array = 0; array < plan->array_count; array++)
+            member->base[array] = execution->request.bases[array];
+        return;
+    }
+    place_bases(member);
+    redcc_copies_fill(plan, member->thread);
+    if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
+        const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
+        redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
+    }
+}
+
+/* COURSE_SOLO: the first thread executes all iterations in order. */
+static int next_solo(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    struct execution *execution = member->execution;
+    const redcc_int left = execution->request.trip - worker->position;
+    if (member->thread != 0 || left == 0) {
+        if (member->thread == 0)
+            execution->solo_seconds = redcc_seconds() - execution->ready;
+        member->phase = PHASE_OVER;
+        return 0;
+    }
+    const redcc_int count = left < REDCC_RUN_MOST ? left : REDCC_RUN_MOST;
+    member->solo_run = (redcc_run){0, 2 * (redcc_u32)count};
+    worker->origin = worker->position;
+    worker->run = &member->solo_run;
+    worker->run_end = worker->run + 1;
+    worker->position += count;
+    return 1;
+}
+
+/* Goes on to `stage` together with the others of the team. */
+static void reach_stage(struct member *member, uint32_t stage) {
+    const struct plan *plan = member->plan;
+    const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
+    for (; member->stage < stage; member->stage++)
+        redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
+}
+
+static void finish(struct member *member) {
+    const struct plan *plan = member->plan;
+    struct execution *execution = member->execution;
+    const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
+    if (plan->stages[team] > 0)
+        reach_stage(member, plan->stages[team] - 1);
+    if (plan->copies.count > 0) {
+        redcc_barrier_wait(&execution->barrier, member->threads);
+        redcc_copies_merge(plan, member->thread, execution->request.bases);
+    }
+    member->phase = PHASE_OVER;
+}
+
+int redcc_next(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    if (!member || member->phase == PHASE_OVER)
+        return 0;
+    if (member->phase == PHASE_RUN)
+        begin_running(worker);
+    if (member->execution->course == COURSE_SOLO)
+        return next_solo(worker);
+    const struct schedule *schedule = &member->plan->schedule[member->thread];
+    if ((size_t)worker->position == schedule->chunk_count) {
+        finish(member);
+        return 0;
+    }
+    const struct chunk *chunk = &schedule->chunk[worker->position++];
+    reach_stage(member, chunk->stage);
+    worker->origin = chunk->origin;
+    worker->run = schedule->run + chunk->run_begin;
+    worker->run_end = schedule->run + chunk->run_end;
+    return 1;
+}
+
+int redcc_claims_last(redcc_worker *worker) {
+    const struct member *member = worker->execution;
+    return atomic_exchange(&member->execution->last_claimed, 1) == 0;
+}

@@ -1,0 +1,398 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Inspection, in the threads of the region: a sample of the iterations, from which the arrays are
+ * cut; then all of them, which gives the access summary, the exact extents and the guard; then each
+ * thread prepares its part of the plan. All threads walk through the same phases.
+ */
+#include "loop.h"
+
+#include "cuts.h"
+#include "guard.h"
+#include "memory.h"
+#include "settings.h"
+
+#include <string.h>
+#include <unistd.h>
+
+enum {
+    SAMPLED_ITERATIONS = 4096, /* by all threads together */
+    SAMPLED_TOUCHES = 32768
+};
+
+static void refuse(struct execution *execution, enum reason reason) {
+    execution->reason = reason;
+    execution->next = PHASE_OVER;
+}
+
+static bool some_failed(const struct execution *execution) {
+    for (int thread = 0; thread < execution->threads; thread++)
+        if (execution->state->member[thread]->failed)
+            return true;
+    return false;
+}
+
+static void recount(struct execution *execution) {
+    redcc_find_candidate(execution, execution->threads);
+    execution->next = PHASE_BEGIN;
+}
+
+static void begin_inspection(struct execution *execution) {
+    redcc_drop_candidate(execution);
+    execution->inspected = true;
+    const size_t threads = (size_t)execution->threads;
+    const struct method *method = execution->method;
+    const uint32_t owners = method && method->owners
+                                ? method->owners(execution->threads, execution->parameter)
+                                : (uint32_t)execution->threads;
+    execution->samples = redcc_memory_take(threads * sizeof *execution->samples);
+    execution->summaries = redcc_memory_take(threads * sizeof *execution->summaries);
+    execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
+    execution->next = PHASE_SAMPLE;
+    if (!redcc_partition_begin(&execution->partition, execution->request.loop,
+                               execution->request.bases, owners) ||
+        !execution->samples || !execution->summaries || !execution->seen)
+        refuse(execution, REASON_NO_MEMORY);
+}
+
+/* Own iterations: a consecutive share. */
+static redcc_int share_begin(const struct member *member) {
+    return redcc_share(member->execution->request.trip, member->threads, member->thread);
+}
+
+static redcc_int share_end(const struct member *member) {
+    return redcc_share(member->execution->request.trip, member->threads, member->thread + 1);
+}
+
+static bool begin_member(struct member *member) {
+    const struct partition *partition = &member->execution->partition;
+    const size_t least = 1024, even = SAMPLED_TOUCHES / (size_t)member->threads;
+    member->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *member->entries);
+    member->seen = redcc_memory_take(partition->array_count * sizeof *member->seen);
+    member->executed = redcc_memory_take_zeroed(partition->owners, sizeof *member->executed);
+    if (!redcc_sample_begin(&member->sample, even > least ? even : least) || !member->entries ||
+        !member->seen || !member->executed)
+        return false;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        member->seen[array] = redcc_nowhere;
+    for (uint32_t s = 0; s < member->execution->request.loop->source_count; s++)
+        member->sources[s] = (redcc_extent){0, 0};
+    return true;
+}
+
+static int hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_int stride) {
+    struct member *member = worker->execution;
+    worker->first = first;
+    worker->last = last;
+    worker->stride = stride;
+    worker->sources = member->sources;
+    worker->entry = member->entries;
+    worker->entry_end = member->entries + REDCC_ENTRIES;
+    return 1;
+}
+
+static int hand_out_sample(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const redcc_int stride = member->execution->request.trip / SAMPLED_ITERATIONS | 1;
+    member->failed = !begin_member(member);
+    member->phase = PHASE_SAMPLED;
+    if (member->failed || share_begin(member) == share_end(member))
+        return 0;
+    return hand_out(worker, share_begin(member), share_end(member), stride);
+}
+
+static void take_sample(struct member *member, const redcc_entry *end) {
+    for (const redcc_entry *entry = member->entries; entry != end; entry++) {
+        if (entry->array == REDCC_END_OF_ITERATION) {
+            redcc_sample_next_iteration(&member->sample);
+            continue;
+        }
+        const uintptr_t first = (uintptr_t)entry->address;
+        if (entry->bytes == 0)
+            continue;
+        member->seen[entry->array] = redcc_range_union(member->seen[entry->array],
+                                                       (struct range){first, first + entry->bytes});
+        redcc_sample_add(&member->sample, first, entry->array);
+    }
+}
+
+/* What the threads touched, by group. */
+static void gather_touched(struct execution *execution) {
+    for (uint32_t group = 0; group < execution->partition.array_count; group++) {
+        execution->touched[group] = redcc_nowhere;
+        for (int thread = 0; thread < execution->threads; thread++)
+            execution->touched[group] = redcc_range_union(
+                execution->touched[group], execution->state->member[thread]->seen[group]);
+    }
+}
+
+/* Groups were put together: so is what each thread has seen of them. */
+static void regroup_seen(struct execution *execution) {
+    const struct partition *partition = &execution->partition;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        struct range *seen = execution->state->member[thread]->seen;
+        for (uint32_t array = 0; array < partition->array_count; array++) {
+            const uint32_t group = partition->group_of[array];
+            if (group == array)
+                continue;
+            seen[group] = redcc_range_union(seen[group], seen[array]);
+            seen[array] = redcc_nowhere;
+        }
+    }
+}
+
+/* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
+static void cut_and_sweep(struct execution *execution) {
+    regroup_seen(execution);
+    for (int thread = 0; thread < execution->threads; thread++)
+        execution->samples[thread] = &execution->state->member[thread]->sample;
+    execution->next = PHASE_SWEEP;
+    if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads))
+        refuse(execution, REASON_NO_MEMORY);
+}
+
+static void after_sample(struct execution *execution) {
+    if (some_failed(execution)) {
+        refuse(execution, REASON_NO_MEMORY);
+        return;
+    }
+    gather_touched(execution);
+    if (redcc_partition_merge(&execution->partition, execution->touched) == MERGE_REFUSED)
+        refuse(execution, REASON_OUT_OF_STEP);
+    else
+        cut_and_sweep(execution);
+}
+
+static void begin_sweep(struct member *member) {
+    redcc_sweep_end(&member->sweep); /* of the sweep before, where groups had to be put together */
+    memset(member->executed, 0, member->execution->partition.owners * sizeof *member->executed);
+    member->failed =
+        !redcc_sweep_begin(&member->sweep, &member->execution->partition, member->seen);
+    member->next = share_begin(member);
+    member->handed = 0;
+    member->told_all = true;
+    member->phase = PHASE_SWEEPING;
+}
+
+static int hand_out_block(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const redcc_int end = share_end(member), first = member->next;
+    if (member->failed || !member->told_all || first == end)
+        return 0;
+    member->handed = end - first < REDCC_BLOCK ? end - first : REDCC_BLOCK;
+    member->next = first + member->handed;
+    redcc_sweep_open_block(&member->sweep, first);
+    return hand_out(worker, first, member->next, 1);
+}
+
+static void close_block(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    if (member->handed == 0)
+        return;
+    redcc_flush(worker);
+    if (!redcc_sweep_close_block(&member->sweep, member->handed)) {
+        member->failed = member->sweep.failed;
+        member->told_all = false;
+    }
+    member->handed = 0;
+}
+
+static void gather_sources(struct execution *execution) {
+    const struct request *request = &execution->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        struct range *range = &execution->sources[s];
+        *range =
+            (struct range){(uintptr_t)request->known[s].first, (uintptr_t)request->known[s].end};
+        if (request->known[s].end)
+            continue;
+        *range = redcc_nowhere;
+        for (int thread = 0; thread < execution->threads; thread++) {
+            const redcc_extent told = execution->state->member[thread]->sources[s];
+            if (told.end)
+                *range = redcc_range_union(
+                    *range, (struct range){(uintptr_t)told.first, (uintptr_t)told.end});
+        }
+    }
+}
+
+/* The same bits in whatever order the contributions come? */
+static bool any_order_is_exact(const redcc_loop *loop) {
+    for (uint32_t array = 0; array < loop->array_count; array++)
+        if (loop->arrays[array].type > REDCC_UINT64)
+            return false;
+    return true;
+}
+
+static bool memory_allows(size_t bytes) {
+    const size_t limit = redcc_settings()->memory_limit, used = redcc_memory_in_use();
+    if (limit)
+        return used < limit && bytes < limit - used;
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
+}
+
+static const struct method *choose_method(const struct execution *execution) {
+    const redcc_loop *loop = execution->request.loop;
+    redcc_int most = 0;
+    for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
+        redcc_int sum = 0;
+        for (int thread = 0; thread < execution->threads; thread++)
+            sum += execution->state->member[thread]->executed[owner];
+        most = sum > most ? sum : most;
+    }
+    const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
+    const bool copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
+                        redcc_copies_possible(&execution->partition, execution->touched) &&
+                        memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
+                                      (size_t)execution->threads);
+    return redcc_choose_method(execution->request.trip, most, copies);
+}
+
+/* The last question before a plan is made: may this method have this loop? */
+static enum reason objection(const struct execution *execution, const struct method *method) {
+    if (!method)
+        return REASON_REPLICATION;
+    if (execution->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
+        return REASON_MIXED;
+    if (method->copies != COPY_NONE &&
+        !redcc_copies_possible(&execution->partition, execution->touched))
+        return REASON_NO_COPIES;
+    return REASON_NONE;
+}
+
+static void begin_plan(struct execution *execution) {
+    const struct method *method = execution->method ? execution->method : choose_method(execution);
+    const enum reason reason = objection(execution, method);
+    if (reason != REASON_NONE) {
+        refuse(execution, reason);
+        return;
+    }
+    const int parameter = execution->method ? execution->parameter : method->usual;
+    execution->plan = redcc_plan_new(method, parameter, execution->threads, &execution->request,
+                                     &execution->partition, execution->touched, execution->sources);
+    for (int thread = 0; thread < execution->threads; thread++) {
+        execution->summaries[thread] = &execution->state->member[thread]->sweep.summary;
+        execution->seen[thread] = execution->state->member[thread]->seen;
+    }
+    execution->next = PHASE_PREPARE;
+    if (!execution->plan)
+        refuse(execution, REASON_NO_MEMORY);
+}
+
+static void after_sweep(struct execution *execution) {
+    bool told_all = true;
+    for (int thread = 0; thread < execution->threads; thread++)
+        told_all = told_all && execution->state->member[thread]->told_all;
+    if (some_failed(execution) || !told_all) {
+        refuse(execution, some_failed(execution) ? REASON_NO_MEMORY : REASON_INSPECTOR);
+        return;
+    }
+    gather_touched(execution);
+    gather_sources(execution);
+    if (!redcc_guard(execution->sources, execution->request.loop->source_count, execution->touched,
+                     execution->partition.array_count, &execution->clash_source,
+                     &execution->clash_array)) {
+        refuse(execution, REASON_OVERLAP);
+        return;
+    }
+    switch (redcc_partition_merge(&execution->partition, execution->touched)) {
+    case MERGE_REFUSED:
+        refuse(execution, REASON_OUT_OF_STEP);
+        break;
+    case MERGE_DONE:
+        cut_and_sweep(execution);
+        break;
+    case MERGE_NOTHING:
+        begin_plan(execution);
+        break;
+    }
+}
+
+static void prepare(struct member *member) {
+    struct execution *execution = member->execution;
+    struct plan *plan = execution->plan;
+    const struct evidence evidence = {&execution->partition, execution->summaries, execution->seen,
+                                      execution->threads, execution->request.trip};
+    member->failed =
+        !plan->method->prepare(plan, &evidence, member->thread) ||
+        !redcc_copies_take(plan, member->thread, member->seen, execution->partition.base);
+    if (redcc_plan_reusable(plan, execution->request.loop))
+        redcc_take_fingerprints(member);
+}
+
+static void after_prepare(struct execution *execution) {
+    if (some_failed(execution)) {
+        redcc_plan_free(execution->plan);
+        execution->plan = NULL;
+        refuse(execution, REASON_NO_MEMORY);
+        return;
+    }
+    redcc_plan_finish(execution->plan);
+    redcc_record_fingerprints(execution);
+    execution->next = PHASE_RUN;
+}
+
+static void begin_with_candidate(struct member *member) {
+    struct execution *execution = member->execution;
+    if (!execution->candidate || !redcc_verify(member)) {
+        redcc_meet(member, begin_inspection);
+        return;
+    }
+    member->plan = execution->candidate;
+    member->phase = PHASE_RUN;
+    if (member->thread == 0) {
+        execution->plan = execution->candidate;
+        execution->plan_is_kept = true;
+    }
+}
+
+int redcc_inspect(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    while (member)
+        switch (member->phase) {
+        case PHASE_RECOUNT:
+            redcc_meet(member, recount);
+            break;
+        case PHASE_BEGIN:
+            begin_with_candidate(member);
+            break;
+        case PHASE_SAMPLE:
+            if (hand_out_sample(worker))
+                return 1;
+            break;
+        case PHASE_SAMPLED:
+            if (!member->failed && worker->entry)
+                redcc_flush(worker);
+            redcc_meet(member, after_sample);
+            break;
+        case PHASE_SWEEP:
+            begin_sweep(member);
+            break;
+        case PHASE_SWEEPING:
+            close_block(worker);
+            if (hand_out_block(worker))
+                return 1;
+            if (!member->failed)
+                redcc_sweep_count(&member->sweep, member->executed);
+            redcc_meet(member, after_sweep);
+            break;
+        case PHASE_PREPARE:
+            prepare(member);
+            redcc_meet(member, after_prepare);
+            member->plan = member->execution->plan;
+            break;
+        case PHASE_RUN:
+        case PHASE_RUNNING:
+        case PHASE_OVER:
+            return 0;
+        }
+    return 0;
+}
+
+void redcc_flush(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    if (member->phase == PHASE_SAMPLED)
+        take_sample(member, worker->entry);
+    else
+        redcc_sweep_take(&member->sweep, member->entries, worker->entry);
+    worker->entry = member->entries;
+}

@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The life of a loop: its state, and enter, join, leave. */
+#include "loop.h"
+
+#include "clock.h"
+#include "memory.h"
+#include "settings.h"
+
+#include <string.h>
+
+static char *copy_text(const char *text) {
+    const size_t bytes = strlen(text) + 1;
+    char *copy = redcc_memory_take(bytes);
+    return copy ? memcpy(copy, text, bytes) : NULL;
+}
+
+static void state_free(struct loop_state *state) {
+    if (!state)
+        return;
+    struct execution *execution = &state->execution;
+    for (int p = 0; p < REDCC_PLANS; p++)
+        redcc_plan_free(state->plans[p]);
+    redcc_members_end(state);
+    redcc_memory_give(execution->request.bases);
+    redcc_memory_give(execution->request.known);
+    redcc_memory_give(execution->request.key);
+    redcc_memory_give(execution->touched);
+    redcc_memory_give(execution->sources);
+    redcc_memory_give(state->reported.file);
+    redcc_memory_give(state->reported.function);
+    redcc_memory_give(state);
+}
+
+static struct loop_state *state_new(redcc_loop *loop) {
+    struct loop_state *state = redcc_memory_take_zeroed(1, sizeof *state);
+    if (!state)
+        return NULL;
+    struct execution *execution = &state->execution;
+    struct request *request = &execution->request;
+    execution->state = state;
+    request->loop = loop;
+    request->bases = redcc_memory_take(loop->array_count * sizeof *request->bases);
+    request->known = redcc_memory_take(loop->source_count * sizeof *request->known);
+    request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
+    execution->touched = redcc_memory_take(loop->array_count * sizeof *execution->touched);
+    execution->sources = redcc_memory_take(loop->source_count * sizeof *execution->sources);
+    state->reported.file = copy_text(loop->file);
+    state->reported.function = copy_text(loop->function);
+    state->reported.line = loop->line;
+    if (!request->bases || !request->known || !request->key || !execution->touched ||
+        !execution->sources || !state->reported.file || !state->reported.function) {
+        state_free(state);
+        return NULL;
+    }
+    return state;
+}
+
+/* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
+static struct loop_state *state_of(redcc_loop *loop) {
+    void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
+    if (state)
+        return state;
+    struct loop_state *mine = state_new(loop);
+    if (!mine)
+        return NULL;
+    if (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
+                                     __ATOMIC_ACQUIRE)) {
+        state_free(mine);
+        return state;
+    }
+    redcc_report_add(&mine->reported);
+    return mine;
+}
+
+void redcc_loop_forget(redcc_loop *loop) {
+    struct loop_state *state = loop->state;
+    if (!state)
+        return;
+    redcc_report_remove(&state->reported);
+    state_free(state);
+    loop->state = NULL;
+}
+
+static int serially(struct loop_state *state, enum reason reason) {
+    if (reason != REASON_NONE)
+        atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
+                                  memory_order_relaxed);
+    return 0;
+}
+
+static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
+    return settings->order_given ? settings->order : loop->order;
+}
+
+/* An order asked for in so many words, and a method by name that does not keep it. */
+static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
+    const redcc_order order = order_of(loop, settings);
+    if (!settings->method || settings->method->keeps <= order ||
+        !(settings->order_given || loop->flags & REDCC_ORDER_EXPLICIT))
+        return;
+    redcc_stop("REDCC_METHOD=%s cannot keep order %s, which %s asks for (%s:%d); it gives order %s",
+               settings->method->name, redcc_order_name(order),
+               settings->order_given ? "REDCC_ORDER" : "the translated loop", loop->file,
+               loop->line, redcc_order_name(settings->method->keeps));
+}
+
+/* What forbids running in parallel without a look at the loop's data. */
+static enum reason hindrance(const redcc_loop *loop, const struct settings *settings, int threads,
+                             int nested) {
+    if (nested)
+        return REASON_NESTED;
+    if (threads < 2)
+        return REASON_ONE_THREAD;
+    if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
+        settings->method->keeps != REDCC_ORDER_SERIAL)
+        return REASON_ORDER_NEEDED;
+    return REASON_NONE;
+}
+
+static void take_request(struct request *request, redcc_int trip, void *const *bases,
+                         const redcc_extent *known, const redcc_word *key) {
+    const redcc_loop *loop = request->loop;
+    request->trip = trip;
+    memcpy(request->bases, bases, loop->array_count * sizeof *bases);
+    if (loop->source_count)
+        memcpy(request->known, known, loop->source_count * sizeof *known);
+    if (loop->key_count)
+        memcpy(request->key, key, loop->key_count * sizeof *key);
+}
+
+/* The loop is held: begins an execution. False: to be run serially, for *reason. */
+static bool begin_execution(struct execution *execution, const redcc_loop *loop,
+                            const struct settings *settings, int threads, enum reason *reason) {
+    struct loop_state *state = execution->state;
+    struct statistics *statistics = &state->reported.statistics;
+    execution->method = settings->method;
+    execution->parameter = settings->parameter;
+    execution->order = order_of(loop, settings);
+    execution->course = COURSE_PARALLEL;
+    if (!settings->method)
+        execution->course =
+            redcc_choose_course(&state->chooser, execution->request.trip, threads, reason);
+    else if (settings->method->keeps > execution->order)
+        execution->order = settings->method->keeps;
+    statistics->order = execution->order;
+    if (execution->course == COURSE_SERIAL) {
+        statistics->method = &redcc_method_serial;
+        statistics->threads = 1;
+        return false;
+    }
+    *reason = REASON_NO_MEMORY;
+    if (!redcc_members_ensure(state, loop, threads))
+        return false;
+    execution->asked = execution->threads = threads;
+    execution->plan = NULL;
+    execution->plan_is_kept = false;
+    execution->inspected = false;
+    execution->reason = REASON_NONE;
+    atomic_store_explicit(&execution->last_claimed, 0, memory_order_relaxed);
+    return true;
+}
+
+int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    const struct settings *settings = redcc_settings();
+    stop_at_contradiction(loop, settings);
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return 0;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    if (trip <= 0 || (settings->method && !settings->method->prepare))
+        return 0;
+    enum reason reason = hindrance(loop, settings, threads, nested);
+    if (reason != REASON_NONE)
+        return serially(state, reason);
+    int idle = 0;
+    if (!atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
+                                                 memory_order_relaxed))
+        return serially(state, REASON_CONCURRENT);
+    struct execution *execution = &state->execution;
+    execution->entered = redcc_seconds();
+    take_request(&execution->request, trip, bases, known, key);
+    if (!begin_execution(execution, loop, settings, threads, &reason)) {
+        atomic_store_explicit(&state->busy, 0, memory_order_release);
+        return serially(state, reason);
+    }
+    redcc_find_candidate(execution, threads);
+    call->threads = threads;
+    call->decided = 1;
+    call->execution = execution;
+    return 1;
+}
+
+void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads) {
+    struct execution *execution = call->execution;
+    *worker = (redcc_worker){.call = call, .thread = thread};
+    if (threads > execution->asked) {
+        if (thread == 0)
+            execution->reason = REASON_TEAM;
+        return;
+    }
+    struct member *member = execution->state->member[thread];
+    worker->execution = member;
+    member->threads = threads;
+    member->plan = NULL;
+    member->failed = false;
+    member->phase = threads == execution->asked ? PHASE_BEGIN : PHASE_RECOUNT;
+    if (threads == 1)
+        member->phase = PHASE_OVER;
+    if (thread == 0 && threads != execution->asked) {
+        execution->threads = threads;
+        execution->reason = threads == 1 ? REASON_ONE_THREAD : REASON_NONE;
+    }
+}
+
+static void count_fallback(struct execution *execution) {
+    struct loop_state *state = execution->state;
+    const redcc_loop *loop = execution->request.loop;
+    if (execution->reason == REASON_OVERLAP)
+        redcc_report_overlap(&state->reported.statistics,
+                             loop->sources[execution->clash_source].name,
+                             loop->arrays[execution->clash_array].name);
+    else
+        serially(state, execution->reason);
+    state->reported.statistics.method = &redcc_method_serial;
+    state->reported.statistics.threads = 1;
+    if (execution->reason == REASON_NO_MEMORY)
+        redcc_drop_plans(state);
+    if (!execution->method)
+        redcc_choose_refused(&state->chooser, execution->request.trip, execution->reason);
+}
+
+static void count_execution(struct execution *execution, double now) {
+    struct loop_state *state = execution->state;
+    struct statistics *statistics = &state->reported.statistics;
+    const struct plan *plan = execution->plan;
+    const bool solo = execution->course == COURSE_SOLO;
+    const size_t bytes = execution->plan_is_kept ? 0 : redcc_plan_bytes(plan);
+    statistics->method = solo ? &redcc_method_serial : plan->method;
+    statistics->parameter = plan->parameter;
+    statistics->threads = solo ? 1 : execution->threads;
+    statistics->plans_built += !execution->plan_is_kept;
+    statistics->plans_reused += execution->plan_is_kept;
+    statistics->inspect_seconds += execution->ready - execution->entered;
+    statistics->execute_seconds += now - execution->ready;
+    statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
+    statistics->executed += solo ? plan->trip : plan->executed;
+    statistics->in_loops += plan->trip;
+    statistics->stages = redcc_plan_stages(plan);
+    if (!execution->method)
+        redcc_choose_learn(&state->chooser, execution->request.trip, execution->course,
+                           solo ? execution->solo_seconds : now - execution->entered);
+}
+
+int redcc_leave(redcc_call *call) {
+    if (!call->decided)
+        return 0;
+    struct execution *execution = call->execution;
+    const double now = redcc_seconds();
+    const int done = execution->plan != NULL;
+    if (done)
+        count_execution(execution, now);
+    else
+        count_fallback(execution);
+    if (execution->inspected)
+        redcc_inspection_end(execution);
+    if (done && !execution->plan_is_kept) {
+        if (redcc_plan_reusable(execution->plan, execution->request.loop))
+            redcc_keep_plan(execution);
+        else
+            redcc_plan_free(execution->plan);
+    }
+    atomic_store_explicit(&execution->state->busy, 0, memory_order_release);
+    return done;
+}

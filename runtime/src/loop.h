@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The state of a loop over its executions, of one execution, and of one thread in it.
+ *
+ * The thread that holds the loop (busy) fills the execution in redcc_enter; in the region each
+ * thread has its member, and what they share is written only by whoever arrives last at the
+ * barrier (redcc_meet), while the others wait.
+ */
+#ifndef REDCC_LOOP_H
+#define REDCC_LOOP_H
+
+#include "choose.h"
+#include "plan.h"
+#include "report.h"
+#include "sample.h"
+#include "sweep.h"
+
+enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024 };
+
+/** Where a thread stands, and what the last to arrive at the barrier sends all threads to. */
+enum phase {
+    PHASE_RECOUNT,  /* fewer threads came than asked for: look for a plan again */
+    PHASE_BEGIN,    /* is there a plan that fits? */
+    PHASE_SAMPLE,   /* tell some iterations' addresses */
+    PHASE_SAMPLED,  /* ... done */
+    PHASE_SWEEP,    /* tell all iterations' addresses */
+    PHASE_SWEEPING, /* ... a block of them is told */
+    PHASE_PREPARE,  /* make a plan of it */
+    PHASE_RUN,      /* begin to execute */
+    PHASE_RUNNING,
+    PHASE_OVER /* done, or not to be done in parallel */
+};
+
+/** One thread's part. What only it writes; others look after the barrier. */
+struct member {
+    alignas(64) struct execution *execution;
+    int thread;
+    int threads;
+    enum phase phase;
+    const struct plan *plan; /* to execute */
+    bool failed;             /* no memory */
+    bool told_all;           /* the inspector told as many iterations as asked for */
+    redcc_int next;          /* iterations handed out for inspection up to here */
+    redcc_int handed;        /* in the block being inspected */
+    uint32_t stage;          /* of execution */
+    redcc_run solo_run;      /* COURSE_SOLO */
+    redcc_entry *entries;    /* [REDCC_ENTRIES] */
+    struct range *seen;      /* [array_count] */
+    redcc_int *executed;     /* [owners] iterations of the own share, by owner */
+    struct sample sample;
+    struct sweep sweep;
+    redcc_extent *sources;           /* [source_count] told by redcc_read */
+    void **base;                     /* [array_count] */
+    redcc_owner *owner;              /* [array_count] */
+    struct fingerprint *fingerprint; /* [source_count] of the own share */
+};
+
+/** One execution. */
+struct execution {
+    struct loop_state *state;
+    struct request request;
+    const struct method *method; /* asked for; NULL: auto */
+    int parameter;
+    redcc_order order;
+    enum course course;
+    int asked;   /* threads */
+    int threads; /* that came */
+    struct barrier barrier;
+    enum phase next; /* where the last to arrive sends all */
+    bool verified;   /* so far the candidate's subscripts are unchanged */
+    struct plan *candidate;
+    struct plan *plan;     /* NULL: not (yet) to be executed in parallel */
+    bool plan_is_kept;     /* by the state */
+    bool inspected;        /* memory for inspection is to be given back */
+    enum reason reason;    /* why there is no plan */
+    uint32_t clash_source; /* REASON_OVERLAP: which overlap */
+    uint32_t clash_array;
+    struct partition partition;
+    struct range *touched; /* [array_count] by all threads */
+    struct range *sources; /* [source_count] where they lie */
+    const struct sample **samples;
+    const struct summary **summaries;
+    const struct range **seen;
+    atomic_int last_claimed;
+    double entered;
+    double ready; /* seconds at which the plan was there */
+    double solo_seconds;
+};
+
+struct loop_state {
+    struct reported reported;
+    atomic_int busy;
+    struct chooser chooser;
+    struct plan *plans[REDCC_PLANS];
+    uint64_t plan_clock;
+    struct execution execution;
+    struct member **member; /* [member_count] */
+    int member_count;
+};
+
+/** Ends all that a loop has, its state included, as if it had never been executed; for tests. */
+void redcc_loop_forget(redcc_loop *loop);
+
+/** Makes sure that there are at least `count` members. False: no memory. */
+bool redcc_members_ensure(struct loop_state *state, const redcc_loop *loop, int count);
+
+/** Gives back all of them. */
+void redcc_members_end(struct loop_state *state);
+
+/** Gives back what the members and the execution hold for inspection. */
+void redcc_inspection_end(struct execution *execution);
+
+/** Every thread calls it: when all have come, the last does `alone`, which sets execution->next,
+ * and all go on at that phase. */
+void redcc_meet(struct member *member, void (*alone)(struct execution *));
+
+/** Looks for a plan that may fit the request with that many threads. */
+void redcc_find_candidate(struct execution *execution, int threads);
+
+/** Are the candidate's subscripts what they were? Every thread calls it and gets the same answer.
+ */
+bool redcc_verify(struct member *member);
+
+/** Takes fingerprints of the own share of all subscripts, into member->fingerprint. */
+void redcc_take_fingerprints(struct member *member);
+
+/** Joins them into the records of the execution's plan. */
+void redcc_record_fingerprints(const struct execution *execution);
+
+/** Gives back the candidate, where there is one: its subscripts have changed. */
+void redcc_drop_candidate(struct execution *execution);
+
+/** Keeps the execution's plan for later calls, in the place of the one used longest ago. */
+void redcc_keep_plan(struct execution *execution);
+
+/** Gives back all plans that are kept, so that there is memory for another. */
+void redcc_drop_plans(struct loop_state *state);
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * LOCALWRITE: each thread owns a part of the arrays and executes, in ascending order, every
+ * iteration that writes to its part; those that write to others' parts too (each of those owners
+ * executes them as well) in the guarded form, in which only what the thread owns is written.
+ *
+ * Each element gets its contributions in the order of the loop: the bits of the sequential loop.
+ */
+#include "memory.h"
+#include "plan.h"
+
+enum { SKIP, PLAIN, GUARDED };
+
+/* What `thread` does with the iterations of each set: [sets->count]. NULL: no memory. */
+static unsigned char *parts_in(const struct sets *sets, uint32_t thread) {
+    unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
+    if (!part)
+        return NULL;
+    for (uint32_t set = 1; set < sets->count; set++)
+        for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
+            if (sets->member[m] == thread)
+                part[set] = redcc_set_size(sets, set) == 1 ? PLAIN : GUARDED;
+    return part;
+}
+
+static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t thread) {
+    unsigned char *part = parts_in(&summary->sets, thread);
+    bool enough = part != NULL;
+    for (size_t b = 0; enough && b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; enough && s < block->span_end; s++) {
+            const struct span span = summary->span[s];
+            if (part[span.set] != SKIP)
+                enough =
+                    redcc_schedule_add(schedule, 0, block->origin + span.begin,
+                                       redcc_span_count(summary, block, s), part[span.set] - PLAIN);
+        }
+    }
+    redcc_memory_give(part);
+    return enough;
+}
+
+static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    struct schedule *schedule = &plan->schedule[thread];
+    for (int from = 0; from < evidence->threads; from++)
+        if (!select_from(schedule, evidence->summary[from], (uint32_t)thread))
+            return false;
+    if (thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence) &&
+        !redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false))
+        return false;
+    redcc_schedule_trim(schedule);
+    return true;
+}
+
+const struct method redcc_method_localwrite = {
+    .name = "localwrite", .keeps = REDCC_ORDER_SERIAL, .prepare = prepare};

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Who owns which bytes: arrays that overlap form a group, each group is cut into as many
+ * consecutive parts as there are owners, and part o of every group belongs to owner o.
+ */
+#ifndef REDCC_PARTITION_H
+#define REDCC_PARTITION_H
+
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Addresses [first, end); empty where end <= first. */
+struct range {
+    uintptr_t first;
+    uintptr_t end;
+};
+
+static const struct range redcc_nowhere = {UINTPTR_MAX, 0};
+
+static inline bool redcc_range_empty(struct range range) {
+    return range.end <= range.first;
+}
+
+static inline bool redcc_ranges_overlap(struct range a, struct range b) {
+    return !redcc_range_empty(a) && !redcc_range_empty(b) && a.first < b.end && b.first < a.end;
+}
+
+/** The smallest range that holds both. */
+static inline struct range redcc_range_union(struct range a, struct range b) {
+    return (struct range){a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
+}
+
+struct partition {
+    const redcc_array *arrays; /* borrowed from the loop */
+    uint32_t array_count;
+    uint32_t owners;
+    uintptr_t *base;    /* [array_count] the arrays' first elements */
+    uint32_t *group_of; /* [array_count] its group, called by one of the group's arrays: the one
+                           with the largest unit */
+    uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is
+                           where owner o begins; the first is 0, the last UINTPTR_MAX */
+    bool mixed;         /* some group's arrays differ in type or operator */
+};
+
+/** Every array a group of its own, not yet cut. False: no memory (end it all the same). */
+bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
+                           uint32_t owners);
+
+/** Gives back its memory. */
+void redcc_partition_end(struct partition *partition);
+
+/** Where the owners of group g begin: [owners + 1] addresses, ascending. */
+static inline uintptr_t *redcc_cuts(const struct partition *partition, uint32_t group) {
+    return partition->cut + (size_t)group * (partition->owners + 1);
+}
+
+/** Is this array the one its group is called by? */
+static inline bool redcc_leads_group(const struct partition *partition, uint32_t array) {
+    return partition->group_of[array] == array;
+}
+
+enum merge_result {
+    MERGE_NOTHING, /* no two groups overlap */
+    MERGE_DONE,    /* some were put together: their cuts and ranges are to be found anew */
+    MERGE_REFUSED  /* some overlap in such a way that no cut is safe for both */
+};
+
+/** Puts groups together that overlap in touched[group]. touched [array_count] is updated. */
+enum merge_result redcc_partition_merge(struct partition *partition, struct range *touched);
+
+/** The owner of the byte at `address` of group `group`. */
+static inline uint32_t redcc_owner_of(const struct partition *partition, uint32_t group,
+                                      uintptr_t address) {
+    const uintptr_t *cut = redcc_cuts(partition, group);
+    uint32_t low = 0, high = partition->owners; /* cut[low] <= address < cut[high] */
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (cut[middle] <= address)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+#endif

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A plan: who executes which iterations of a loop, and where they write. All places in it are
+ * relative to the arrays' first elements, so that it holds for other arrays at the same subscripts.
+ */
+#ifndef REDCC_PLAN_H
+#define REDCC_PLAN_H
+
+#include "barrier.h"
+#include "copies.h"
+#include "fingerprint.h"
+#include "method.h"
+#include "schedule.h"
+
+/** What one call brings; the pointers are owned by the loop's state. */
+struct request {
+    const redcc_loop *loop;
+    redcc_int trip;
+    void **bases;        /* [array_count] */
+    redcc_extent *known; /* [source_count] */
+    redcc_word *key;     /* [key_count] */
+};
+
+/** What a plan remembers of a source. */
+struct source_record {
+    bool known;            /* its extent comes with each call */
+    bool anchored;         /* known[].first is there to move with */
+    struct offsets extent; /* known: {0, its length}; else relative to the anchor */
+    struct fingerprint fingerprint;
+};
+
+struct plan {
+    const struct method *method;
+    int parameter;
+    int threads;
+    int teams;
+    redcc_int trip;
+    uint32_t array_count;
+    uint32_t source_count;
+    uint32_t owners;
+    redcc_word *key;              /* [key_count] */
+    uint32_t *group_of;           /* [array_count] as partition.group_of */
+    ptrdiff_t *shift;             /* [array_count] bytes from its group's base to its own */
+    struct offsets *touched;      /* [array_count] of each group, relative to its base */
+    ptrdiff_t *bound;             /* [array_count * (owners + 1)] owner o of group g writes from
+                                     bound[g * (owners + 1) + o] up to the next, relative to its base */
+    struct source_record *source; /* [source_count] */
+    struct schedule *schedule;    /* [threads] */
+    uint32_t *stages;             /* [teams] */
+    struct barrier *team_barrier; /* [teams] */
+    struct copies copies;
+    redcc_int executed; /* iterations, replicated ones counted */
+    uint64_t last_use;
+};
+
+/** The first thread of a team; team == teams: the number of threads. */
+static inline int redcc_team_first(int threads, int teams, int team) {
+    return (int)((long)threads * team / teams);
+}
+
+/** The team of a thread. */
+int redcc_team_of(int threads, int teams, int thread);
+
+/** An empty plan for what the partition says, group g being touched in touched[g] and source s
+ *  read in sources[s]. NULL: no memory. */
+struct plan *redcc_plan_new(const struct method *method, int parameter, int threads,
+                            const struct request *request, const struct partition *partition,
+                            const struct range *touched, const struct range *sources);
+
+/** Gives back a plan; NULL does nothing. */
+void redcc_plan_free(struct plan *plan);
+
+/** To be called once when all threads' schedules are there: numbers the stages that are not empty
+ *  and adds up what is executed. */
+void redcc_plan_finish(struct plan *plan);
+
+/** May this plan serve this request, if its subscripts are what they were? Everything is compared
+ *  but the subscripts' contents, and the guard is asked at the places where the arrays now are.
+ *  Sets sources [source_count] to where the sources are. */
+bool redcc_plan_fits(const struct plan *plan, const struct request *request, int threads,
+                     struct range *sources);
+
+/** May the plan be kept for other calls at all? */
+bool redcc_plan_reusable(const struct plan *plan, const redcc_loop *loop);
+
+/** Bytes it takes, copies included. */
+size_t redcc_plan_bytes(const struct plan *plan);
+
+/** The most stages that a team goes through. */
+uint32_t redcc_plan_stages(const struct plan *plan);
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef REDCC_REASON_H
+#define REDCC_REASON_H
+
+/** Why a loop ran serially: identifier, and what the report says. */
+#define REDCC_REASON_LIST(X)                                                                       \
+    X(REASON_NONE, "")                                                                             \
+    X(REASON_NESTED, "inside a parallel region")                                                   \
+    X(REASON_CONCURRENT, "the loop is being executed by another thread")                           \
+    X(REASON_ONE_THREAD, "one thread")                                                             \
+    X(REASON_TEAM, "more threads came than were asked for")                                        \
+    X(REASON_LITTLE_WORK, "too little work")                                                       \
+    X(REASON_SERIAL_FASTER, "the sequential loop was measured to be faster")                       \
+    X(REASON_REPLICATION, "too many iterations would be executed by several threads")              \
+    X(REASON_NO_MEMORY, "out of memory, or past REDCC_MEMORY_LIMIT")                               \
+    X(REASON_ORDER_NEEDED, "an update needs an order that the method named does not keep")         \
+    X(REASON_NO_COPIES, "no private copies can be made of a reduction array")                      \
+    X(REASON_MIXED, "reduction arrays of unlike type or operator overlap")                         \
+    X(REASON_OUT_OF_STEP, "reduction arrays overlap out of step")                                  \
+    X(REASON_INSPECTOR, "the inspector did not tell all iterations")                               \
+    X(REASON_OVERLAP, "something read overlaps a reduction array")
+
+enum reason {
+#define REDCC_REASON(id, text) id,
+    REDCC_REASON_LIST(REDCC_REASON)
+#undef REDCC_REASON
+        REASON_COUNT
+};
+
+#endif

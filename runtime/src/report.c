@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "report.h"
+
+#include "settings.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static _Atomic(struct reported *) all;
+
+void redcc_report_add(struct reported *reported) {
+    reported->next = atomic_load(&all);
+    while (!atomic_compare_exchange_weak(&all, &reported->next, reported))
+        ;
+}
+
+void redcc_report_remove(struct reported *reported) {
+    struct reported *at = atomic_load(&all);
+    if (at == reported) {
+        atomic_store(&all, reported->next);
+        return;
+    }
+    for (; at; at = at->next)
+        if (at->next == reported)
+            at->next = reported->next;
+}
+
+void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array) {
+    char text[REDCC_TEXT];
+    snprintf(text, sizeof text, "'%s' overlaps '%s'", source, array);
+    for (int i = 0; i < REDCC_TEXTS; i++) {
+        struct told_reason *told = &statistics->told[i];
+        if (told->count == 0)
+            memcpy(told->text, text, sizeof text);
+        if (strcmp(told->text, text) == 0) {
+            told->count++;
+            return;
+        }
+    }
+    atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to tell apart */
+}
+
+static void write_string(FILE *out, const char *text) {
+    putc('"', out);
+    for (; *text; text++) {
+        const unsigned char letter = (unsigned char)*text;
+        if (letter == '"' || letter == '\\')
+            fprintf(out, "\\%c", letter);
+        else if (letter < 0x20)
+            fprintf(out, "\\u%04x", letter);
+        else
+            putc(letter, out);
+    }
+    putc('"', out);
+}
+
+static void write_fallback(FILE *out, const char **separator, const char *reason, long count) {
+    if (count == 0)
+        return;
+    fprintf(out, "%s{\"reason\": ", *separator);
+    write_string(out, reason);
+    fprintf(out, ", \"count\": %ld}", count);
+    *separator = ", ";
+}
+
+static void write_fallbacks(FILE *out, const struct statistics *statistics) {
+    static const char *const texts[] = {
+#define REDCC_REASON(id, text) text,
+        REDCC_REASON_LIST(REDCC_REASON)
+#undef REDCC_REASON
+    };
+    const char *separator = "";
+    for (int reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
+        write_fallback(out, &separator, texts[reason], atomic_load(&statistics->fallback[reason]));
+    for (int i = 0; i < REDCC_TEXTS; i++)
+        write_fallback(out, &separator, statistics->told[i].text, statistics->told[i].count);
+}
+
+static void write_method(FILE *out, const struct statistics *statistics) {
+    const struct method *method = statistics->method ? statistics->method : &redcc_method_serial;
+    char name[64];
+    if (method->parameter && method->parameter[0] == 'N')
+        snprintf(name, sizeof name, "%s:%d", method->name, statistics->parameter);
+    else if (method->parameter && statistics->parameter != method->usual)
+        snprintf(name, sizeof name, "%s:%c", method->name, statistics->parameter);
+    else
+        snprintf(name, sizeof name, "%s", method->name);
+    write_string(out, name);
+}
+
+static void write_loop(FILE *out, const struct reported *loop) {
+    const struct statistics *it = &loop->statistics;
+    fputs("{\"file\": ", out);
+    write_string(out, loop->file ? loop->file : "");
+    fprintf(out, ", \"line\": %d, \"function\": ", loop->line);
+    write_string(out, loop->function ? loop->function : "");
+    fputs(", \"method\": ", out);
+    write_method(out, it);
+    fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
+            redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
+    fprintf(out, ", \"plans_built\": %ld, \"plans_reused\": %ld", it->plans_built,
+            it->plans_reused);
+    fprintf(out, ", \"inspect_seconds\": %ld.%06ld, \"execute_seconds\": %ld.%06ld",
+            (long)it->inspect_seconds, (long)(it->inspect_seconds * 1e6) % 1000000,
+            (long)it->execute_seconds, (long)(it->execute_seconds * 1e6) % 1000000);
+    const redcc_int tenths = /* of a per mille; the decimal point must not depend on the locale */
+        it->in_loops ? (redcc_int)(1e4 * (double)it->executed / (double)it->in_loops + 0.5) : 10000;
+    fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
+            it->executed, it->stages);
+    fprintf(out, ", \"replication\": %lld.%04lld, \"fallbacks\": [", tenths / 10000,
+            tenths % 10000);
+    write_fallbacks(out, it);
+    fputs("]}", out);
+}
+
+static bool write_all(FILE *out) {
+    fputs("{\"loops\": [", out);
+    const char *separator = "\n ";
+    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next) {
+        fputs(separator, out);
+        write_loop(out, loop);
+        separator = ",\n ";
+    }
+    fputs("]}\n", out);
+    const bool written = !ferror(out);
+    return fclose(out) == 0 && written;
+}
+
+/* Beside the file, then renamed: nobody reads half a report. */
+void redcc_report_write(void) {
+    const char *name = redcc_settings()->report;
+    if (!name)
+        return;
+    const size_t room = strlen(name) + 32;
+    char *beside = malloc(room);
+    if (!beside)
+        return;
+    snprintf(beside, room, "%s.%ld", name, (long)getpid());
+    FILE *out = fopen(beside, "w");
+    if (!out || !write_all(out) || rename(beside, name) != 0) {
+        fprintf(stderr, "redcc: cannot write the report %s\n", name);
+        if (out)
+            remove(beside);
+    }
+    free(beside);
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Addresses that some of the iterations touch, spread evenly over the loop: what the cuts are
+ * chosen from. One for each thread.
+ */
+#ifndef REDCC_SAMPLE_H
+#define REDCC_SAMPLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct sampled {
+    uintptr_t address;
+    uint32_t array;
+    uint32_t iteration; /* of this thread's sample, counted from 0 */
+};
+
+struct sample {
+    struct sampled *item;
+    size_t count;
+    size_t capacity;
+    uint32_t keep_each; /* touches that one kept item stands for */
+    uint32_t passed;    /* touches since the last one kept */
+    uint32_t iterations;
+};
+
+/** An empty one that keeps at most `capacity` touches. False: no memory (end it all the same). */
+bool redcc_sample_begin(struct sample *sample, size_t capacity);
+
+/** Gives back its memory. */
+void redcc_sample_end(struct sample *sample);
+
+/** Takes a touch in. When full, every other item is dropped and half as many are kept from then
+ *  on, so that loops with thousands of touches an iteration are sampled evenly as well. */
+void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
+
+/** What follows belongs to the next iteration. */
+static inline void redcc_sample_next_iteration(struct sample *sample) {
+    sample->iterations++;
+}
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What one thread executes: chunks in order, each of runs of consecutive iterations. Before the
+ * first chunk of a stage, all threads of the team have finished the stages before it.
+ */
+#ifndef REDCC_SCHEDULE_H
+#define REDCC_SCHEDULE_H
+
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Runs run[run_begin] ... run[run_end - 1], relative to `origin`. */
+struct chunk {
+    redcc_int origin;
+    size_t run_begin;
+    size_t run_end;
+    uint32_t stage;
+};
+
+/** All zero is an empty one. */
+struct schedule {
+    struct chunk *chunk;
+    size_t chunk_count;
+    size_t chunk_capacity;
+    redcc_run *run;
+    size_t run_count;
+    size_t run_capacity;
+    redcc_int iterations; /* executed, guarded ones included */
+};
+
+/** The largest count of a run, and how far its begin may lie from the chunk's origin. */
+enum { REDCC_RUN_MOST = 1 << 30 };
+
+/** Appends iterations [begin, begin + count), count >= 0, in `stage` (not below the last one's);
+ *  what continues the last run lengthens it. False: no memory. */
+bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
+                        bool guarded);
+
+/** Appends all that `other` has, in stage `stage`. False: no memory. */
+bool redcc_schedule_append(struct schedule *schedule, const struct schedule *other, uint32_t stage);
+
+/** Gives back what is not used. */
+void redcc_schedule_trim(struct schedule *schedule);
+
+/** Gives back its memory. */
+void redcc_schedule_end(struct schedule *schedule);
+
+#endif

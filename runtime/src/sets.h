@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Sets of owners, each kept once and called by a number: 0 is the empty set, 1 + o the set {o},
+ * larger ones follow in the order in which they were met.
+ */
+#ifndef REDCC_SETS_H
+#define REDCC_SETS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct sets {
+    uint32_t owners;
+    uint32_t count;    /* of sets */
+    uint32_t capacity; /* of sets */
+    size_t *start; /* [capacity + 1] members of set s: member[start[s]] .. member[start[s + 1]] */
+    uint32_t *member; /* ascending within a set */
+    size_t member_capacity;
+    uint32_t *slot; /* [slots] open-addressing hash table of set numbers; 0: free */
+    uint32_t slots; /* a power of two */
+};
+
+/** Begins with the empty set and those of one owner. False: no memory (end it all the same). */
+bool redcc_sets_begin(struct sets *sets, uint32_t owners);
+
+/** Gives back its memory. */
+void redcc_sets_end(struct sets *sets);
+
+/** The number of the set of `count` >= 2 owners, ascending. False: no memory. */
+bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set);
+
+static inline uint32_t redcc_set_size(const struct sets *sets, uint32_t set) {
+    return (uint32_t)(sets->start[set + 1] - sets->start[set]);
+}
+
+static inline uint32_t redcc_set_minimum(const struct sets *sets, uint32_t set) {
+    return sets->member[sets->start[set]];
+}
+
+static inline uint32_t redcc_set_maximum(const struct sets *sets, uint32_t set) {
+    return sets->member[sets->start[set + 1] - 1];
+}
+
+#endif

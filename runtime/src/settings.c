@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "settings.h"
+
+#include "memory.h"
+#include "report.h"
+
+#include <errno.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct settings settings;
+
+void redcc_stop(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    fflush(stdout);
+    fputs("redcc: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    exit(2);
+}
+
+static const char *const order_names[] = {"serial", "fixed", "any"};
+
+const char *redcc_order_name(redcc_order order) {
+    return order_names[order];
+}
+
+/* How many letters to insert, remove or change to make one word of the other (Levenshtein). */
+static size_t distance(const char *a, const char *b) {
+    enum { LONGEST = 64 };
+    size_t row[LONGEST + 1];
+    const size_t width = strnlen(b, LONGEST);
+    for (size_t j = 0; j <= width; j++)
+        row[j] = j;
+    for (size_t i = 1; i <= LONGEST && a[i - 1]; i++) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= width; j++) {
+            const size_t changed = diagonal + (a[i - 1] != b[j - 1]);
+            const size_t shorter = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            diagonal = row[j];
+            row[j] = changed < shorter ? changed : shorter;
+        }
+    }
+    return row[width];
+}
+
+/* Appends to a text of at most `size` bytes; what does not fit is left out. */
+static void append(char *text, size_t size, const char *more) {
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s", more);
+}
+
+static _Noreturn void stop_at_unknown(const char *variable, const char *value,
+                                      const char *const *names, size_t count) {
+    char known[512] = "";
+    const char *nearest = names[0];
+    for (size_t i = 0; i < count; i++) {
+        append(known, sizeof known, i ? " " : "");
+        append(known, sizeof known, names[i]);
+        if (distance(value, names[i]) < distance(value, nearest))
+            nearest = names[i];
+    }
+    redcc_stop("%s=%s is not known; did you mean %s? Known are: %s", variable, value, nearest,
+               known);
+}
+
+static _Noreturn void stop_at_unknown_method(const char *value) {
+    enum { MOST = 32, LONGEST = 64 };
+    static char spelled[MOST][LONGEST];
+    const char *names[MOST] = {"auto"};
+    size_t count = 1;
+    for (const struct method *const *method = redcc_methods; *method && count < MOST; method++) {
+        const char *parameter = (*method)->parameter;
+        snprintf(spelled[count], LONGEST, parameter ? "%s[:%s]" : "%s", (*method)->name, parameter);
+        names[count] = spelled[count];
+        count++;
+    }
+    stop_at_unknown("REDCC_METHOD", value, names, count);
+}
+
+static void read_method(const char *value) {
+    if (!value || !*value || strcmp(value, "auto") == 0)
+        return;
+    const size_t length = strcspn(value, ":");
+    for (const struct method *const *each = redcc_methods; *each; each++) {
+        const struct method *method = *each;
+        if (strlen(method->name) != length || strncmp(method->name, value, length) != 0)
+            continue;
+        settings.method = method;
+        settings.parameter = method->usual;
+        if (value[length] == ':') {
+            settings.parameter = method->parse ? method->parse(value + length + 1) : 0;
+            if (!settings.parameter)
+                stop_at_unknown_method(value);
+        }
+        return;
+    }
+    stop_at_unknown_method(value);
+}
+
+static void read_order(const char *value) {
+    if (!value || !*value)
+        return;
+    for (int order = 0; order <= REDCC_ORDER_ANY; order++)
+        if (strcmp(value, order_names[order]) == 0) {
+            settings.order_given = true;
+            settings.order = (redcc_order)order;
+            return;
+        }
+    stop_at_unknown("REDCC_ORDER", value, order_names, 3);
+}
+
+bool redcc_parse_bytes(const char *text, size_t *bytes) {
+    if (*text < '0' || *text > '9')
+        return false;
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    if (errno)
+        return false;
+    static const char units[] = "KMG";
+    const char *unit = *end ? strchr(units, *end) : NULL;
+    if (*end && (!unit || end[1]))
+        return false;
+    const int shift = unit ? 10 * (int)(unit - units + 1) : 0;
+    if (value > (SIZE_MAX >> shift))
+        return false;
+    *bytes = (size_t)value << shift;
+    return true;
+}
+
+static void read_memory_limit(const char *value) {
+    if (!value || !*value)
+        return;
+    if (!redcc_parse_bytes(value, &settings.memory_limit))
+        redcc_stop("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
+    if (settings.memory_limit == 0)
+        settings.memory_limit = 1; /* nothing at all, not: no limit */
+    redcc_memory_limit(settings.memory_limit);
+}
+
+static void read_environment(void) {
+    read_method(getenv("REDCC_METHOD"));
+    read_order(getenv("REDCC_ORDER"));
+    read_memory_limit(getenv("REDCC_MEMORY_LIMIT"));
+    const char *report = getenv("REDCC_REPORT");
+    if (report && *report && (settings.report = strdup(report)) != NULL)
+        atexit(redcc_report_write);
+}
+
+const struct settings *redcc_settings(void) {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, read_environment);
+    return &settings;
+}

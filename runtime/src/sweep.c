@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "sweep.h"
+
+#include "memory.h"
+
+bool redcc_sweep_begin(struct sweep *sweep, const struct partition *partition, struct range *seen) {
+    const uint32_t owners = partition->owners;
+    *sweep = (struct sweep){.partition = partition, .seen = seen};
+    sweep->window = redcc_memory_take_zeroed(partition->array_count, sizeof *sweep->window);
+    sweep->stamp = redcc_memory_take_zeroed(owners, sizeof *sweep->stamp);
+    sweep->list = redcc_memory_take(owners * sizeof *sweep->list);
+    return redcc_summary_begin(&sweep->summary, owners) && sweep->window && sweep->stamp &&
+           sweep->list;
+}
+
+void redcc_sweep_end(struct sweep *sweep) {
+    redcc_summary_end(&sweep->summary);
+    redcc_memory_give(sweep->window);
+    redcc_memory_give(sweep->stamp);
+    redcc_memory_give(sweep->list);
+    *sweep = (struct sweep){0};
+}
+
+static void look_at_owner(struct sweep *sweep, uint32_t owner) {
+    const struct partition *partition = sweep->partition;
+    sweep->current = owner;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        if (!redcc_leads_group(partition, group))
+            continue;
+        const uintptr_t *cut = redcc_cuts(partition, group);
+        const struct range seen = sweep->seen[group];
+        const uintptr_t first = cut[owner] > seen.first ? cut[owner] : seen.first;
+        const uintptr_t end = cut[owner + 1] < seen.end ? cut[owner + 1] : seen.end;
+        sweep->window[group].first = (const char *)first;
+        sweep->window[group].size = end > first ? end - first : 0;
+    }
+}
+
+static void list_owner(struct sweep *sweep, uint32_t owner) {
+    if (sweep->stamp[owner] == sweep->iteration)
+        return;
+    sweep->stamp[owner] = sweep->iteration;
+    sweep->list[sweep->listed++] = owner;
+}
+
+/* A touch outside the window: of another owner, of several, or wider than what was seen. */
+static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
+    const struct range touch = {address, address + bytes};
+    sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);
+    const uint32_t first = redcc_owner_of(sweep->partition, group, address);
+    const uint32_t last = redcc_owner_of(sweep->partition, group, address + bytes - 1);
+    if (first == last && (!sweep->touched || (!sweep->mixed && first == sweep->current))) {
+        sweep->touched = true;
+        look_at_owner(sweep, first);
+        return;
+    }
+    if (!sweep->mixed) {
+        sweep->mixed = true;
+        sweep->listed = 0;
+        sweep->iteration++;
+        if (sweep->touched)
+            list_owner(sweep, sweep->current);
+    }
+    for (uint32_t owner = first; owner <= last; owner++)
+        list_owner(sweep, owner);
+    sweep->touched = true;
+    look_at_owner(sweep, last);
+}
+
+static void sort_few(uint32_t *list, uint32_t count) {
+    for (uint32_t i = 1; i < count; i++) {
+        const uint32_t owner = list[i];
+        uint32_t place = i;
+        for (; place > 0 && list[place - 1] > owner; place--)
+            list[place] = list[place - 1];
+        list[place] = owner;
+    }
+}
+
+static void sort_list(struct sweep *sweep) {
+    if (sweep->listed <= 16) {
+        sort_few(sweep->list, sweep->listed);
+        return;
+    }
+    uint32_t count = 0; /* many of them: all owners in turn, those stamped are listed */
+    for (uint32_t owner = 0; owner < sweep->partition->owners; owner++)
+        if (sweep->stamp[owner] == sweep->iteration)
+            sweep->list[count++] = owner;
+}
+
+static void add_last_set(struct sweep *sweep) {
+    if (sweep->in_last_set > 0 &&
+        !redcc_summary_add(&sweep->summary, sweep->last_set, sweep->in_last_set))
+        sweep->failed = true;
+    sweep->in_last_set = 0;
+}
+
+static void end_iteration(struct sweep *sweep) {
+    uint32_t set = sweep->touched ? 1 + sweep->current : 0;
+    if (sweep->mixed) {
+        sort_list(sweep);
+        if (!redcc_sets_intern(&sweep->summary.sets, sweep->list, sweep->listed, &set))
+            sweep->failed = true;
+    }
+    if (set != sweep->last_set) {
+        add_last_set(sweep);
+        sweep->last_set = set;
+    }
+    sweep->in_last_set++;
+    sweep->done++;
+    sweep->touched = sweep->mixed = false;
+}
+
+void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
+    sweep->done = sweep->in_last_set = 0;
+    sweep->touched = sweep->mixed = false;
+    look_at_owner(sweep, sweep->current);
+    if (!redcc_summary_open_block(&sweep->summary, origin))
+        sweep->failed = true;
+}
+
+void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
+    if (sweep->failed)
+        return;
+    const uint32_t *group_of = sweep->partition->group_of;
+    for (const redcc_entry *entry = first; entry != end; entry++) {
+        if (entry->array == REDCC_END_OF_ITERATION) {
+            end_iteration(sweep);
+            continue;
+        }
+        const uint32_t group = group_of[entry->array];
+        const redcc_owner window = sweep->window[group];
+        const redcc_size into = (uintptr_t)entry->address - (uintptr_t)window.first;
+        if (into < window.size && entry->bytes <= window.size - into && entry->bytes)
+            sweep->touched = true;
+        else if (entry->bytes)
+            take_stray(sweep, group, (uintptr_t)entry->address, entry->bytes);
+    }
+}
+
+bool redcc_sweep_close_block(struct sweep *sweep, redcc_int expected) {
+    if (!sweep->failed)
+        add_last_set(sweep);
+    return !sweep->failed && sweep->done == expected && !sweep->touched;
+}
+
+void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed) {
+    const struct summary *summary = &sweep->summary;
+    const struct sets *sets = &summary->sets;
+    for (size_t b = 0; b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; s < block->span_end; s++) {
+            const uint32_t set = summary->span[s].set;
+            const redcc_int count = redcc_span_count(summary, block, s);
+            for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
+                executed[sets->member[m]] += count;
+        }
+    }
+}
