@@ -26,9 +26,12 @@ static int read_cases(void **context) {
         return 1;
     }
     unit = ir_read(memory, text->text, text->length, &message);
-    if (unit == NULL)
+    if (unit == NULL) {
         print_error("%s: %s\n", MUST_WRITE_CASES, message);
-    return unit == NULL;
+        return 1;
+    }
+    unit->source = source_read(memory, MUST_WRITE_SOURCE, &message);
+    return unit->source == NULL;
 }
 
 static int free_cases(void **context) {

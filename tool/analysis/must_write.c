@@ -48,6 +48,8 @@ static const char *find_unfit(const ir_variable *variable) {
         return "it is not a local variable";
     if (variable->function == NULL || variable->function->body == NULL)
         return "its function is not known";
+    if (variable->storage == IR_PARAMETER && variable->type->kind == IR_ARRAY)
+        return "it is the caller's array";
     if (variable->type->size <= 0)
         return "its size is not constant";
     if (variable->type->size > MOST_BYTES)
