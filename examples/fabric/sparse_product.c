@@ -19,14 +19,16 @@ void half_product(const block_matrix *restrict A, const double (*restrict x)[3],
         y1 = A->value[k][1][0] * x0 + A->value[k][1][1] * x1 + A->value[k][1][2] * x2;
         y2 = A->value[k][2][0] * x0 + A->value[k][2][1] * x1 + A->value[k][2][2] * x2;
         for (k = A->row_start[i] + 1; k < A->row_start[i + 1]; k++) {
-            const double(*a)[3] = A->value[k];
             j = A->column[k];
-            y0 += a[0][0] * x[j][0] + a[0][1] * x[j][1] + a[0][2] * x[j][2];
-            y1 += a[1][0] * x[j][0] + a[1][1] * x[j][1] + a[1][2] * x[j][2];
-            y2 += a[2][0] * x[j][0] + a[2][1] * x[j][1] + a[2][2] * x[j][2];
-            y[j][0] += a[0][0] * x0 + a[1][0] * x1 + a[2][0] * x2;
-            y[j][1] += a[0][1] * x0 + a[1][1] * x1 + a[2][1] * x2;
-            y[j][2] += a[0][2] * x0 + a[1][2] * x1 + a[2][2] * x2;
+            y0 += A->value[k][0][0] * x[j][0] + A->value[k][0][1] * x[j][1] +
+                  A->value[k][0][2] * x[j][2];
+            y1 += A->value[k][1][0] * x[j][0] + A->value[k][1][1] * x[j][1] +
+                  A->value[k][1][2] * x[j][2];
+            y2 += A->value[k][2][0] * x[j][0] + A->value[k][2][1] * x[j][1] +
+                  A->value[k][2][2] * x[j][2];
+            y[j][0] += A->value[k][0][0] * x0 + A->value[k][1][0] * x1 + A->value[k][2][0] * x2;
+            y[j][1] += A->value[k][0][1] * x0 + A->value[k][1][1] * x1 + A->value[k][2][1] * x2;
+            y[j][2] += A->value[k][0][2] * x0 + A->value[k][1][2] * x1 + A->value[k][2][2] * x2;
         }
         y[i][0] += y0;
         y[i][1] += y1;

@@ -14,7 +14,8 @@ static const double collapsed = 1e-8;
  * gradient = h dE/dw; hessian = h^2 d2E/dw2 + h kd a n n'.
  */
 static inline void stretch_terms(const double w[3], int axis, double area, double stiffness,
-                          double damping, double h, double gradient[3], double hessian[3][3]) {
+                                 double damping, double h, double gradient[3],
+                                 double hessian[3][3]) {
     const double length = vector_length(w);
     const int usable = length > collapsed;
     const double inverse = usable ? 1 / length : 0;
