@@ -2,7 +2,7 @@
 /* Air drag and wind (see drag.h for the force). */
 #include "drag.h"
 
-#include "../vector.h"
+#include "vector.h"
 
 /*
  * With the edges' cross product 2 a n: d = h drag (a / 3) n n' is the triangle's part of each of

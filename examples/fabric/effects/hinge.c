@@ -2,7 +2,7 @@
 /* Bending: the force and its derivatives (see hinge.h for the energy). */
 #include "hinge.h"
 
-#include "../vector.h"
+#include "vector.h"
 
 /* A wing lower than this part of the edge counts as this high: gradients grow as 1/height. */
 static const double lowest_wing = 1e-3;

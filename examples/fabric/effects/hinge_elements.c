@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "../vector.h"
+#include "vector.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -2,7 +2,7 @@
 /* Stretch and shear: the forces and their derivatives (see triangle.h for the energies). */
 #include "triangle.h"
 
-#include "../vector.h"
+#include "vector.h"
 
 /* Below this |w| a direction is not to be had from w: the triangle has collapsed. */
 static const double collapsed = 1e-8;

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "../vector.h"
+#include "vector.h"
 
 static void sort_three(const int in[3], int out[3]) {
     const int low = in[0] < in[1] ? in[0] : in[1];
