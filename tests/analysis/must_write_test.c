@@ -181,6 +181,10 @@ static void test_parameters(void **context) {
     effect = effect_of(prover, "fill_if", 1);
     assert_true(effect.is_known && effect.may_write && !effect.writes_all && !effect.may_read);
     assert_false(effect_of(prover, "fill_n", 2).is_known); /* any length */
+    assert_false(effect_of(prover, "fill_n", 2).keeps_address);
+    assert_false(effect_of(prover, "fill_rows", 0).keeps_address);
+    assert_true(effect_of(prover, "hide", 0).keeps_address);
+    assert_true(effect_of(prover, "second", 0).keeps_address);
     assert_false(effect_of(prover, "hide", 0).is_known);   /* keeps it */
     assert_false(effect_of(prover, "deep", 1).is_known);   /* calls itself */
     assert_false(effect_of(prover, "second", 0).is_known); /* gives it back */

@@ -300,12 +300,22 @@ private_result must_write_check(must_write *prover, const ir_node *body,
     return result;
 }
 
+/* Wherever in whatever object the pointer points: accesses do not matter, only where it goes. */
+static bool keeps_address(must_write *prover, const ir_function *function, unsigned index) {
+    value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count);
+    arguments[index] = (value){VALUE_POINTER, false, 0};
+    const call_summary *summary =
+        summarise_call(prover, function, 1, false, function->parameter_count, arguments, 0);
+    return summary->unknown != NULL || summary->result.kind == VALUE_POINTER;
+}
+
 parameter_effect must_write_parameter(must_write *prover, const ir_function *function,
                                       unsigned index) {
-    parameter_effect effect = {.is_known = false};
+    parameter_effect effect = {.keeps_address = true, .is_known = false};
     if (index >= function->parameter_count || function->body == NULL)
         return effect;
     begin_query(prover);
+    effect.keeps_address = keeps_address(prover, function, index);
     value *arguments = ARENA_ARRAY(prover->scratch, value, function->parameter_count + 1);
     arguments[index] = (value){VALUE_POINTER, true, 0};
     const call_summary *summary = summarise_call(prover, function, PARAMETER_WINDOW, true,

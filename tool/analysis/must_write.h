@@ -51,10 +51,11 @@ private_result must_write_check(must_write *prover, const ir_node *body,
 
 /** What a call does with the memory its pointer parameter points to, whatever the object is. */
 typedef struct parameter_effect {
-    bool is_known; /* the address is not kept, and all accesses lie in [0, end) from it; if
-                      false, nothing below may be used */
-    int64_t end;   /* bytes from the pointer on that a call may read or write */
-    bool may_read; /* reads bytes that the call itself has not written before */
+    bool keeps_address; /* may store the address, hand it back, or pass it to what is not known */
+    bool is_known;      /* the address is not kept, and all accesses lie in [0, end) from it; if
+                           false, nothing below may be used */
+    int64_t end;        /* bytes from the pointer on that a call may read or write */
+    bool may_read;      /* reads bytes that the call itself has not written before */
     bool may_write;
     bool writes_all; /* [0, end) is definitely written when the call returns */
 } parameter_effect;
