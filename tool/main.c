@@ -147,9 +147,17 @@ static outcome translate(arena *a, const options *o, const source *file, const s
     return (outcome){.transformed = written.loop_count};
 }
 
+/** Standard input gets the name that compilers give it: no file can be called so by accident. */
+static const source *read_input(arena *a, const char *path, const char **wrong) {
+    const source *file = source_read(a, path, wrong);
+    if (!file || strcmp(path, "-") != 0)
+        return file;
+    return source_from_text(a, "<stdin>", file->text, file->length);
+}
+
 static outcome process(arena *a, const options *o, const char *path) {
     const char *wrong = NULL;
-    const source *file = source_read(a, path, &wrong);
+    const source *file = read_input(a, path, &wrong);
     if (!file)
         return fail(NULL, wrong);
     string_list flags = {0};
@@ -159,7 +167,7 @@ static outcome process(arena *a, const options *o, const char *path) {
     const frontend_result parsed = parse(a, file, &flags);
     if (has_errors(&parsed)) {
         show_errors(&parsed);
-        return fail(path, "cannot be parsed; nothing was written");
+        return fail(file->path, "cannot be parsed; nothing was written");
     }
     if (o->dump_ir)
         dump(parsed.unit);

@@ -1,7 +1,7 @@
 /* How loops stand in their surroundings. */
 int forms(int n, const int *restrict k, double *restrict h, float *restrict g);
 int forms(int n, const int *restrict k, double *restrict h, float *restrict g) {
-    int t, last, before = 1; for (t = 0; t < n; t++) { h[k[t]] += 1.0; } int after = 2; /* one line */
+    int t, half, before = 1; for (t = 0; t < n; t++) { h[k[t]] += 1.0; } int after = 2; /* one line */
     if (n > 10)
         for (int u = 0; u < n; u++) h[k[u]] += 0.5; /* comment */ else {
         before++;
@@ -12,11 +12,11 @@ int forms(int n, const int *restrict k, double *restrict h, float *restrict g) {
             {
                 if (k[t] < 3)
                     continue;
+                half = k[t] / 2;
                 if (t % 2)
-                    h[k[t]] -= 2.0;
+                    h[half] -= 2.0;
                 else
                     h[k[t]] += 4.0;
-                last = t;
             } // the end
         }
     }
@@ -31,12 +31,19 @@ int forms(int n, const int *restrict k, double *restrict h, float *restrict g) {
             h[k[c]]++;
         break;
     default:
-    here:
         for (t = 1; t <= n; ++t)
             ++h[k[t - 1] + 1];
     }
-    last = 0;
-    if (n < 0)
-        goto here;
-    return before + after + t + last;
+    return before + after + t;
+}
+
+int labelled(int n, const int *restrict k, int *restrict h);
+int labelled(int n, const int *restrict k, int *restrict h) {
+    int rounds = 0;
+again:
+    for (int t = 0; t < n; t++)
+        h[k[t]] ^= t;
+    if (++rounds < 3)
+        goto again;
+    return rounds;
 }

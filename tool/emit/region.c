@@ -122,7 +122,7 @@ static void write_inspector(loop_text *loop, writer *out) {
 static void declare_chunk(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->array_count; i++) {
         const array_text *array = &loop->arrays[i];
-        writer_line(out, "__typeof__(&(%s)[0]) const %s = redcc__worker.base[%u];", array->base,
+        writer_line(out, "__typeof__(&%s[0]) const %s = redcc__worker.base[%u];", array->base,
                     array->local, i);
         writer_line(out, "const redcc_owner %s = redcc__worker.owner[%u];", array->owner, i);
     }

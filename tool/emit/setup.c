@@ -44,7 +44,7 @@ static void name_arrays(loop_text *loop) {
                 break;
             }
         array_text *text = &arrays[i];
-        text->base = loop_expression(loop, base);
+        text->base = loop_operand(loop, base);
         text->is_shadowed = can_be_shadowed(facts, base);
         text->local = text->is_shadowed ? base->variable->name
                                         : arena_format(loop->arena, "redcc__to_%s", name);

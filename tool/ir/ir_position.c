@@ -45,8 +45,7 @@ static bool read_line_directive(arena *a, const char *text, line_directive *resu
 
 ir_position ir_position_of(const ir_unit *unit, uint32_t offset) {
     const position at = source_position(unit->source, offset);
-    const char *path = unit->source->path;
-    ir_position result = {strcmp(path, "-") == 0 ? "<stdin>" : path, at.line, at.column};
+    ir_position result = {unit->source->path, at.line, at.column};
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *directive = &unit->directives[i];
         line_directive said;

@@ -6,7 +6,7 @@
 #include "ir/ir.h"
 
 typedef struct ir_position {
-    const char *file; /* "<stdin>" for standard input */
+    const char *file;
     unsigned line;    /* from 1 */
     unsigned column;  /* from 1, in bytes */
 } ir_position;

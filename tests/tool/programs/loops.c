@@ -118,9 +118,14 @@ int main(void) {
     grid.cell = cells;
     grid.row = rows;
     for (round = 0; round < 3; round++) {
-        printf("%d %ld %lu %d %g\n", plain(SIZE), stepping(SIZE - 1, 7),
-               (unsigned long)inclusive(SIZE - 1), loop_while(SIZE), last_values(&grid, SIZE - round));
-        printf("%d %d %d\n", surroundings(SIZE, 0), surroundings(SIZE, 1), surroundings(0, 1));
+        printf("%d\n", plain(SIZE));
+        printf("%ld\n", stepping(SIZE - 1, 7));
+        printf("%lu\n", (unsigned long)inclusive(SIZE - 1));
+        printf("%d\n", loop_while(SIZE));
+        printf("%.17g\n", last_values(&grid, SIZE - round));
+        printf("%d\n", surroundings(SIZE, 0));
+        printf("%d\n", surroundings(SIZE, 1));
+        printf("%d\n", surroundings(0, 1));
         macros(&grid, SIZE);
     }
     show("h", h, sizeof h);
