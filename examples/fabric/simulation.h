@@ -24,13 +24,15 @@ typedef struct simulation simulation;
 simulation *simulation_new(const mesh *m, const scene *s, char *error);
 void simulation_free(simulation *sim);
 
-/* The four phases of a step, in this order (figure 2). */
+/* The four phases of a step, in this order (figure 2). updateSystem accepts the step, or rejects
+ * it: then positions and velocities stay, and the next round takes half of its length. */
 void evaluateForces(simulation *sim);
 void collisionDetection(simulation *sim);
 void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
-/** One step: the four phases, timed. 0, or -1 with a message: no finite state could be reached. */
+/** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
+ *  error[256]: no finite state could be reached. */
 int simulation_step(simulation *sim, char *error);
 
 /* What callers may look at; valid until simulation_free. */
@@ -40,8 +42,8 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-long simulation_iterations(const simulation *sim); /* of conjugate gradients, all */
-long simulation_steps_taken(const simulation *sim);
+long simulation_iterations(const simulation *sim);  /* of conjugate gradients, all */
+long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
 long simulation_steps_rejected(const simulation *sim);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
 

@@ -113,20 +113,19 @@ static int build(simulation *sim) {
 }
 
 simulation *simulation_new(const mesh *m, const scene *s, char *error) {
+    const char *reason = "out of memory";
     simulation *sim = calloc(1, sizeof *sim);
     if (sim) {
         sim->mesh = m;
         sim->scene = s;
-        if (build(sim) == 0 && isfinite(sim->strain))
-            return sim;
-        if (sim->strain != 0 && !isfinite(sim->strain)) {
-            snprintf(error, 256, "the mesh has a position that is not finite");
-            simulation_free(sim);
-            return NULL;
+        if (build(sim) == 0) {
+            if (isfinite(sim->strain))
+                return sim;
+            reason = "a position is not finite";
         }
     }
     simulation_free(sim);
-    snprintf(error, 256, "out of memory for a simulation of %d vertices", m->vertex_count);
+    snprintf(error, 256, "cannot simulate %d vertices: %s", m->vertex_count, reason);
     return NULL;
 }
 
