@@ -78,8 +78,6 @@ for compiler in cc clang clang-19; do
   command -v "$compiler" >/dev/null || continue
   for arguments in "-Iinc src/x.c" "-I. -Iinc here.c" "-Isrc -Iinc src/x.c" "-I$PWD/src -Iinc ./src/x.c" \
     "-Iinc ./here.c" "-Iinc -iquote src src/inner/../x.c" "-Iinc $PWD/src/x.c"; do
-    IFS='|' read -ra words <<<"${arguments// -I/|-I}"
-    words=()
     # the working folder has spaces in its name: words are parted by hand
     eval "words=(${arguments//$PWD/\"\$PWD\"})"
     $compiler "${words[@]}" -o p1 && ./p1 >expected || fail "$case_name: $compiler $arguments"

@@ -159,6 +159,15 @@ expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
 { echo '#include "has_omp.h"'; printf '%s' "$source_text"; } >x.c
 printf '#ifdef _OPENMP\n#define NOTHING\n#endif\n' >has_omp.h
 expect_untranslated
+headers=""
+for header in assert complex ctype errno fenv float inttypes iso646 limits locale math pthread setjmp \
+  signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings \
+  tgmath threads time uchar unistd wchar wctype sys/stat sys/types sys/time; do
+  headers+="#include <$header.h>"$'\n'
+done
+printf '%s%s' "$headers" "$source_text" >x.c
+"$redcc_cc" -v x.c -o p 2>messages || fail "$case_name: $(cat messages)"
+expect_equal "$case_name: the standard headers" "translated ran" "$(./p | paste -sd' ')"
 end
 
 begin "what the translator is told"

@@ -38,7 +38,7 @@ done
 end
 
 begin "every program says its version"
-for program in redcc; do "$prefix/bin/$program" --version >version || fail "$program"; done
+"$prefix/bin/redcc" --version >version || fail redcc
 "$prefix/bin/redcc-cc" --redcc-version >>version || fail redcc-cc
 expect_match version '[0-9]+\.[0-9]+\.[0-9]+'
 end
