@@ -40,13 +40,13 @@ typedef struct reason {
 typedef struct counted_loop {
     ir_variable *counter;
     bool counter_is_declared_in_header;
-    const ir_node *lower;    /* expression; NULL: the counter's value on entry (while loops) */
-    const ir_node *bound;    /* loop-invariant expression */
-    ir_operator comparison;  /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
-                                as counter <comparison> bound */
-    int64_t step;            /* non-zero constant; sign agrees with comparison */
-    const ir_node *body;     /* executed each iteration; for a while, the increment is its last
-                                statement, `increment`, and not part of the copy */
+    const ir_node *lower;   /* expression; NULL: the counter's value on entry (while loops) */
+    const ir_node *bound;   /* loop-invariant expression */
+    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
+                               as counter <comparison> bound */
+    int64_t step;           /* non-zero constant; sign agrees with comparison */
+    const ir_node *body;    /* executed each iteration; for a while, the increment is its last
+                               statement, `increment`, and not part of the copy */
     const ir_node *increment;
 } counted_loop;
 
@@ -65,19 +65,21 @@ typedef enum reduction_operator {
 const char *reduction_operator_spelling(reduction_operator op); /* as the JSON report wants it */
 
 typedef struct reduction_array {
-    const ir_node *base;     /* loop-invariant lvalue: `b`, `s->b`; array or pointer type */
-    const char *name;        /* its text */
-    const ir_type *element;  /* scalar */
+    const ir_node *base;    /* loop-invariant lvalue: `b`, `s->b`; array or pointer type */
+    const char *name;       /* its text */
+    const ir_type *element; /* scalar */
     reduction_operator op;
-    int64_t unit;            /* bytes of its largest row (update.row) */
+    int64_t unit;        /* bytes of its largest row (update.row) */
+    bool is_interleaved; /* other things than these elements lie between them, or are read through
+                            base: no private copies can be made (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;
 
 typedef struct reduction_update {
     const ir_node *statement; /* IR_EXPRESSION (or IR_IF of min/max): what the guarded form wraps */
     const ir_node *target;    /* the lvalue updated: b[i][c] */
-    const ir_node *row;       /* the part of it whose address is told to the inspector: b[i] where all
-                                 that follows is proved to stay inside the row; else target itself */
-    unsigned array;           /* index into arrays */
+    const ir_node *row; /* the part of it whose address is told to the inspector: b[i] where all
+                           that follows is proved to stay inside the row; else target itself */
+    unsigned array;     /* index into arrays */
 } reduction_update;
 
 /* ---- what else the loop touches ------------------------------------------------------------ */
@@ -91,9 +93,9 @@ typedef enum source_extent {
 
 /** Something read that may overlap a reduction array, or decides its subscripts. */
 typedef struct loop_source {
-    const char *name;     /* "x", "s->x" */
-    const ir_node *base;  /* loop-invariant: the pointer or array that the address moves with */
-    const ir_node *row;   /* lvalue in the caller's terms (callees' parameters substituted) */
+    const char *name;    /* "x", "s->x" */
+    const ir_node *base; /* loop-invariant: the pointer or array that the address moves with */
+    const ir_node *row;  /* lvalue in the caller's terms (callees' parameters substituted) */
     source_extent extent;
     const ir_node *place; /* EXTENT_TOUCHED: the node of the loop (statement) before which the
                              inspector can compute &row; it and what it needs are in the slice */
@@ -127,21 +129,25 @@ typedef struct loop_facts {
      * between. Control that only decides whether an update happens, and is too dear or not safe to
      * evaluate twice, is left out: the inspector may then touch more than is written. */
     const bool *in_slice;
-    bool has_inspector;  /* false: subscripts as dear as the body, or not sliceable */
-    bool is_verifiable;  /* a plan may be kept while the sources marked is_subscript, the key and the
-                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
-    unsigned key_count;  /* scalars and pointers (invariant expressions) the slice depends on */
+    bool has_inspector; /* false: subscripts as dear as the body, or not sliceable */
+    bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
+                           trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
     const ir_node *const *key;
 } loop_facts;
 
-typedef enum verdict_kind { VERDICT_TRANSFORM, VERDICT_REFUSE, VERDICT_NOT_A_REDUCTION } verdict_kind;
+typedef enum verdict_kind {
+    VERDICT_TRANSFORM,
+    VERDICT_REFUSE,
+    VERDICT_NOT_A_REDUCTION
+} verdict_kind;
 
 typedef struct loop_verdict {
     verdict_kind kind;
     const ir_node *loop; /* that is reported: outermost judged as one, or innermost where refused */
     const ir_function *function;
-    reason why;          /* refusals */
-    loop_facts *facts;   /* arrays as far as known also for refusals; complete for TRANSFORM */
+    reason why;        /* refusals */
+    loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
 
 typedef struct analysis_options {

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "expectation.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/buffer.h"
+
+const char *expectation_describe(arena *a, const loop_verdict *verdict) {
+    buffer out = {0};
+    const loop_facts *facts = verdict->facts;
+    if (verdict->kind == VERDICT_NOT_A_REDUCTION) {
+        buffer_text(&out, "not-a-reduction");
+    } else if (verdict->kind == VERDICT_REFUSE) {
+        buffer_format(&out, "refuse %s", reason_slug(verdict->why.id));
+    } else {
+        unsigned guards = 0;
+        unsigned outside = 0;
+        buffer_text(&out, "transform");
+        for (unsigned i = 0; i < facts->array_count; i++)
+            buffer_format(&out, " %s(%s)", facts->arrays[i].name,
+                          reduction_operator_spelling(facts->arrays[i].op));
+        for (unsigned i = 0; i < facts->source_count; i++)
+            guards += facts->sources[i].needs_guard;
+        for (unsigned i = 0; i < facts->private_count; i++)
+            outside += !facts->privates[i].is_declared_inside;
+        buffer_format(&out, " guards=%u %s privates=%u", guards,
+                      facts->is_verifiable ? "verifiable" : "not-verifiable", outside);
+        for (unsigned i = 0; i < facts->private_count; i++)
+            if (facts->privates[i].is_live_after)
+                buffer_format(&out, " last=%s", facts->privates[i].variable->name);
+        if (facts->counter_is_live_after)
+            buffer_text(&out, " counter-live");
+        for (unsigned i = 0; i < facts->array_count; i++)
+            if (facts->arrays[i].is_interleaved)
+                buffer_format(&out, " interleaved=%s", facts->arrays[i].name);
+    }
+    const char *text = arena_copy(a, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+/* ---- comments -----------------------------------------------------------------------------------
+ */
+
+static const char *line_of(arena *a, const source *s, unsigned line) {
+    uint32_t begin = s->line_begin[line - 1];
+    uint32_t end = line < s->line_count ? s->line_begin[line] : s->length;
+    while (end > begin && (s->text[end - 1] == '\n' || s->text[end - 1] == '\r'))
+        end--;
+    return arena_copy(a, s->text + begin, end - begin);
+}
+
+static const char *expected_on(arena *a, const source *s, unsigned line) {
+    static const char mark[] = "// EXPECT: ";
+    const char *text = line_of(a, s, line);
+    const char *found = strstr(text, mark);
+    return found ? found + strlen(mark) : NULL;
+}
+
+analysis_options expectation_options(arena *a, const source *s) {
+    analysis_options options = {0};
+    const char **names = ARENA_ARRAY(a, const char *, 16);
+    const char *pure = strstr(s->text, "// PURE: ");
+    if (pure) {
+        char *list = arena_copy(a, pure + 9, strcspn(pure + 9, "\n"));
+        for (char *name = strtok(list, ", "); name && options.pure_count < 16;
+             name = strtok(NULL, ", "))
+            names[options.pure_count++] = name;
+        options.pure = names;
+    }
+    options.assume_noalias = strstr(s->text, "// NOALIAS") != NULL;
+    return options;
+}
+
+/* ---- comparing ----------------------------------------------------------------------------------
+ */
+
+/* Is each word of `expected` a word of `text`, and are all arrays expected? */
+static int words_agree(arena *a, const char *expected, const char *text) {
+    char *words = arena_string(a, expected);
+    const char *padded = arena_format(a, " %s ", text);
+    for (char *word = strtok(words, " "); word; word = strtok(NULL, " "))
+        if (!strstr(padded, arena_format(a, " %s ", word)))
+            return 0;
+    unsigned expected_arrays = 0, arrays = 0;
+    for (const char *c = expected; *c; c++)
+        expected_arrays += *c == '(';
+    for (const char *c = text; *c; c++)
+        arrays += *c == '(';
+    return expected_arrays == arrays;
+}
+
+unsigned expectation_check(arena *a, const ir_unit *unit, const analysis_result *result) {
+    const source *s = unit->source;
+    unsigned differences = 0;
+    bool *seen = ARENA_ARRAY(a, bool, s->line_count + 2);
+    for (unsigned i = 0; i < result->verdict_count; i++) {
+        const loop_verdict *verdict = &result->verdicts[i];
+        unsigned line = source_position(s, verdict->loop->range.begin).line;
+        const char *text = expectation_describe(a, verdict);
+        const char *expected = expected_on(a, s, line);
+        seen[line] = true;
+        if (expected && words_agree(a, expected, text))
+            continue;
+        differences++;
+        fprintf(stderr, "%s:%u: expected '%s'\n    but it is '%s'%s%s\n", s->path, line,
+                expected ? expected : "nothing", text, verdict->why.message ? ": " : "",
+                verdict->why.message ? verdict->why.message : "");
+    }
+    for (unsigned line = 1; line <= s->line_count; line++) {
+        const char *expected = expected_on(a, s, line);
+        if (!expected || seen[line])
+            continue;
+        differences++;
+        fprintf(stderr, "%s:%u: expected '%s' but there is no verdict\n", s->path, line, expected);
+    }
+    return differences;
+}

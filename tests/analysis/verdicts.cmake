@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+add_library(analysis_expectation STATIC ${CMAKE_CURRENT_LIST_DIR}/expectation.c)
+target_link_libraries(analysis_expectation PUBLIC redcc_analysis PRIVATE redcc_warnings)
+target_include_directories(analysis_expectation PUBLIC ${CMAKE_CURRENT_LIST_DIR})
+
+if(TARGET redcc_frontend)
+  add_executable(analysis_cases_test ${CMAKE_CURRENT_LIST_DIR}/cases_test.c)
+  target_link_libraries(analysis_cases_test
+    PRIVATE redcc_warnings analysis_expectation redcc_frontend)
+  file(GLOB cases CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/cases/*.c)
+  foreach(case ${cases})
+    get_filename_component(name ${case} NAME_WE)
+    add_test(NAME analysis.cases.${name} COMMAND analysis_cases_test ${case})
+  endforeach()
+endif()

@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* One summary a function, bottom-up: what it accesses that is not its own. */
+#include <string.h>
+
+#include "analysis/access.h"
+#include "analysis/access_walk.h"
+#include "analysis/alias.h"
+#include "analysis/counted.h"
+#include "analysis/expression.h"
+#include "analysis/library.h"
+
+typedef struct summary {
+    enum { SUMMARY_NONE, SUMMARY_IN_PROGRESS, SUMMARY_DONE } state;
+    access_list list;
+} summary;
+
+struct effects {
+    arena *memory;
+    const ir_unit *unit;
+    const analysis_options *options;
+    variable_facts *facts;
+    summary *summaries; /* by function id */
+};
+
+enum { SUMMARY_LIMIT = 4000 }; /* accesses; larger functions are not followed */
+
+effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
+                     variable_facts *facts) {
+    effects *all = ARENA_NEW(a, effects);
+    unsigned highest = 0;
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->id > highest)
+            highest = unit->functions[i]->id;
+    *all = (effects){a, unit, options, facts, ARENA_ARRAY(a, summary, highest + 1)};
+    return all;
+}
+
+/* ---- an lvalue of a function's text in terms of its parameters ------------------------------- */
+
+typedef struct rewriting {
+    effects *all;
+    const ir_function *function;
+    const access_list *raw;
+    bool is_exact;
+    unsigned depth;
+} rewriting;
+
+static ir_node *unknown_part(rewriting *r, const ir_node *node) {
+    ir_node *unknown = ir_new(r->all->memory, IR_OPAQUE, node->type, 0);
+    unknown->text = "?";
+    unknown->range = node->range;
+    r->is_exact = false;
+    return unknown;
+}
+
+static bool is_shadowed(const effects *all, const ir_variable *global) {
+    for (unsigned i = 0; i < all->unit->variable_count; i++) {
+        const ir_variable *other = all->unit->variables[i];
+        if (other != global && other->name && variable_is_automatic(other) &&
+            strcmp(other->name, global->name) == 0)
+            return true;
+    }
+    return false;
+}
+
+static ir_node *rewrite(rewriting *r, const ir_node *node);
+
+static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
+    const ir_variable *variable = node->variable;
+    const variable_fact *fact = variable_fact_of(r->all->facts, variable);
+    if (variable->storage == IR_PARAMETER) {
+        if (fact->write_count || variable->address_taken || variable->type->kind == IR_RECORD)
+            return unknown_part(r, node);
+        return ir_substitute(r->all->memory, node, NULL, NULL);
+    }
+    if (variable->storage == IR_LOCAL) {
+        const ir_node *value = variable_single_definition(r->all->facts, variable);
+        if (!value || r->depth > 8 || value->kind == IR_INITIALIZERS ||
+            variable->type->kind == IR_ARRAY || !expression_is_plain(value))
+            return unknown_part(r, node);
+        r->depth++;
+        ir_node *result = rewrite(r, value);
+        r->depth--;
+        return result;
+    }
+    if (variable->storage == IR_STATIC_LOCAL || is_shadowed(r->all, variable))
+        r->is_exact = false;
+    return ir_substitute(r->all->memory, node, NULL, NULL);
+}
+
+/* May the function itself change what is read here on the way to an address? */
+static bool is_stable(const rewriting *r, const ir_node *load) {
+    for (unsigned i = 0; i < r->raw->items.count; i++) {
+        const access *store = &r->raw->items.items[i];
+        if (store->kind == ACCESS_READ || (store->lvalue && store->lvalue->kind == IR_VARIABLE &&
+                                           variable_is_automatic(store->lvalue->variable)))
+            continue;
+        if (!r->all->unit->strict_aliasing || types_may_overlap(store->type, load->type))
+            return false;
+    }
+    return true;
+}
+
+static ir_node *rewrite(rewriting *r, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return rewrite_variable(r, node);
+    if (node->kind == IR_OPAQUE || node->kind == IR_CALL || node->kind == IR_ASSIGN)
+        return unknown_part(r, node);
+    ir_node *copy = ir_new(r->all->memory, node->kind, node->type, node->child_count);
+    ir_node **children = copy->children;
+    *copy = *node;
+    copy->children = children;
+    copy->parent = NULL;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        bool is_load = child->kind != IR_VARIABLE && expression_is_lvalue(child) && child->type &&
+                       ir_type_is_scalar(child->type) &&
+                       !(node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) &&
+                       !(node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
+        if (is_load && !is_stable(r, child))
+            r->is_exact = false;
+        children[i] = rewrite(r, child);
+        children[i]->parent = copy;
+    }
+    return copy;
+}
+
+/* a[k] behind a pointer, k in [0, high]: the array *(T (*)[high + 1])a. */
+static ir_node *widened(rewriting *r, const ir_node *lvalue, int64_t high) {
+    arena *a = r->all->memory;
+    const ir_type *element = lvalue->type;
+    if (!element->spelling || element->kind == IR_POINTER || element->kind == IR_ARRAY ||
+        element->size <= 0)
+        return NULL;
+    ir_type *array = ARENA_NEW(a, ir_type);
+    ir_type *pointer = ARENA_NEW(a, ir_type);
+    *array = (ir_type){.kind = IR_ARRAY,
+                       .count = high + 1,
+                       .size = (high + 1) * element->size,
+                       .target = element,
+                       .spelling =
+                           arena_format(a, "%s[%lld]", element->spelling, (long long)(high + 1))};
+    *pointer = (ir_type){
+        .kind = IR_POINTER,
+        .size = (int64_t)sizeof(void *),
+        .target = array,
+        .spelling = arena_format(a, "%s (*)[%lld]", element->spelling, (long long)(high + 1))};
+    ir_node *cast = ir_new(a, IR_CAST, pointer, 1);
+    ir_node *whole = ir_new(a, IR_UNARY, array, 1);
+    cast->range = whole->range = lvalue->range;
+    cast->children[0] = rewrite(r, lvalue->children[0]);
+    cast->children[0]->parent = cast;
+    whole->op = IR_OP_DEREFERENCE;
+    whole->children[0] = cast;
+    cast->parent = whole;
+    return whole;
+}
+
+static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
+    const ir_node *row = access_row(lvalue);
+    int64_t low, high, constant;
+    if (row->kind == IR_INDEX && row->children[0]->type->kind == IR_POINTER &&
+        !expression_constant(row->children[1], &constant) &&
+        counted_range(row->children[1], &low, &high) && low >= 0) {
+        ir_node *whole = widened(r, row, high);
+        if (whole)
+            return whole;
+    }
+    return rewrite(r, row);
+}
+
+/* ---- summaries --------------------------------------------------------------------------------
+ */
+
+static bool is_own(const effects *all, const ir_function *function, const ir_node *lvalue,
+                   location *where) {
+    *where = location_of(all->facts, lvalue, NULL);
+    return where->object && variable_is_automatic(where->object) &&
+           where->object->function == function;
+}
+
+static void summarise_access(effects *all, const ir_function *function, const access_list *raw,
+                             const access *item, access_list *result) {
+    location where;
+    access kept = *item;
+    kept.callee = function;
+    if (!item->lvalue) {
+        VECTOR_PUSH(all->memory, &result->items, kept);
+        return;
+    }
+    if (is_own(all, function, item->lvalue, &where))
+        return;
+    if (where.object && item->kind != ACCESS_READ) {
+        access_problem problem = {REASON_IMPURE_CALL, item->node, function->name};
+        VECTOR_PUSH(all->memory, &result->problems, problem);
+        return;
+    }
+    rewriting r = {all, function, raw, item->is_exact, 0};
+    kept.lvalue = rewrite_lvalue(&r, item->lvalue);
+    kept.is_exact = r.is_exact;
+    if (where.is_string)
+        return;
+    if (!where.object && !where.pointer)
+        kept.lvalue = NULL;
+    VECTOR_PUSH(all->memory, &result->items, kept);
+}
+
+static void summarise(effects *all, const ir_function *function, access_list *result) {
+    access_list raw = {0};
+    access_walk walk = {all->memory, all, &raw, 0};
+    access_walk_node(&walk, function->body);
+    result->has_floating_work = raw.has_floating_work;
+    result->may_set_errno = raw.may_set_errno;
+    result->errno_setter = raw.errno_setter;
+    for (unsigned i = 0; i < raw.problems.count; i++)
+        if (raw.problems.items[i].why != REASON_GOTO)
+            VECTOR_PUSH(all->memory, &result->problems, raw.problems.items[i]);
+    if (raw.items.count > SUMMARY_LIMIT || function->is_variadic || function->has_errors) {
+        access_problem problem = {REASON_IMPURE_CALL, function->body, function->name};
+        VECTOR_PUSH(all->memory, &result->problems, problem);
+    }
+    for (unsigned i = 0; i < raw.items.count && !result->problems.count; i++)
+        summarise_access(all, function, &raw, &raw.items.items[i], result);
+}
+
+const access_list *effects_of(effects *all, const ir_function *function) {
+    summary *s = &all->summaries[function->id];
+    if (s->state == SUMMARY_NONE) {
+        s->state = SUMMARY_IN_PROGRESS;
+        access_list result = {0};
+        summarise(all, function, &result);
+        s->list = result;
+        s->state = SUMMARY_DONE;
+    }
+    return s->state == SUMMARY_DONE ? &s->list : NULL;
+}
+
+/* ---- calls ------------------------------------------------------------------------------------
+ */
+
+static bool is_named_pure(const effects *all, const ir_function *function) {
+    for (unsigned i = 0; all->options && i < all->options->pure_count; i++)
+        if (strcmp(all->options->pure[i], function->name) == 0)
+            return true;
+    return false;
+}
+
+static bool is_floating(const ir_type *type) {
+    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
+}
+
+static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
+                        const ir_node *pointer, bool is_presumed) {
+    ir_node *whole = ir_new(w->memory, IR_UNARY, NULL, 1);
+    whole->op = IR_OP_DEREFERENCE;
+    whole->children[0] = (ir_node *)pointer;
+    whole->range = pointer->range;
+    access_add(w, (access){.kind = kind,
+                           .lvalue = whole,
+                           .node = call,
+                           .callee = call->children[0]->function,
+                           .is_presumed = is_presumed});
+}
+
+/* Without side effects by attribute or by the user's word: what may it read? */
+static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
+    const ir_function *function = call->children[0]->function;
+    w->list->has_floating_work = true;
+    if (function->is_attribute_const)
+        return;
+    access_add(
+        w, (access){.kind = ACCESS_READ, .node = call, .callee = function, .is_presumed = by_user});
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_type *type = call->children[i]->type;
+        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY))
+            add_pointee(w, ACCESS_READ, call, call->children[i], false);
+    }
+}
+
+static bool walk_memory_call(access_walk *w, const ir_node *call) {
+    const char *name = call->children[0]->function->name;
+    if (strncmp(name, "__builtin_", 10) == 0)
+        name += 10;
+    bool is_copy = strcmp(name, "memcpy") == 0 || strcmp(name, "memmove") == 0;
+    if ((!is_copy && strcmp(name, "memset") != 0) || call->child_count != 4)
+        return false;
+    if (is_copy)
+        add_pointee(w, ACCESS_READ, call, call->children[2], false);
+    add_pointee(w, ACCESS_WRITE, call, call->children[1], false);
+    return true;
+}
+
+static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
+    const ir_function *function = call->children[0]->function;
+    effects *all = w->all;
+    if (call->child_count - 1 != function->parameter_count) {
+        access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
+        return;
+    }
+    w->list->has_floating_work |= known->has_floating_work;
+    if (known->may_set_errno) {
+        w->list->may_set_errno = true;
+        w->list->errno_setter = known->errno_setter;
+    }
+    for (unsigned i = 0; i < known->items.count; i++) {
+        access item = known->items.items[i];
+        item.node = call;
+        item.callee = function;
+        if (item.lvalue) {
+            item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
+            item.is_exact = item.is_exact && expression_is_plain(item.lvalue);
+        }
+        access_add(w, item);
+    }
+}
+
+static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
+    if (is_floating(call->type))
+        w->list->has_floating_work = true;
+    if (found->sets_errno) {
+        w->list->may_set_errno = true;
+        w->list->errno_setter = call->children[0]->function->name;
+    }
+}
+
+void access_walk_call(access_walk *w, const ir_node *call) {
+    const ir_node *callee = call->children[0];
+    for (unsigned i = 1; i < call->child_count; i++)
+        access_walk_node(w, call->children[i]);
+    if (callee->kind != IR_FUNCTION) {
+        access_problem_add(w, REASON_FUNCTION_POINTER, call, expression_text(w->memory, callee));
+        return;
+    }
+    const ir_function *function = callee->function;
+    bool by_user = is_named_pure(w->all, function);
+    const library_function *library = library_find(function->name);
+    if (function->is_noreturn) {
+        access_problem_add(w, REASON_NO_RETURN, call, function->name);
+    } else if (function->body) {
+        const access_list *known = effects_of(w->all, function);
+        if (!known)
+            access_problem_add(w, REASON_RECURSION, call, function->name);
+        else if (known->problems.count && by_user)
+            walk_pure_call(w, call, true);
+        else if (known->problems.count)
+            access_problem_add(w, known->problems.items[0].why, call,
+                               known->problems.items[0].name);
+        else
+            walk_known_call(w, call, known);
+    } else if (by_user) {
+        walk_pure_call(w, call, true);
+    } else if (library) {
+        walk_library_call(w, call, library);
+    } else if (function->is_attribute_const || function->is_attribute_pure) {
+        walk_pure_call(w, call, false);
+    } else if (!walk_memory_call(w, call)) {
+        access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
+    }
+}
+
+void access_collect(effects *all, const ir_node *node, access_list *list) {
+    access_walk walk = {all->memory, all, list, 0};
+    access_walk_node(&walk, node);
+}

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What keeps a loop's text from being rewritten, or its iterations from being counted, whatever it
+ * computes. */
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis/analyser.h"
+#include "analysis/expression.h"
+
+/* ---- the source text --------------------------------------------------------------------------
+ */
+
+static bool text_has(const source *s, ir_range range, const char *word) {
+    size_t length = strlen(word);
+    for (uint32_t i = range.begin; i + length <= range.end; i++)
+        if (memcmp(s->text + i, word, length) == 0)
+            return true;
+    return false;
+}
+
+static bool is_openmp(const char *directive) {
+    return strstr(directive, "omp") != NULL && strstr(directive, "pragma") != NULL;
+}
+
+/* Only blanks and comments between the directive's end and the loop? */
+static bool is_directly_above(const source *s, uint32_t from, uint32_t to) {
+    while (from < to) {
+        const char *c = s->text + from;
+        if (isspace((unsigned char)*c)) {
+            from++;
+        } else if (c[0] == '/' && c[1] == '/') {
+            while (from < to && s->text[from] != '\n')
+                from++;
+        } else if (c[0] == '/' && c[1] == '*') {
+            from += 2;
+            while (from < to && !(s->text[from - 1] == '*' && s->text[from] == '/'))
+                from++;
+            from++;
+        } else {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool judge_directives(judgement *j) {
+    const ir_unit *unit = j->an->unit;
+    ir_range range = j->loop->range;
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        const char *text = d->text ? d->text : "#";
+        if (strstr(text, "FENV_ACCESS") && strstr(text, "ON"))
+            return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, text);
+        bool is_inside = d->range.begin >= range.begin && d->range.begin < range.end;
+        bool is_above = d->kind == IR_DIRECTIVE_PRAGMA && d->range.end <= range.begin &&
+                        is_directly_above(unit->source, d->range.end, range.begin);
+        if (is_openmp(text) && (is_inside || is_above))
+            return judgement_refuse(j, REASON_EXISTING_OPENMP, j->loop, text);
+        if (is_inside) /* others above the loop stay with the sequential copy */
+            return judgement_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop, text);
+    }
+    return true;
+}
+
+/* ---- names ------------------------------------------------------------------------------------
+ */
+
+static bool find_reserved(ir_node *node, void *context) {
+    judgement *j = context;
+    const ir_variable *variable = node->variable;
+    if ((node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR) && variable && variable->name &&
+        strncmp(variable->name, "redcc__", 7) == 0)
+        judgement_refuse(j, REASON_NAME, node, variable->name);
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
+        const char *name = node->children[0]->function->name;
+        if (strstr(name, "setjmp"))
+            judgement_refuse(j, REASON_SETJMP, node, name);
+    }
+    return true;
+}
+
+static bool has_macro(const ir_node *node) {
+    if (node->flags & IR_FROM_MACRO)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_macro(node->children[i]))
+            return true;
+    return false;
+}
+
+bool judge_text(judgement *j) {
+    const source *s = j->an->unit->source;
+    const ir_node *loop = j->loop;
+    if (j->function->has_errors)
+        return judgement_refuse(j, REASON_ERRORS, loop, j->function->name);
+    if (loop->flags & IR_FROM_MACRO)
+        return judgement_refuse(j, REASON_IN_MACRO, loop, "the loop");
+    if (loop->range.begin >= loop->range.end)
+        return judgement_refuse(j, REASON_NO_RANGE, loop, "the loop");
+    if (!judge_directives(j))
+        return false;
+    ir_range everything = {0, s ? s->length : 0};
+    if (s && text_has(s, has_macro(loop) ? everything : loop->range, "__COUNTER__"))
+        return judgement_refuse(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
+    ir_walk(j->function->body, find_reserved, j);
+    return j->why.id == REASON_NONE;
+}
+
+/* ---- jumps ------------------------------------------------------------------------------------
+ */
+
+/* `owner_depth`: loops and switches inside the judged loop around the statement. */
+static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_switches) {
+    const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
+    switch (node->kind) {
+    case IR_BREAK:
+        return loops_and_switches || judgement_refuse(j, REASON_BREAK, node, counter);
+    case IR_RETURN:
+        return judgement_refuse(j, REASON_RETURN, node, counter);
+    case IR_GOTO:
+    case IR_LABEL:
+        return judgement_refuse(j, REASON_GOTO, node, counter);
+    default:
+        break;
+    }
+    if (ir_is_loop(node) || node->kind == IR_SWITCH)
+        loops_and_switches++;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!judge_jump(j, node->children[i], loops_and_switches))
+            return false;
+    return true;
+}
+
+bool judge_jumps(judgement *j) {
+    for (unsigned i = 0; i < j->loop->child_count; i++)
+        if (!judge_jump(j, j->loop->children[i], 0))
+            return false;
+    return true;
+}
+
+/* ---- accesses ---------------------------------------------------------------------------------
+ */
+
+static bool reads_errno(const ir_node *node) {
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+        strcmp(node->children[0]->function->name, "__errno_location") == 0)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (reads_errno(node->children[i]))
+            return true;
+    return false;
+}
+
+bool judge_accesses(judgement *j) {
+    access_collect(j->an->effects, j->counted.bound, &j->found);
+    access_collect(j->an->effects, j->counted.body, &j->found);
+    if (j->found.problems.count) {
+        const access_problem *p = &j->found.problems.items[0];
+        return judgement_refuse(j, p->why, p->node, p->name);
+    }
+    if (j->found.may_set_errno && reads_errno(j->function->body))
+        return judgement_refuse(j, REASON_ERRNO, j->loop, j->found.errno_setter);
+    j->access_count = j->found.items.count;
+    j->accesses = ARENA_ARRAY(j->an->memory, judged_access, j->access_count + 1);
+    for (unsigned i = 0; i < j->access_count; i++) {
+        judged_access *a = &j->accesses[i];
+        a->access = j->found.items.items[i];
+        if (a->access.lvalue)
+            a->where = location_of(j->an->facts, a->access.lvalue, j->loop);
+        else
+            a->where = (location){.is_inexact = true};
+        if (!a->where.type || a->access.callee)
+            a->where.type = a->access.type;
+    }
+    return true;
+}

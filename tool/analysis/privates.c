@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Variables of the loop that are no arrays of its: private ones with their last values, and those
+ * that are only read. */
+#include "analysis/analyser.h"
+#include "analysis/live.h"
+
+static bool judge_last_value(judgement *j, private_variable *item) {
+    const ir_variable *variable = item->variable;
+    if (item->is_declared_inside)
+        return true;
+    if (variable_escapes(j->an->facts, variable))
+        return judgement_refuse(j, REASON_ESCAPES, j->loop, variable->name);
+    if (!variable_is_live_after(j->an->facts, j->loop, variable))
+        return true;
+    private_result result = must_write_check(j->an->prover, j->counted.body, variable);
+    if (!result.assigned_at_end)
+        return judgement_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
+    item->is_live_after = true;
+    return true;
+}
+
+static bool is_known(const judgement *j, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->captured.count; i++)
+        if (j->captured.items[i] == variable)
+            return true;
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == variable)
+            return true;
+    return variable == j->counted.counter;
+}
+
+static bool capture(ir_node *node, void *context) {
+    judgement *j = context;
+    ir_variable *variable = node->variable;
+    if (node->kind != IR_VARIABLE || !variable || is_known(j, variable) ||
+        !ir_type_is_scalar(variable->type))
+        return true;
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    if (!declarator || !ir_contains(j->loop, declarator))
+        VECTOR_PUSH(j->an->memory, &j->captured, variable);
+    return true;
+}
+
+bool judge_privates(judgement *j) {
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (!judge_last_value(j, &j->privates.items[i]))
+            return false;
+    ir_walk((ir_node *)j->counted.body, capture, j);
+    ir_walk((ir_node *)j->counted.bound, capture, j);
+    j->counter_is_live_after = !j->counted.counter_is_declared_in_header &&
+                               variable_is_live_after(j->an->facts, j->loop, j->counted.counter);
+    return true;
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/reason.h"
+
+typedef struct reason_entry {
+    const char *code;
+    const char *slug;
+    const char *message;
+} reason_entry;
+
+static const reason_entry reasons[REASON_COUNT] = {
+    {NULL, NULL, NULL},
+#define X(identifier, id, slug, message) {id, slug, message},
+#include "analysis/reasons.def"
+#undef X
+};
+
+/* What the user could change, where there is something simple to say. */
+static const char *const advices[REASON_COUNT] = {
+    [REASON_SEVERAL_OPERATORS] = "update each array by one operator; split the loop in two",
+    [REASON_OPERATOR] = "write the update with += -= *= &= |= ^= ++ or --",
+    [REASON_UPDATE_VALUE_USED] = "where the value is a place to store at, count first, then place",
+    [REASON_UPDATE_IN_EXPRESSION] = "make the update a statement of its own",
+    [REASON_ARRAY_READ] = "read from a copy made before the loop",
+    [REASON_ARRAY_STORED] = "store in a loop of its own, before or after",
+    [REASON_BASE_VARIES] = "use one array for all iterations",
+    [REASON_ROW_POINTERS] = "use one contiguous array: double (*a)[m] instead of double **a",
+    [REASON_MIXED_TYPES] = "convert the value to the array's type before it is added",
+    [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
+    [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
+    [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
+    [REASON_MAY_ALIAS] = "declare the pointers restrict, or give --assume-noalias",
+    [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
+    [REASON_SCALAR_CARRIED] = "move the scalar's accumulation to a loop of its own",
+    [REASON_PRIVATE_NOT_PROVED] = "declare it inside the loop's body, or write all of it first",
+    [REASON_LAST_VALUE] = "declare it inside the loop's body",
+    [REASON_ESCAPES] =
+        "declare it inside the loop's body, and pass it only to functions of this file",
+    [REASON_UNION] = "use a struct",
+    [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
+    [REASON_COUNTER_MODIFIED] = "use another variable in the body",
+    [REASON_BOUND_VARIES] = "copy the bound to a local variable before the loop",
+    [REASON_STEP] = "use a constant step",
+    [REASON_COUNTER_TYPE] = "use a local counter of type int, long or size_t",
+    [REASON_COUNTER_WRAPS] = "use a signed counter, and < or > instead of <=, >= or !=",
+    [REASON_BREAK] = "use a condition around the body instead",
+    [REASON_RETURN] = "use a condition around the body instead",
+    [REASON_GOTO] = "use structured control",
+    [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), or --pure=NAME",
+    [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
+    [REASON_CALLEE_READS] = "define the function in this file, or give --pure=NAME",
+    [REASON_IN_MACRO] = "write the loop and its updates out",
+    [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
+    [REASON_EXISTING_OPENMP] = "remove the directive to have the loop translated",
+};
+
+const char *reason_code(reason_id id) {
+    return reasons[id].code;
+}
+
+const char *reason_slug(reason_id id) {
+    return reasons[id].slug;
+}
+
+reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
+    reason r = {id, NULL, range, advices[id]};
+    /* The format is one of reasons.def, each with exactly one %s (a test counts them). */
+    const char *format = reasons[id].message;
+    const char *hole = strstr(format, "%s");
+    if (hole)
+        r.message = arena_format(a, "%.*s%s%s", (int)(hole - format), format, name, hole + 2);
+    else
+        r.message = format;
+    return r;
+}

@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Data: every statement of the body that may assign a variable that is needed, with all control
+ * around it, closed under "needs". No floating-point arithmetic: the inspector must compute the
+ * very subscripts of the executor, and a compiler may round the two copies differently.
+ * Control that only decides whether an address is touched is kept where it can be computed by the
+ * same rules; else it is left out, if the address may be computed without it.
+ */
+#include "analysis/slice.h"
+
+#include <string.h>
+
+#include "analysis/expression.h"
+
+typedef struct slicer {
+    const judgement *j;
+    bool *keep;
+    VECTOR(const ir_variable *) needed;
+    const ir_node *obstacle;
+} slicer;
+
+static void need_expression(slicer *s, const ir_node *node);
+static void keep_statement(slicer *s, const ir_node *statement);
+
+static void fail(slicer *s, const ir_node *node) {
+    if (!s->obstacle)
+        s->obstacle = node;
+}
+
+/* ---- control ----------------------------------------------------------------------------------
+ */
+
+static void keep_jumps(slicer *s, const ir_node *node, bool take_breaks, bool take_continues) {
+    if ((node->kind == IR_BREAK && take_breaks) || (node->kind == IR_CONTINUE && take_continues))
+        keep_statement(s, node);
+    if (ir_is_loop(node))
+        return;
+    bool breaks_inside = take_breaks && node->kind != IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]))
+            keep_jumps(s, node->children[i], breaks_inside, take_continues);
+}
+
+static void keep_header_declaration(slicer *s, const ir_node *part) {
+    if (part->kind != IR_DECLARATION)
+        return;
+    s->keep[part->id] = true;
+    for (unsigned i = 0; i < part->child_count; i++)
+        s->keep[part->children[i]->id] = true;
+}
+
+static void keep_control(slicer *s, const ir_node *node) {
+    if (s->keep[node->id])
+        return;
+    s->keep[node->id] = true;
+    switch (node->kind) {
+    case IR_IF:
+        need_expression(s, node->children[0]);
+        break;
+    case IR_SWITCH:
+        need_expression(s, node->children[0]);
+        keep_jumps(s, node->children[1], true, false);
+        break;
+    case IR_WHILE:
+        need_expression(s, node->children[0]);
+        keep_jumps(s, node->children[1], true, true);
+        break;
+    case IR_DO:
+        need_expression(s, node->children[1]);
+        keep_jumps(s, node->children[0], true, true);
+        break;
+    case IR_FOR:
+        for (unsigned i = 0; i < 3; i++)
+            if (node->children[i]->kind != IR_EMPTY)
+                need_expression(s, node->children[i]);
+        keep_header_declaration(s, node->children[0]);
+        keep_jumps(s, node->children[3], true, true);
+        break;
+    default:
+        break;
+    }
+}
+
+/* Everything around a node that is kept, up to the loop's body. */
+static void keep_around(slicer *s, const ir_node *node) {
+    for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
+        keep_control(s, outer);
+}
+
+/* ---- data -------------------------------------------------------------------------------------
+ */
+
+static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
+    if (variable == s->j->counted.counter)
+        return false;
+    for (unsigned i = 0; i < s->j->privates.count; i++)
+        if (s->j->privates.items[i].variable == variable)
+            return true;
+    const ir_node *declarator = variable_fact_of(s->j->an->facts, variable)->declarator;
+    return declarator && ir_contains(s->j->loop, declarator);
+}
+
+/* An occurrence of a variable in memory: does it only read or write it in place, or hand it to a
+ * call? What is kept in pointers is not followed. */
+static bool is_followed(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node && node->type &&
+                       node->type->kind == IR_ARRAY) ||
+                      (parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW)))) {
+        node = parent;
+        parent = node->parent;
+    }
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (parent && parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS) {
+        node = parent;
+        parent = node->parent;
+        is_array = true;
+    }
+    return !is_array || (parent && parent->kind == IR_CALL);
+}
+
+static bool hands_over(const ir_node *node) {
+    while (node->parent && ir_is_expression(node->parent)) {
+        if (node->parent->kind == IR_CALL)
+            return true;
+        node = node->parent;
+    }
+    return false;
+}
+
+static bool is_in_memory(const ir_variable *variable) {
+    return variable->address_taken || !ir_type_is_scalar(variable->type);
+}
+
+static void need_variable(slicer *s, const ir_variable *variable) {
+    if (!is_of_iteration(s, variable))
+        return;
+    for (unsigned i = 0; i < s->needed.count; i++)
+        if (s->needed.items[i] == variable)
+            return;
+    VECTOR_PUSH(s->j->an->memory, &s->needed, variable);
+    const ir_node *loop = s->j->loop;
+    const variable_fact *fact = variable_fact_of(s->j->an->facts, variable);
+    if (fact->declarator && ir_contains(loop, fact->declarator))
+        keep_statement(s, fact->declarator);
+    for (unsigned i = 0; i < fact->writes.count; i++)
+        if (ir_contains(loop, fact->writes.items[i]))
+            keep_statement(s, expression_place(fact->writes.items[i]));
+    for (unsigned i = 0; is_in_memory(variable) && i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        if (!ir_contains(loop, use))
+            continue;
+        if (!is_followed(use))
+            fail(s, use);
+        else if (hands_over(use))
+            keep_statement(s, expression_place(use));
+    }
+}
+
+static bool call_is_dear(const slicer *s, const ir_node *call) {
+    access_list list = {0};
+    access_collect(s->j->an->effects, call, &list);
+    return list.has_floating_work || list.problems.count > 0;
+}
+
+static void need_expression(slicer *s, const ir_node *node) {
+    if (expression_is_floating_work(node) || (node->kind == IR_CALL && call_is_dear(s, node)))
+        fail(s, node);
+    if (node->kind == IR_VARIABLE)
+        need_variable(s, node->variable);
+    for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
+        need_expression(s, node->children[i]);
+}
+
+static bool is_update_statement(const slicer *s, const ir_node *statement) {
+    for (unsigned i = 0; i < s->j->updates.count; i++)
+        if (s->j->updates.items[i].statement == statement)
+            return true;
+    return false;
+}
+
+/* A simple statement, a declarator, a jump; or control, where the write stands in its header. */
+static void keep_statement(slicer *s, const ir_node *statement) {
+    if (!statement || s->obstacle)
+        return;
+    bool is_new = !s->keep[statement->id];
+    if (is_update_statement(s, statement)) {
+        fail(s, statement);
+        return;
+    }
+    if (is_new && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATOR)) {
+        s->keep[statement->id] = true;
+        for (unsigned i = 0; i < statement->child_count; i++)
+            need_expression(s, statement->children[i]);
+    } else if (is_new) {
+        keep_control(s, statement);
+    }
+    /* A declared variable is needed as soon as its declaration is: a store through a pointer may
+     * set it, and other statements kept may read it. */
+    if (is_new && statement->kind == IR_DECLARATOR)
+        need_variable(s, statement->variable);
+    if (is_new)
+        keep_around(s, statement);
+}
+
+/* ---- control that only decides whether an address is touched ----------------------------------
+ */
+
+static bool has_hazard(const ir_node *node) {
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+        (node->kind == IR_BINARY && (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER)))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_hazard(node->children[i]))
+            return true;
+    return false;
+}
+
+bool slice_is_safe_anywhere(const ir_node *row) {
+    return !expression_has_load(row, true) && !has_hazard(row);
+}
+
+typedef struct snapshot {
+    bool *keep;
+    unsigned needed;
+} snapshot;
+
+static snapshot take_snapshot(const slicer *s) {
+    unsigned count = s->j->function->node_count;
+    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count};
+    memcpy(before.keep, s->keep, sizeof(bool) * count);
+    return before;
+}
+
+/* Keeps a piece of control if that succeeds; otherwise leaves everything as it was. */
+static bool try_to_keep(slicer *s, const ir_node *node) {
+    if (s->keep[node->id])
+        return true;
+    if (s->obstacle)
+        return false;
+    snapshot before = take_snapshot(s);
+    keep_statement(s, node);
+    if (!s->obstacle)
+        return true;
+    memcpy(s->keep, before.keep, sizeof(bool) * s->j->function->node_count);
+    s->needed.count = before.needed;
+    s->obstacle = NULL;
+    return false;
+}
+
+static bool has_own_condition(const ir_node *node) {
+    return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
+}
+
+static void keep_for_touch(slicer *s, const slice_touch *touch) {
+    bool is_safe = slice_is_safe_anywhere(touch->row);
+    const ir_variable *counter;
+    int64_t first, last;
+    for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop && !s->obstacle;
+         outer = outer->parent) {
+        if (!has_own_condition(outer)) {
+            s->keep[outer->id] |= outer->kind == IR_CASE || outer->kind == IR_DEFAULT;
+            continue;
+        }
+        /* A loop around an address that does not change in it: telling it once is enough. */
+        if (ir_is_loop(outer) && !s->keep[outer->id] &&
+            (is_safe || counted_constant(outer, &counter, &first, &last)))
+            continue;
+        if (!try_to_keep(s, outer) && !is_safe)
+            fail(s, outer);
+    }
+    for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;
+         outer = outer->parent)
+        if (outer->kind == IR_BLOCK)
+            s->keep[outer->id] = true;
+}
+
+/* ---- continue ---------------------------------------------------------------------------------
+ */
+
+/* Is everything that the slice does after the jump allowed where the jump would have led past? */
+static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *jump) {
+    bool is_simple = node->kind == IR_EXPRESSION || node->kind == IR_DECLARATOR;
+    if (node->id > jump->id && s->keep[node->id]) {
+        if (has_own_condition(node))
+            return false;
+        for (unsigned i = 0; is_simple && i < node->child_count; i++)
+            if (expression_has_load(node->children[i], false) || has_hazard(node->children[i]))
+                return false;
+    }
+    if (is_simple)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]) && !is_safe_after(s, node->children[i], jump))
+            return false;
+    return true;
+}
+
+static void keep_continues(slicer *s, const ir_node *node, unsigned touch_count,
+                           const slice_touch *touches) {
+    if (node->kind == IR_CONTINUE && !try_to_keep(s, node)) {
+        bool is_safe = is_safe_after(s, s->j->counted.body, node);
+        for (unsigned i = 0; i < touch_count; i++)
+            if (touches[i].place->id > node->id && !slice_is_safe_anywhere(touches[i].row))
+                is_safe = false;
+        if (!is_safe)
+            fail(s, node);
+    }
+    if (ir_is_loop(node))
+        return;
+    for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
+        if (!ir_is_expression(node->children[i]))
+            keep_continues(s, node->children[i], touch_count, touches);
+}
+
+static unsigned kept_count(const slicer *s) {
+    unsigned count = 0;
+    for (unsigned i = 0; i < s->j->function->node_count; i++)
+        count += s->keep[i];
+    return count;
+}
+
+slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches) {
+    slicer s = {.j = j, .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
+    for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
+        need_expression(&s, touches[i].row);
+    unsigned before = 0;
+    do {
+        before = kept_count(&s);
+        for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
+            keep_for_touch(&s, &touches[i]);
+        keep_continues(&s, j->counted.body, touch_count, touches);
+    } while (!s.obstacle && kept_count(&s) != before);
+    if (j->counted.body->kind == IR_BLOCK)
+        s.keep[j->counted.body->id] = true;
+    return (slice){s.keep, s.obstacle};
+}
+
+/* ---- places -----------------------------------------------------------------------------------
+ */
+
+const ir_node *slice_place(const judgement *j, const ir_node *node) {
+    const ir_node *place = expression_place(node);
+    if (place && place->kind == IR_DECLARATOR && place->parent && place->parent->parent &&
+        place->parent->parent->kind == IR_FOR)
+        place = place->parent->parent;
+    return place && place != j->loop && ir_contains(j->loop, place) ? place : NULL;
+}
+
+static bool is_under_condition(const ir_node *node, const ir_node *place) {
+    for (const ir_node *up = node; up != place && up->parent; up = up->parent) {
+        const ir_node *parent = up->parent;
+        if (parent->kind == IR_CONDITIONAL && parent->children[0] != up)
+            return true;
+        if (parent->kind == IR_BINARY && (parent->op == IR_OP_AND || parent->op == IR_OP_OR) &&
+            parent->children[1] == up)
+            return true;
+    }
+    return false;
+}
+
+static bool changes_in(const judgement *j, const ir_node *row, const ir_node *place) {
+    if (row->kind == IR_VARIABLE) {
+        const ir_node *declarator = variable_fact_of(j->an->facts, row->variable)->declarator;
+        if (variable_written_in(j->an->facts, place, row->variable) ||
+            (declarator && ir_contains(place, declarator)))
+            return true;
+    }
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (changes_in(j, row->children[i], place))
+            return true;
+    return false;
+}
+
+bool slice_can_tell(const judgement *j, const ir_node *row, const ir_node *node,
+                    const ir_node *place) {
+    if (!place || (is_under_condition(node, place) && !slice_is_safe_anywhere(row)))
+        return false;
+    /* Of if and switch only the condition is computed between. */
+    if (place->kind == IR_IF || place->kind == IR_SWITCH)
+        place = place->children[0];
+    return !changes_in(j, row, place);
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The backward slice: which statements and control of a loop's body compute the addresses that the
+ * inspector tells.
+ */
+#ifndef ANALYSIS_SLICE_H
+#define ANALYSIS_SLICE_H
+
+#include "analysis/analyser.h"
+
+/** An address to be told before a statement. */
+typedef struct slice_touch {
+    const ir_node *row;
+    const ir_node *place;
+} slice_touch;
+
+typedef struct slice {
+    bool *keep;              /* [function->node_count] */
+    const ir_node *obstacle; /* why there is none; NULL: there is one */
+} slice;
+
+/** The slice of all touches together. */
+slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches);
+
+/** Can &row be computed before `place`, however control gets there: nothing in row is assigned in
+ *  the statement itself, and no condition inside it protects a load of row's? */
+bool slice_can_tell(const judgement *j, const ir_node *row, const ir_node *node,
+                    const ir_node *place);
+
+/** The statement or declarator of the body around `node`; NULL: it stands in the loop's header. */
+const ir_node *slice_place(const judgement *j, const ir_node *node);
+
+/** May this expression be evaluated where the program did not: no loads, calls or divisions? */
+bool slice_is_safe_anywhere(const ir_node *row);
+
+#endif

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Reads against the arrays: each read of the loop is apart from every reduction array by proof, or
+ * guarded at run time by its extent, or the loop is refused.
+ */
+#include "analysis/sources.h"
+
+#include <string.h>
+
+#include "analysis/expression.h"
+#include "analysis/variation.h"
+
+/* ---- extents ----------------------------------------------------------------------------------
+ */
+
+/* Are all its subscripts affine in the counter, and all else in it invariant? */
+static bool is_affine_row(const judgement *j, const ir_node *row) {
+    switch (row->kind) {
+    case IR_VARIABLE:
+        return ir_type_is_scalar(row->type) ? variation_is_invariant(j->an->facts, j->loop, row)
+                                            : variation_is_fixed(j->an->facts, j->loop, row);
+    case IR_INDEX:
+        if (!variation_affine(j->an->facts, j->loop, j->counted.counter, row->children[1])
+                 .is_affine)
+            return false;
+        return is_affine_row(j, row->children[0]);
+    case IR_MEMBER:
+    case IR_CAST:
+        return is_affine_row(j, row->children[0]);
+    case IR_UNARY:
+        return (row->op == IR_OP_DEREFERENCE || row->op == IR_OP_ADDRESS) &&
+               is_affine_row(j, row->children[0]);
+    case IR_BINARY:
+        return (row->op == IR_OP_ADD || row->op == IR_OP_SUBTRACT) &&
+               is_affine_row(j, row->children[0]) &&
+               variation_affine(j->an->facts, j->loop, j->counted.counter, row->children[1])
+                   .is_affine;
+    default:
+        return false;
+    }
+}
+
+/* A pointer read from memory at an address that moves: row then jumps. */
+static bool has_moving_load(const judgement *j, const ir_node *row) {
+    for (unsigned i = 0; i < row->child_count; i++) {
+        const ir_node *child = row->children[i];
+        bool is_load = child->kind != IR_VARIABLE && expression_is_lvalue(child) && child->type &&
+                       child->type->kind != IR_ARRAY &&
+                       !(row->kind == IR_UNARY && row->op == IR_OP_ADDRESS) &&
+                       !(row->kind == IR_MEMBER && !(row->flags & IR_ARROW));
+        if (is_load && (!variation_is_invariant(j->an->facts, j->loop, child) ||
+                        expression_mentions(child, j->counted.counter)))
+            return true;
+        if (has_moving_load(j, child))
+            return true;
+    }
+    return false;
+}
+
+static bool is_invariant_row(const judgement *j, const ir_node *row) {
+    return variation_is_fixed(j->an->facts, j->loop, row) &&
+           !expression_mentions(row, j->counted.counter);
+}
+
+/* The base of a source: a pointer whose value, or an object whose address, stays. */
+static bool is_fixed_base(const judgement *j, const ir_node *base) {
+    if (expression_mentions(base, j->counted.counter))
+        return false;
+    return base->type && ir_type_is_scalar(base->type)
+               ? variation_is_invariant(j->an->facts, j->loop, base) ||
+                     (base->type->kind != IR_POINTER &&
+                      variation_is_fixed(j->an->facts, j->loop, base))
+               : variation_is_fixed(j->an->facts, j->loop, base);
+}
+
+/* Is the address of `row` computed before the loop without reading memory that the program would
+ * not have read: by variables alone, or by pointers that each iteration reads anyway? */
+static bool is_safe_before(const judged_access *read, const ir_node *row) {
+    return !read->access.is_conditional || !expression_has_load(row, true);
+}
+
+static bool can_be_spelled(const judgement *j, const ir_node *row) {
+    return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
+}
+
+source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
+    source_plan plan = {0};
+    if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
+        return plan;
+    const ir_node *row = access_row(read->access.lvalue);
+    if (!can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
+        return plan;
+    const ir_node *base = read->where.base;
+    bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
+    plan.source = (loop_source){.name = expression_text(j->an->memory, base),
+                                .base = base_is_fixed ? base : NULL,
+                                .row = row};
+    bool is_certain = !of_contents || !read->access.is_conditional;
+    if (is_certain && is_safe_before(read, row) && !has_moving_load(j, row)) {
+        if (is_invariant_row(j, row)) {
+            plan.source.extent = EXTENT_INVARIANT;
+            plan.is_possible = true;
+            return plan;
+        }
+        if (is_affine_row(j, row)) {
+            plan.source.extent = EXTENT_AFFINE;
+            plan.is_possible = true;
+            return plan;
+        }
+    }
+    const ir_node *place = slice_place(j, read->access.node);
+    plan.source.extent = EXTENT_TOUCHED;
+    plan.source.place = place;
+    plan.is_possible = base_is_fixed && slice_can_tell(j, row, read->access.node, place);
+    return plan;
+}
+
+/* ---- reads against arrays ---------------------------------------------------------------------
+ */
+
+/* A variable of the iteration, or one that no pointer leads to: nothing in the loop changes it
+ * behind the text. */
+static bool is_unreachable(const judgement *j, const location *where) {
+    const ir_variable *object = where->object;
+    if (!object || !variable_is_automatic(object) || object->function != j->function)
+        return false;
+    for (unsigned i = 0; i < j->arrays.count; i++)
+        if (j->arrays.items[i].where.object == object)
+            return false;
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == object)
+            return true;
+    const ir_node *declarator = variable_fact_of(j->an->facts, object)->declarator;
+    bool is_inside = declarator && ir_contains(j->loop, declarator);
+    return is_inside || !variable_escapes(j->an->facts, object);
+}
+
+/* Against every update of the array: they may be of different fields. */
+static overlap overlap_with_array(const judgement *j, const judged_access *read, unsigned array) {
+    overlap worst = OVERLAP_NO;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *update = &j->accesses[i];
+        if (update->class != CLASS_REDUCTION || update->array != array)
+            continue;
+        overlap meets = locations_overlap(&j->an->rules, &read->where, &update->where);
+        if (meets > worst)
+            worst = meets;
+    }
+    return worst;
+}
+
+static bool refuse_overlap(judgement *j, const judged_access *read, const judged_array *array) {
+    if (read->access.callee)
+        return judgement_refuse(j, REASON_CALLEE_READS, read->access.node,
+                                read->access.callee->name);
+    return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
+}
+
+/* The extent can be told, or the loop is refused. */
+static bool judge_guard(judgement *j, judged_access *read) {
+    if (source_plan_of(j, read, false).is_possible) {
+        read->needs_guard = true;
+        return true;
+    }
+    if (read->access.callee)
+        return judgement_refuse(j, REASON_CALLEE_READS, read->access.node,
+                                read->access.callee->name);
+    return judgement_refuse(j, REASON_MAY_ALIAS, read->access.node,
+                            judgement_name(j, read->access.lvalue));
+}
+
+static bool hangs_on(const location *a, const location *b) {
+    if (a->object || b->object)
+        return a->object == b->object;
+    return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
+}
+
+bool judge_sources(judgement *j) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        judged_access *read = &j->accesses[i];
+        if (read->access.kind != ACCESS_READ)
+            continue;
+        if (is_unreachable(j, &read->where)) {
+            read->class = CLASS_SCALAR;
+            continue;
+        }
+        read->class = CLASS_SHARED;
+        bool needs_guard = false;
+        for (unsigned k = 0; k < j->arrays.count; k++) {
+            judged_array *array = &j->arrays.items[k];
+            overlap meets = overlap_with_array(j, read, k);
+            if (meets == OVERLAP_SAME)
+                return refuse_overlap(j, read, array);
+            if (hangs_on(&read->where, &array->where))
+                array->array.is_interleaved = true; /* another field, read through the same base */
+            needs_guard |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
+        }
+        if (needs_guard && !judge_guard(j, read))
+            return false;
+    }
+    return true;
+}

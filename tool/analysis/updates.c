@@ -1,0 +1,296 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Every write of the loop: private to the iteration, an update of a reduction array, or refused. */
+#include "analysis/analyser.h"
+#include "analysis/expression.h"
+#include "analysis/variation.h"
+
+/* ---- private or not ---------------------------------------------------------------------------
+ */
+
+static bool is_declared_in(const judgement *j, const ir_variable *variable) {
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    return declarator && ir_contains(j->loop, declarator);
+}
+
+static private_variable *find_private(judgement *j, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == variable)
+            return &j->privates.items[i];
+    return NULL;
+}
+
+static bool is_own_object(const judgement *j, const location *where) {
+    return where->object && variable_is_automatic(where->object) &&
+           where->object->function == j->function;
+}
+
+/* Is the variable written here private? Adds it to the list if so. */
+static bool take_private(judgement *j, const ir_variable *variable) {
+    if (variable == j->counted.counter || find_private(j, variable))
+        return true;
+    bool is_inside = is_declared_in(j, variable);
+    if (!is_inside &&
+        must_write_check(j->an->prover, j->counted.body, variable).verdict != PRIVATE_PROVED)
+        return false;
+    private_variable item = {(ir_variable *)variable, is_inside, false};
+    VECTOR_PUSH(j->an->memory, &j->privates, item);
+    return true;
+}
+
+/* ---- refusing a write ---------------------------------------------------------------------------
+ */
+
+static bool is_updated_too(const judgement *j, const judged_access *store) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other != store && other->access.kind == ACCESS_UPDATE && !other->access.callee &&
+            variation_is_irregular(j->an->facts, j->loop, other->access.lvalue) &&
+            locations_overlap(&j->an->rules, &store->where, &other->where) == OVERLAP_SAME)
+            return true;
+    }
+    return false;
+}
+
+/* Is the memory stored to read inside the subscripts of an update, or where a local integer gets
+ * its value? */
+static bool decides_subscripts(const judgement *j, const judged_access *store) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        if (read->access.kind != ACCESS_READ || !read->access.type ||
+            read->access.type->kind != IR_INTEGER)
+            continue;
+        if (locations_overlap(&j->an->rules, &store->where, &read->where) == OVERLAP_SAME)
+            return true;
+    }
+    return false;
+}
+
+static bool refuse_store(judgement *j, const judged_access *store) {
+    const ir_node *node = store->access.node;
+    const char *name = judgement_name(j, store->access.lvalue);
+    if (store->access.callee)
+        return judgement_refuse(j, REASON_CALLEE_UPDATES, node, store->access.callee->name);
+    const ir_node *assignment = node->parent;
+    if (assignment && update_form_extremum(assignment))
+        return judgement_refuse(j, REASON_MIN_MAX, node, name);
+    const ir_node *statement = assignment ? expression_place(assignment) : NULL;
+    if (statement && statement->parent) {
+        const ir_node *outer =
+            statement->parent->kind == IR_BLOCK ? statement->parent->parent : statement->parent;
+        if (outer && update_form_extremum(outer))
+            return judgement_refuse(j, REASON_MIN_MAX, node, name);
+    }
+    if (is_updated_too(j, store))
+        return judgement_refuse(j, REASON_ARRAY_STORED, node, name);
+    if (decides_subscripts(j, store))
+        return judgement_refuse(j, REASON_INDEX_ARRAY_WRITTEN, node, name);
+    return judgement_refuse(j, REASON_OTHER_STORE, node, name);
+}
+
+static bool refuse_variable(judgement *j, const judged_access *store) {
+    const ir_variable *variable = store->where.object;
+    bool is_scalar = ir_type_is_scalar(variable->type);
+    private_result result = must_write_check(j->an->prover, j->counted.body, variable);
+    bool escapes = result.verdict == PRIVATE_UNKNOWN && variable_escapes(j->an->facts, variable);
+    const ir_node *node = result.node ? result.node : store->access.node;
+    if (escapes)
+        return judgement_refuse(j, REASON_ESCAPES, node, variable->name);
+    if (!is_scalar && store->access.lvalue->kind != IR_VARIABLE && !store->access.callee &&
+        is_updated_too(j, store))
+        return judgement_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
+    return judgement_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
+                            variable->name);
+}
+
+/* ---- one update ---------------------------------------------------------------------------------
+ */
+
+static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
+    return inner && ir_contains(outer, inner);
+}
+
+/* Is something else written by the same statement? The guarded form would skip that as well. */
+static bool has_other_effect(const judgement *j, const ir_node *statement,
+                             const judged_access *update) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other != update && other->access.kind != ACCESS_READ &&
+            is_inside_node(statement, other->access.node))
+            return true;
+    }
+    return false;
+}
+
+static bool judge_element(judgement *j, const judged_access *update, const char *name) {
+    const ir_node *target = update->access.form.target;
+    const ir_node *value = update->access.form.value;
+    const ir_type *type = target->type;
+    if (update->where.has_bit_field)
+        return judgement_refuse(j, REASON_BIT_FIELD, target, name);
+    if (update->where.has_union)
+        return judgement_refuse(j, REASON_UNION, target, name);
+    if (type->is_volatile || type->is_atomic)
+        return judgement_refuse(j, REASON_VOLATILE, target, name);
+    if (type->kind != IR_INTEGER && type->kind != IR_FLOATING && type->kind != IR_COMPLEX)
+        return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
+    if (value && type->kind != IR_COMPLEX && value->type &&
+        (value->type->kind == IR_COMPLEX ||
+         (type->kind == IR_INTEGER && value->type->kind == IR_FLOATING)))
+        return judgement_refuse(j, REASON_MIXED_TYPES, target, name);
+    if (value && value->type && !ir_type_is_scalar(value->type))
+        return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
+    return true;
+}
+
+static bool judge_statement(judgement *j, const judged_access *update, const char *name,
+                            const ir_node **statement) {
+    const ir_node *assignment = update->access.form.target->parent;
+    *statement = assignment->parent;
+    if (ir_value_is_used(assignment))
+        return judgement_refuse(j, REASON_UPDATE_VALUE_USED, assignment, name);
+    if (!*statement || (*statement)->kind != IR_EXPRESSION || (*statement)->child_count != 1)
+        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
+    if ((*statement)->parent && (*statement)->parent->kind == IR_FOR &&
+        (*statement)->parent->children[3] != *statement)
+        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
+    if (has_other_effect(j, *statement, update))
+        return judgement_refuse(j, REASON_SIDE_EFFECT, assignment, name);
+    if ((*statement)->range.begin >= (*statement)->range.end)
+        return judgement_refuse(j, REASON_NO_RANGE, *statement, name);
+    return true;
+}
+
+static bool judge_base(judgement *j, const judged_access *update, const char *name) {
+    const ir_node *target = update->access.form.target;
+    const location *where = &update->where;
+    if (where->is_punned)
+        return judgement_refuse(j, REASON_TYPE_PUNNED, target, name);
+    if (!where->base || !is_inside_node(target, where->base) || where->base == target ||
+        (!where->object && !where->pointer))
+        return judgement_refuse(j, REASON_BASE_VARIES, target, name);
+    if (where->base->kind == IR_INDEX)
+        return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
+    bool base_is_object = where->base->type && where->base->type->kind == IR_ARRAY;
+    if (!(base_is_object ? variation_is_fixed(j->an->facts, j->loop, where->base)
+                         : variation_is_invariant(j->an->facts, j->loop, where->base)))
+        return judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
+    const ir_type *type = where->base->type;
+    if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
+        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+    if (type->is_volatile || type->is_atomic)
+        return judgement_refuse(j, REASON_VOLATILE, target, name);
+    if (variation_is_fixed(j->an->facts, j->loop, target))
+        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+    return true;
+}
+
+/* Of s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
+static const ir_node *base_of(const ir_node *target, const ir_node *base) {
+    const ir_node *last = base;
+    while (last != target && last->parent && last->parent->kind == IR_MEMBER)
+        last = last->parent;
+    return last != target && last->type && last->type->kind == IR_ARRAY ? last : base;
+}
+
+/* ---- arrays -------------------------------------------------------------------------------------
+ */
+
+static bool add_array(judgement *j, const judged_access *update, unsigned *number) {
+    const ir_node *target = update->access.form.target;
+    reduction_operator op = update->access.form.op;
+    for (unsigned i = 0; i < j->arrays.count; i++) {
+        judged_array *known = &j->arrays.items[i];
+        if (!expression_same(known->array.base, update->where.base))
+            continue;
+        /* Behind one base lies one array; different fields of its elements do not meet. */
+        overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
+        bool differs = known->array.op != op || !ir_type_equal(known->array.element, target->type);
+        if (meets != OVERLAP_NO && differs)
+            return judgement_refuse(j, REASON_SEVERAL_OPERATORS, target, known->array.name);
+        known->array.is_interleaved |= differs;
+        *number = i;
+        return true;
+    }
+    judged_array item = {.where = update->where, .first = target};
+    item.array = (reduction_array){.base = update->where.base,
+                                   .name = expression_text(j->an->memory, update->where.base),
+                                   .element = target->type,
+                                   .op = op};
+    *number = j->arrays.count;
+    VECTOR_PUSH(j->an->memory, &j->arrays, item);
+    return true;
+}
+
+static bool judge_update(judgement *j, judged_access *update) {
+    const ir_node *statement;
+    unsigned number;
+    const ir_node *target = update->access.form.target;
+    const char *name = judgement_name(j, target);
+    if (!update->access.form.has_operator)
+        return judgement_refuse(
+            j, update_form_extremum(target->parent) ? REASON_MIN_MAX : REASON_OPERATOR, target,
+            name);
+    if (update->where.base && is_inside_node(target, update->where.base))
+        update->where.base = base_of(target, update->where.base);
+    if (!judge_statement(j, update, name, &statement) || !judge_element(j, update, name) ||
+        !judge_base(j, update, name) || !add_array(j, update, &number))
+        return false;
+    judged_array *array = &j->arrays.items[number];
+    reduction_update item = {statement, target, access_row(target), number};
+    /* Two fields of which each was compared with the first only: */
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other->class == CLASS_REDUCTION && other->array == number &&
+            (other->access.form.op != update->access.form.op ||
+             !ir_type_equal(other->where.type, target->type)) &&
+            locations_overlap(&j->an->rules, &other->where, &update->where) != OVERLAP_NO)
+            return judgement_refuse(j, REASON_SEVERAL_OPERATORS, target, array->array.name);
+    }
+    if (item.row->type->size > array->array.unit)
+        array->array.unit = item.row->type->size;
+    VECTOR_PUSH(j->an->memory, &j->updates, item);
+    update->class = CLASS_REDUCTION;
+    update->array = number;
+    return true;
+}
+
+static bool is_element(const ir_node *lvalue) {
+    return lvalue->kind != IR_VARIABLE;
+}
+
+static bool judge_write(judgement *j, judged_access *write) {
+    const location *where = &write->where;
+    if (!write->access.lvalue)
+        return judgement_refuse(j, REASON_CALLEE_UPDATES, write->access.node,
+                                write->access.callee->name);
+    bool is_update = write->access.kind == ACCESS_UPDATE && !write->access.callee;
+    if (is_own_object(j, where)) {
+        if (take_private(j, where->object)) {
+            write->class = CLASS_SCALAR;
+            return true;
+        }
+        if (!is_update || !is_element(write->access.lvalue) ||
+            where->object->type->kind != IR_ARRAY)
+            return refuse_variable(j, write);
+    } else if (where->object && !is_element(write->access.lvalue)) {
+        return judgement_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
+                                write->access.node, where->object->name);
+    }
+    return is_update ? judge_update(j, write) : refuse_store(j, write);
+}
+
+bool judge_updates(judgement *j) {
+    /* Updates first: what is wrong with them says more than a store beside them. */
+    for (unsigned pass = 0; pass < 2; pass++)
+        for (unsigned i = 0; i < j->access_count; i++) {
+            judged_access *a = &j->accesses[i];
+            bool is_irregular_update =
+                a->access.kind == ACCESS_UPDATE && !a->access.callee &&
+                is_element(a->access.lvalue) &&
+                variation_is_irregular(j->an->facts, j->loop, a->access.lvalue);
+            if (a->access.kind != ACCESS_READ && is_irregular_update == (pass == 0) &&
+                !judge_write(j, a))
+                return false;
+        }
+    return true;
+}

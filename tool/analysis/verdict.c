@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* All loops of a unit: which are judged, in which order, and what is said of them. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis/analyser.h"
+#include "analysis/expression.h"
+#include "analysis/reason.h"
+#include "analysis/variation.h"
+
+/* ---- reasons ----------------------------------------------------------------------------------
+ */
+
+bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name) {
+    if (j->why.id != REASON_NONE)
+        return false;
+    ir_range range = node ? node->range : j->loop->range;
+    if (range.begin >= range.end)
+        range = j->loop->range;
+    j->why = reason_make(j->an->memory, why, name ? name : "?", range);
+    return false;
+}
+
+const char *judgement_name(const judgement *j, const ir_node *lvalue) {
+    if (!lvalue)
+        return "?";
+    location where = location_of(j->an->facts, lvalue, j->loop);
+    if (where.base)
+        return expression_text(j->an->memory, where.base);
+    const ir_variable *root = ir_root_variable(lvalue);
+    return root ? root->name : expression_text(j->an->memory, lvalue);
+}
+
+const char *reduction_operator_spelling(reduction_operator op) {
+    static const char *const spellings[] = {
+        [REDUCTION_SUM] = "+",       [REDUCTION_PRODUCT] = "*", [REDUCTION_MINIMUM] = "min",
+        [REDUCTION_MAXIMUM] = "max", [REDUCTION_AND] = "&",     [REDUCTION_OR] = "|",
+        [REDUCTION_XOR] = "^"};
+    return spellings[op];
+}
+
+/* ---- one loop ---------------------------------------------------------------------------------
+ */
+
+/* Are all scalars of the record of this one type, so that its bytes are elements throughout? */
+static bool is_homogeneous(const ir_type *type, const ir_type *element) {
+    type = ir_type_innermost(type);
+    if (type->kind != IR_RECORD)
+        return ir_type_equal(type, element);
+    if (!type->record || !type->record->is_complete || type->record->is_union)
+        return false;
+    int64_t bytes = 0;
+    for (unsigned i = 0; i < type->record->field_count; i++) {
+        if (!is_homogeneous(type->record->fields[i].type, element))
+            return false;
+        bytes += type->record->fields[i].type->size;
+    }
+    return bytes == type->size;
+}
+
+static void finish_arrays(judgement *j, loop_facts *facts) {
+    reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
+    for (unsigned i = 0; i < j->arrays.count; i++) {
+        arrays[i] = j->arrays.items[i].array;
+        const ir_type *base = arrays[i].base->type;
+        if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
+            arrays[i].is_interleaved = true;
+    }
+    facts->arrays = arrays;
+    facts->array_count = j->arrays.count;
+}
+
+/* Of a refused loop: what irregular updates there are, as far as they can be told. */
+static void note_irregular_arrays(judgement *j) {
+    access_list list = {0};
+    access_collect(j->an->effects, j->loop, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        if (a->kind != ACCESS_UPDATE || a->callee || !a->form.has_operator || !a->lvalue->type ||
+            !variation_is_irregular(j->an->facts, j->loop, a->lvalue))
+            continue;
+        location where = location_of(j->an->facts, a->lvalue, j->loop);
+        const ir_node *base = where.base ? where.base : a->lvalue;
+        bool is_known = false;
+        for (unsigned k = 0; k < j->arrays.count; k++)
+            is_known |= expression_same(j->arrays.items[k].array.base, base);
+        if (is_known)
+            continue;
+        judged_array item = {.where = where};
+        item.array = (reduction_array){.base = base,
+                                       .name = expression_text(j->an->memory, base),
+                                       .element = a->lvalue->type,
+                                       .op = a->form.op};
+        VECTOR_PUSH(j->an->memory, &j->arrays, item);
+    }
+}
+
+static loop_facts *finish_facts(judgement *j) {
+    loop_facts *facts = ARENA_NEW(j->an->memory, loop_facts);
+    facts->loop = j->loop;
+    facts->function = j->function;
+    facts->counted = j->counted;
+    finish_arrays(j, facts);
+    if (j->why.id != REASON_NONE)
+        return facts;
+    facts->counter_is_live_after = j->counter_is_live_after;
+    facts->updates = j->updates.items;
+    facts->update_count = j->updates.count;
+    facts->sources = j->sources.items;
+    facts->source_count = j->sources.count;
+    facts->privates = j->privates.items;
+    facts->private_count = j->privates.count;
+    facts->captured = j->captured.items;
+    facts->captured_count = j->captured.count;
+    facts->in_slice = j->in_slice;
+    facts->has_inspector = true;
+    facts->is_verifiable = j->is_verifiable;
+    facts->key = j->key.items;
+    facts->key_count = j->key.count;
+    return facts;
+}
+
+static bool judge_header(judgement *j) {
+    counted_result counted = counted_recognise(j->loop);
+    if (!counted.is_counted)
+        return judgement_refuse(j, counted.why, counted.node, counted.name);
+    j->counted = counted.loop;
+    return true;
+}
+
+static loop_verdict judge(const analyser *an, ir_function *function, ir_node *loop) {
+    judgement *j = ARENA_NEW(an->memory, judgement);
+    j->an = an;
+    j->function = function;
+    j->loop = loop;
+    bool is_fine = judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) &&
+                   judge_updates(j) && judge_privates(j) && judge_sources(j) && judge_slice(j);
+    if (!is_fine) {
+        j->arrays.count = 0;
+        note_irregular_arrays(j);
+    }
+    return (loop_verdict){.kind = is_fine ? VERDICT_TRANSFORM : VERDICT_REFUSE,
+                          .loop = loop,
+                          .function = function,
+                          .why = j->why,
+                          .facts = finish_facts(j)};
+}
+
+/* ---- which loops ------------------------------------------------------------------------------
+ */
+
+typedef struct loop_search {
+    const analyser *an;
+    ir_function *function;
+    VECTOR(loop_verdict) verdicts;
+} loop_search;
+
+/* What an update looks like whose loop is listed: its target; or NULL. */
+static const ir_node *updated_target(const ir_node *node) {
+    if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
+        update_form form = update_form_of(node);
+        if (form.is_update && form.target->kind != IR_VARIABLE)
+            return form.target;
+    }
+    const ir_node *extremum = update_form_extremum(node);
+    return extremum && extremum->kind != IR_VARIABLE ? extremum : NULL;
+}
+
+/* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
+ * inside of it. */
+static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
+                          bool innermost) {
+    const ir_node *target = updated_target(node);
+    if (target && variation_is_irregular(an->facts, loop, target)) {
+        if (!innermost)
+            return true;
+        const ir_node *inner = node->parent;
+        while (inner != loop &&
+               !(ir_is_loop(inner) && variation_is_irregular(an->facts, inner, target)))
+            inner = inner->parent;
+        if (inner == loop)
+            return true;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_irregular(an, loop, node->children[i], innermost))
+            return true;
+    return false;
+}
+
+/* Loops of a few iterations inside others are not worth a parallel region. */
+static bool is_tiny_part(const ir_node *loop) {
+    enum { TINY = 16 };
+    const ir_variable *counter;
+    int64_t first, last;
+    if (!counted_constant(loop, &counter, &first, &last) || last - first >= TINY)
+        return false;
+    for (const ir_node *outer = loop->parent; outer; outer = outer->parent)
+        if (ir_is_loop(outer))
+            return true;
+    return false;
+}
+
+static bool has_accepted_inside(const loop_search *s, unsigned from, const ir_node *loop) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].kind != VERDICT_NOT_A_REDUCTION &&
+            ir_contains(loop, s->verdicts.items[i].loop))
+            return true;
+    return false;
+}
+
+static void add_not_a_reduction(loop_search *s, ir_node *loop) {
+    if (!s->an->options || !s->an->options->report_all)
+        return;
+    loop_facts *facts = ARENA_NEW(s->an->memory, loop_facts);
+    facts->loop = loop;
+    facts->function = s->function;
+    loop_verdict verdict = {VERDICT_NOT_A_REDUCTION, loop, s->function, {0}, facts};
+    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+/* Judges the loops below `node`, outermost first; what is accepted covers all inside of it. */
+static void search(loop_search *s, ir_node *node) {
+    if (!ir_is_loop(node)) {
+        for (unsigned i = 0; i < node->child_count; i++)
+            search(s, node->children[i]);
+        return;
+    }
+    bool is_irregular = has_irregular(s->an, node, node, false);
+    loop_verdict verdict = {0};
+    unsigned from = s->verdicts.count;
+    if (!is_irregular) {
+        add_not_a_reduction(s, node);
+    } else if (!is_tiny_part(node)) {
+        verdict = judge(s->an, s->function, node);
+        if (verdict.kind == VERDICT_TRANSFORM) {
+            VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+            return;
+        }
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        search(s, node->children[i]);
+    if (!is_irregular)
+        return;
+    /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
+     * loop leaves that to the loop around it.) */
+    if (!is_tiny_part(node) &&
+        (has_irregular(s->an, node, node, true) || !has_accepted_inside(s, from, node)))
+        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+static int by_position(const void *a, const void *b) {
+    const ir_node *x = ((const loop_verdict *)a)->loop;
+    const ir_node *y = ((const loop_verdict *)b)->loop;
+    if (x->range.begin != y->range.begin)
+        return x->range.begin < y->range.begin ? -1 : 1;
+    return x->id < y->id ? -1 : x->id > y->id;
+}
+
+static void judge_function(loop_search *s, ir_function *function) {
+    unsigned from = s->verdicts.count;
+    s->function = function;
+    search(s, function->body);
+    if (s->verdicts.count > from)
+        qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
+              by_position);
+}
+
+analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options) {
+    static const analysis_options no_options;
+    if (!options)
+        options = &no_options;
+    must_write *prover = must_write_new(a, unit, options);
+    variable_facts *facts = variable_facts_new(a, unit, prover);
+    analyser an = {.memory = a,
+                   .unit = unit,
+                   .options = options,
+                   .prover = prover,
+                   .facts = facts,
+                   .effects = effects_new(a, unit, options, facts),
+                   .rules = {facts, unit->strict_aliasing, options->assume_noalias}};
+    loop_search search_state = {.an = &an};
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
+            judge_function(&search_state, unit->functions[i]);
+    return (analysis_result){search_state.verdicts.count, search_state.verdicts.items};
+}
