@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan_check.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* The one owner of the byte at `offset` from the array's first element. */
+static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offset) {
+    const uint32_t group = plan->group_of[array];
+    const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1);
+    uint32_t found = 0, count = 0;
+    for (uint32_t owner = 0; owner < plan->owners; owner++)
+        if (bound[owner] <= offset + plan->shift[array] &&
+            offset + plan->shift[array] < bound[owner + 1]) {
+            found = owner;
+            count++;
+        }
+    assert_int_equal(count, 1);
+    return found;
+}
+
+/* Marks the owners of what iteration t writes; returns how many there are. */
+static int mark_owners(const struct problem *problem, const struct plan *plan, long t, char *mark) {
+    int count = 0;
+    memset(mark, 0, plan->owners);
+    for (int k = problem->start[t]; k < problem->start[t + 1]; k++)
+        for (uint32_t array = 0; array < plan->array_count; array++) {
+            const long width = array ? problem->second_width : problem->width;
+            const long row = array ? problem->other[k] : problem->row[k];
+            for (long c = 0; c < width; c++) {
+                const uint32_t owner = owner_at(plan, array, 8 * (row * width + c));
+                count += !mark[owner];
+                mark[owner] = 1;
+            }
+        }
+    return count;
+}
+
+static void mark_visits(const struct problem *problem, const struct plan *plan, char *visits,
+                        char *guarded) {
+    for (int thread = 0; thread < plan->threads; thread++) {
+        const struct schedule *schedule = &plan->schedule[thread];
+        redcc_int before = -1;
+        for (size_t c = 0; c < schedule->chunk_count; c++) {
+            const struct chunk *chunk = &schedule->chunk[c];
+            if (c > 0 && chunk->stage != chunk[-1].stage)
+                before = -1;
+            for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
+                const redcc_run run = schedule->run[r];
+                redcc_int t = chunk->origin + run.begin;
+                assert_true(run.count_and_guard / 2 > 0);
+                for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++, t++) {
+                    assert_in_range(t, 0, problem->trip - 1);
+                    if (plan->method->keeps == REDCC_ORDER_SERIAL)
+                        assert_true(t > before);
+                    before = t;
+                    visits[t * plan->threads + thread]++;
+                    guarded[t * plan->threads + thread] = run.count_and_guard & 1;
+                }
+            }
+        }
+    }
+}
+
+void check_plan(const struct problem *problem, const struct plan *plan) {
+    assert_non_null(plan);
+    const size_t cells = (size_t)problem->trip * (size_t)plan->threads;
+    char *visits = calloc(cells, 1), *guarded = calloc(cells, 1);
+    char *mark = calloc(plan->owners, 1);
+    mark_visits(problem, plan, visits, guarded);
+    for (long t = 0; t < problem->trip; t++) {
+        const int owners = mark_owners(problem, plan, t, mark);
+        const char *visit = visits + t * plan->threads, *guard = guarded + t * plan->threads;
+        int times = 0;
+        for (int thread = 0; thread < plan->threads; thread++)
+            times += visit[thread];
+        if (plan->method != &redcc_method_localwrite) {
+            assert_true(times == 1 || (times == 0 && owners == 0 && t + 1 < problem->trip));
+            continue;
+        }
+        if (owners == 0) {
+            assert_int_equal(times, t + 1 == problem->trip);
+            continue;
+        }
+        for (int thread = 0; thread < plan->threads; thread++) {
+            assert_int_equal(visit[thread], mark[thread]);
+            assert_int_equal(guard[thread], mark[thread] && owners > 1);
+        }
+    }
+    free(visits);
+    free(guarded);
+    free(mark);
+}

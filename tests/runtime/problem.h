@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Irregular loops to try the runtime on:
+ *
+ *     for (t = 0; t < trip; t++)
+ *         for (k = start[t]; k < start[t + 1]; k++) {
+ *             for (c = 0; c < width; c++)
+ *                 first[row[k]][c] += value[k] * (c + 1);
+ *             if (second) for (c = 0; c < second_width; c++)
+ *                 second[other[k]][c] -= value[k] * (c + 2);
+ *         }
+ */
+#ifndef PROBLEM_H
+#define PROBLEM_H
+
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+
+struct problem {
+    const char *name;
+    long trip;
+    long touches; /* start[trip] */
+    int *start;
+    int *row;
+    int *other;
+    double *value;
+    int rows, width;
+    int second_rows, second_width; /* 0: there is no second array */
+    double *first;                 /* [rows][width] */
+    double *second; /* [second_rows][second_width]; may lie in `first`, which is larger then */
+    bool second_in_first;
+    long doubles; /* that `first` holds */
+};
+
+/** A loop's description, of its own for each problem. */
+struct described {
+    redcc_array arrays[2];
+    redcc_source sources[4];
+    redcc_loop loop;
+};
+
+enum { PROBLEMS = 14 };
+
+/** Problem number 0 <= number < PROBLEMS; `exact`: all values are small integers. */
+struct problem problem_new(int number, bool exact);
+
+/** Gives back its memory. */
+void problem_free(struct problem *problem);
+
+/** Sets the arrays to what they are before the loop. */
+void problem_reset(struct problem *problem);
+
+/** The loop as redcc translates it. Returns 1 where it was done in parallel (0: serially). *last
+ *  becomes `3 t + 1` of the last iteration. */
+int problem_run(struct problem *problem, struct described *described, int threads, long *last);
+
+/** Describes the problem's loop. */
+void problem_describe(const struct problem *problem, struct described *described);
+
+/** The loop itself, from the arrays as they are: the oracle. */
+void problem_oracle(struct problem *problem);
+
+/** A number from a sequence that is the same everywhere. */
+unsigned long next_random(unsigned long *state);
+
+#endif

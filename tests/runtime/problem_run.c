@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The loop of problem.h, written as redcc writes it (docs/generated-code.md). */
+#include "problem.h"
+
+#include <omp.h>
+
+void problem_describe(const struct problem *problem, struct described *described) {
+    const redcc_u32 size = sizeof(double);
+    const redcc_u32 width = (redcc_u32)problem->width,
+                    second_width = (redcc_u32)problem->second_width;
+    *described = (struct described){
+        .arrays = {{"first", REDCC_SUM, REDCC_DOUBLE, size, size * width},
+                   {"second", REDCC_SUM, REDCC_DOUBLE, size, size * second_width}},
+        .sources = {{"start", 1}, {"row", 1}, {"other", 1}, {"value", 0}}};
+    described->loop = (redcc_loop){.file = "problem.h",
+                                   .line = 5,
+                                   .function = "problem_run",
+                                   .order = REDCC_ORDER_SERIAL,
+                                   .flags = REDCC_VERIFIABLE,
+                                   .array_count = problem->second_width ? 2 : 1,
+                                   .arrays = described->arrays,
+                                   .source_count = 4,
+                                   .sources = described->sources,
+                                   .key_count = 3};
+}
+
+#define INSPECT(t)                                                                                 \
+    for (k = start[t]; k < start[t + 1]; k++) {                                                    \
+        redcc_read(&worker, 1, &row[k], sizeof row[k]);                                            \
+        redcc_read(&worker, 3, &value[k], sizeof value[k]);                                        \
+        redcc_touch(&worker, 0, &first[row[k] * width], sizeof *first *(redcc_size)width);         \
+        if (second_width) {                                                                        \
+            redcc_read(&worker, 2, &other[k], sizeof other[k]);                                    \
+            redcc_touch(&worker, 1, &second[other[k] * second_width],                              \
+                        sizeof *second *(redcc_size)second_width);                                 \
+        }                                                                                          \
+    }                                                                                              \
+    redcc_iteration_done(&worker)
+
+#define BODY(t, MAY_FIRST, MAY_SECOND)                                                             \
+    for (k = start[t]; k < start[t + 1]; k++) {                                                    \
+        for (c = 0; c < width; c++)                                                                \
+            if (MAY_FIRST(&b[row[k] * width + c]))                                                 \
+                b[row[k] * width + c] += value[k] * (c + 1);                                       \
+        for (c = 0; c < second_width; c++)                                                         \
+            if (MAY_SECOND(&d[other[k] * second_width + c]))                                       \
+                d[other[k] * second_width + c] -= value[k] * (c + 2);                              \
+    }                                                                                              \
+    mine = 3 * (t) + 1
+
+#define ALWAYS(address) 1
+#define OWN_FIRST(address) redcc_owns(&own_first, address)
+#define OWN_SECOND(address) redcc_owns(&own_second, address)
+
+int problem_run(struct problem *problem, struct described *described, int threads, long *last) {
+    const int *start = problem->start, *row = problem->row, *other = problem->other;
+    const double *value = problem->value;
+    double *first = problem->first, *second = problem->second;
+    const int width = problem->width, second_width = problem->second_width;
+    const redcc_int trip = problem->trip;
+    void *const bases[] = {first, second};
+    redcc_extent known[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    const redcc_word key[] = {(redcc_size)start, (redcc_size)row, (redcc_size)other};
+    if (trip > 0) {
+        known[0] = (redcc_extent){(const char *)start, (const char *)(start + trip + 1)};
+        known[1].first = (const char *)row;
+        known[2].first = (const char *)other;
+        known[3].first = (const char *)value;
+    }
+    redcc_call call;
+    if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
+#pragma omp parallel num_threads(call.threads)                                                     \
+    firstprivate(start, row, other, value, first, second, width, second_width)
+        {
+            redcc_worker worker;
+            int k, c;
+            long mine = 0;
+            redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
+            while (redcc_inspect(&worker))
+                for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {
+                    INSPECT(t);
+                }
+            while (redcc_next(&worker)) {
+                double *const b = worker.base[0];
+                double *const d = second_width ? worker.base[1] : 0;
+                const redcc_owner own_first = worker.owner[0];
+                const redcc_owner own_second = worker.owner[second_width ? 1 : 0];
+                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                    redcc_int t = worker.origin + run->begin;
+                    const redcc_int end = t + run->count_and_guard / 2;
+                    if (!(run->count_and_guard & 1))
+                        for (; t < end; t++) {
+                            BODY((long)t, ALWAYS, ALWAYS);
+                        }
+                    else
+                        for (; t < end; t++) {
+                            BODY((long)t, OWN_FIRST, OWN_SECOND);
+                        }
+                    if (end == trip && redcc_claims_last(&worker))
+                        *last = mine;
+                }
+            }
+        }
+    }
+    if (redcc_leave(&call))
+        return 1;
+    problem_oracle(problem);
+    if (trip > 0)
+        *last = 3 * (long)trip - 2;
+    return 0;
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The method that REDCC_METHOD names, on every shape of loop and many thread counts, against the
+ * sequential loop: bit for bit where the method promises it or the values are exact. */
+#include "loop.h"
+#include "memory.h"
+#include "plan_check.h"
+#include "problem.h"
+#include "settings.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const int thread_counts[] = {1, 2, 3, 7, 16, 33};
+
+static void copy_arrays(const struct problem *problem, double *to) {
+    memcpy(to, problem->first, (size_t)problem->doubles * sizeof *to);
+    if (problem->second && !problem->second_in_first)
+        memcpy(to + problem->doubles, problem->second,
+               (size_t)problem->second_rows * (size_t)problem->second_width * sizeof *to);
+}
+
+static size_t all_doubles(const struct problem *problem) {
+    return (size_t)problem->doubles + (size_t)problem->second_rows * (size_t)problem->second_width;
+}
+
+static void try_problem(int number, bool exact, int threads) {
+    const struct settings *settings = redcc_settings();
+    struct problem problem = problem_new(number, exact);
+    struct described described;
+    problem_describe(&problem, &described);
+    if (!settings->method && settings->order_given)
+        described.loop.order = settings->order;
+    double *expected = calloc(all_doubles(&problem) + 1, sizeof *expected);
+    double *found = calloc(all_doubles(&problem) + 1, sizeof *found);
+    problem_oracle(&problem);
+    copy_arrays(&problem, expected);
+    for (int call = 0; call < 4; call++) {
+        long last = -1;
+        problem_reset(&problem);
+        const int parallel = problem_run(&problem, &described, threads, &last);
+        copy_arrays(&problem, found);
+        if (memcmp(expected, found, all_doubles(&problem) * sizeof *found) != 0)
+            fail_msg("%s, %d threads, call %d: the bits differ", problem.name, threads, call);
+        assert_int_equal(last, problem.trip > 0 ? 3 * problem.trip - 2 : -1);
+        if (settings->method && settings->method->prepare)
+            assert_int_equal(parallel, threads > 1 && problem.trip > 0);
+    }
+    const struct loop_state *state = described.loop.state;
+    const struct statistics *statistics = &state->reported.statistics;
+    if (settings->method && settings->method->prepare && threads > 1 && problem.trip > 0) {
+        assert_int_equal(statistics->plans_built, 1);
+        assert_int_equal(statistics->plans_reused, 3);
+        check_plan(&problem, state->plans[0]);
+    }
+    redcc_loop_forget(&described.loop);
+    problem_free(&problem);
+    free(expected);
+    free(found);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+static void all_shapes(bool exact) {
+    for (int number = 0; number < PROBLEMS; number++)
+        for (size_t i = 0; i < sizeof thread_counts / sizeof *thread_counts; i++)
+            try_problem(number, exact, thread_counts[i]);
+}
+
+static void exact_values_give_the_oracles_bits(void **unused) {
+    (void)unused;
+    all_shapes(true);
+}
+
+static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
+    (void)unused;
+    const struct settings *settings = redcc_settings();
+    const redcc_order order = settings->method        ? settings->method->keeps
+                              : settings->order_given ? settings->order
+                                                      : REDCC_ORDER_SERIAL;
+    if (order == REDCC_ORDER_ANY)
+        skip();
+    all_shapes(false);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(exact_values_give_the_oracles_bits),
+        cmocka_unit_test(methods_that_keep_the_order_give_the_oracles_bits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
