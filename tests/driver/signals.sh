@@ -84,6 +84,11 @@ REDCC_DISABLE=1 "$redcc_cc" ./failing -c x.c
 expect_equal "$case_name" 42 $?
 end
 
+begin "nobody reads the messages"
+{ echo '#warning one'; printf '%s' "$source_text"; } >x.c
+"$redcc_cc" -v -c x.c 2> >(exec true)
+end
+
 begin "an ignored SIGHUP stays ignored"
 printf '%s' "$source_text" >x.c
 rm -f "$RECORD.asleep"

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP};
+static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 enum { CAUGHT_COUNT = sizeof caught_signals / sizeof caught_signals[0] };
 
 static volatile sig_atomic_t last_signal;

@@ -12,7 +12,8 @@ typedef struct process_streams {
     const char *error;
 } process_streams;
 
-/** From here on SIGINT, SIGTERM and SIGHUP go to the program that runs, and are remembered. */
+/** From here on SIGINT, SIGTERM, SIGHUP and SIGPIPE go to the program that runs, and are
+ *  remembered. */
 void process_catch_signals(void);
 
 /** The signal caught so far, 0 for none. */
