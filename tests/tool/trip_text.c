@@ -81,7 +81,7 @@ static void print_generated(arena *a, unsigned number, const struct type_row *co
                             const struct type_row *bound, const struct form *form, bool from_zero) {
     static const struct type_row plain_int = {"int", true, 4};
     ir_variable *t = variable_of(a, "t", type_of(a, counter));
-    loop_facts facts = {.loop = ir_new(a, IR_FOR, NULL, 0)};
+    loop_facts facts = {.loop = ir_new(a, IR_FOR, NULL, 0), .counter_is_live_after = true};
     facts.counted = (counted_loop){
         .counter = t,
         .lower = from_zero ? zero(a, type_of(a, &plain_int))

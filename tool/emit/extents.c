@@ -2,9 +2,9 @@
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
 #include "emit/loop.h"
 
-static bool has_extent(const loop_text *loop, source_extent extent) {
+bool has_affine_extents(const loop_text *loop) {
     for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == extent)
+        if (loop->sources[i].fact->extent == EXTENT_AFFINE)
             return true;
     return false;
 }
@@ -30,7 +30,7 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
 
 /** From the row of the first iteration to the row of the last, whichever comes first in memory. */
 static void fill_affine_extents(loop_text *loop, writer *out) {
-    if (!has_extent(loop, EXTENT_AFFINE))
+    if (!has_affine_extents(loop))
         return;
     const counted_loop *counted = &loop->facts->counted;
     const char *counter = counted->counter->name;

@@ -87,13 +87,11 @@ static void write_attempt(loop_text *loop, writer *out) {
     write_region(loop, out);
     writer_line(out, "}");
     writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
-    const bool counter_outlives =
-        facts->counter_is_live_after && !facts->counted.counter_is_declared_in_header;
-    if (!counter_outlives && !has_last_values(facts))
+    if (!counter_outlives(facts) && !has_last_values(facts))
         return;
     writer_line(out, "if (redcc__done) {");
     out->depth++;
-    if (counter_outlives)
+    if (counter_outlives(facts))
         writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
                     loop->counter_type);
     write_last_values(loop, out, true);

@@ -72,6 +72,7 @@ void declare_key(loop_text *loop, writer *out);
 void fill_key(loop_text *loop, writer *out);
 
 /** extents.c: redcc__known, for the sources whose place is known before the inspection. */
+bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
 
@@ -79,6 +80,8 @@ void fill_extents(loop_text *loop, writer *out);
 void write_region(loop_text *loop, writer *out);
 /** Copies of thread-local scalars: before the region, or in it, under their own names. */
 void write_thread_local_copies(loop_text *loop, writer *out, bool in_region);
+/** Is the counter another variable than the loop's own, with a value after it that is wanted? */
+bool counter_outlives(const loop_facts *facts);
 bool has_last_values(const loop_facts *facts);
 void declare_last_values(loop_text *loop, writer *out);
 /** Stores the last values, of the thread that has them; or from there into the user's variables. */

@@ -54,9 +54,21 @@ static void open_block(printer *p, const char *text) {
     p->out->depth++;
 }
 
+/** Notes that control does not go on from here by itself. */
+static void settle(printer *p) {
+    p->settled_end = p->out->out.length;
+}
+
+static bool is_settled(const printer *p) {
+    return p->settled_end == p->out->out.length;
+}
+
 static void close_block(printer *p, const char *text) {
+    const bool settled = is_settled(p);
     p->out->depth--;
     writer_line(p->out, "%s", text);
+    if (settled)
+        settle(p);
 }
 
 /**
@@ -191,15 +203,19 @@ static void print_do(printer *p, const ir_node *node) {
 
 static void print_switch(printer *p, const ir_node *node) {
     writer_line(p->out, "switch (%s) {", print_expression(p, ir_child(node, 0)));
+    settle(p);
     print_part(p, ir_child(node, 1));
     writer_line(p->out, "}");
 }
 
 static void print_case(printer *p, const ir_node *node) {
+    if (!is_settled(p))
+        writer_line(p->out, "__attribute__((fallthrough));");
     if (node->kind == IR_CASE)
         writer_line(p->out, "case %s:;", print_expression(p, ir_child(node, 0)));
     else
         writer_line(p->out, "default:;");
+    settle(p);
     print_statement(p, node->children[node->child_count - 1]);
 }
 
@@ -214,6 +230,7 @@ static void print_jump(printer *p, const ir_node *node) {
         return;
     }
     writer_line(p->out, is_break ? "break;" : "continue;");
+    settle(p);
     if (!is_break && !p->in_loop)
         p->continues = true;
 }

@@ -19,6 +19,8 @@ struct printer {
     bool continues;      /* a `continue` of the loop around the whole was printed */
     unsigned unkept_since_break, unkept_since_continue; /* control left out between a jump and what
                                                            it jumps to: start at 0 */
+    size_t settled_end; /* length of the text when a jump, label or head of a switch had just been
+                           printed: nothing falls through into a case that follows */
     bool in_loop, in_switch; /* a loop, a switch or loop, has been printed around this */
 };
 

@@ -55,6 +55,10 @@ void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
 
 /* ---- last values --------------------------------------------------------------------------- */
 
+bool counter_outlives(const loop_facts *facts) {
+    return facts->counter_is_live_after && !facts->counted.counter_is_declared_in_header;
+}
+
 bool has_last_values(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->private_count; i++)
         if (facts->privates[i].is_live_after)

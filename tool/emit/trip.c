@@ -207,12 +207,14 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     writer_line(out, "const redcc_int redcc__bound = %s;", bound_text(loop, &h));
     writer_line(out, "const redcc_int redcc__trip = %s ? %s : 0;", ends.text.data,
                 count_text(loop->arena, &h));
-    writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
     buffer_free(&ends.text);
 
     conditions entry = {0};
     require(&entry, "redcc__trip > 0");
+    const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
+    if (entry.text.length > before || has_affine_extents(loop) || counter_outlives(loop->facts))
+        writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
     const char *text = arena_copy(loop->arena, entry.text.data, entry.text.length);
     buffer_free(&entry.text);
     return text;
