@@ -223,7 +223,7 @@ static void test_nothing_falls_through_a_thin_table(void **state) {
     end(&on);
 }
 
-/* S27: on the table cloth comes to rest and stays there. */
+/* S24, S27: on a ball cloth comes to rest and stays there. */
 static void test_cloth_comes_to_rest(void **state) {
     (void)state;
     collider ball = {.kind = COLLIDER_SPHERE,
@@ -243,6 +243,10 @@ static void test_cloth_comes_to_rest(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         sum += vector_dot(on.sim->v[i], on.sim->v[i]);
     assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
+    /* At rest the right side is next to nothing; a tolerance relative to it alone asks too much. */
+    const long before = simulation_iterations(on.sim);
+    run(&on, 100);
+    assert_below((double)(simulation_iterations(on.sim) - before), 100 * 10);
     long contacts;
     collisions_count(&on.sim->collisions, &contacts, NULL);
     assert_in_range(contacts, 1, 36);
