@@ -2,7 +2,6 @@
 #include "memory.h"
 
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,6 +95,10 @@ void redcc_memory_limit(size_t bytes) {
 
 void redcc_memory_fail_after(long calls_from_now) {
     atomic_store(&until_failure, calls_from_now);
+}
+
+bool redcc_memory_is_exhausted(void) {
+    return atomic_load(&until_failure) == 0;
 }
 
 long redcc_memory_live(void) {

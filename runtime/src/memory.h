@@ -6,6 +6,7 @@
 #ifndef REDCC_MEMORY_H
 #define REDCC_MEMORY_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /** `bytes` bytes, aligned to a cache line, not initialised (so that the thread that writes a page
@@ -31,6 +32,9 @@ void redcc_memory_limit(size_t bytes);
 /** For tests: the `calls_from_now`-th take fails and so do those after it (0: the very next;
  *  negative: none). */
 void redcc_memory_fail_after(long calls_from_now);
+
+/** Has redcc_memory_fail_after come to its end, so that every take fails? */
+bool redcc_memory_is_exhausted(void);
 
 /** Blocks taken and not given back. */
 long redcc_memory_live(void);

@@ -55,6 +55,10 @@ void problem_reset(struct problem *problem);
  *  becomes `3 t + 1` of the last iteration. */
 int problem_run(struct problem *problem, struct described *described, int threads, long *last);
 
+/** As problem_run, but OpenMP is made to give only `given` of the threads. */
+int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
+                      long *last);
+
 /** Describes the problem's loop. */
 void problem_describe(const struct problem *problem, struct described *described);
 

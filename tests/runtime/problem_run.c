@@ -53,6 +53,11 @@ void problem_describe(const struct problem *problem, struct described *described
 #define OWN_SECOND(address) redcc_owns(&own_second, address)
 
 int problem_run(struct problem *problem, struct described *described, int threads, long *last) {
+    return problem_run_fewer(problem, described, threads, threads, last);
+}
+
+int problem_run_fewer(struct problem *problem, struct described *described, int threads, int given,
+                      long *last) {
     const int *start = problem->start, *row = problem->row, *other = problem->other;
     const double *value = problem->value;
     double *first = problem->first, *second = problem->second;
@@ -69,7 +74,7 @@ int problem_run(struct problem *problem, struct described *described, int thread
     }
     redcc_call call;
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
-#pragma omp parallel num_threads(call.threads)                                                     \
+#pragma omp parallel num_threads(given < call.threads ? given : call.threads)                      \
     firstprivate(start, row, other, value, first, second, width, second_width)
         {
             redcc_worker worker;

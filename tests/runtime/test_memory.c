@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Memory fails at the first call, at the second, ... until it suffices: the loop is right each time
+ * and nothing is lost. And the limit. Run with a method by name. */
+#include "loop.h"
+#include "memory.h"
+#include "problem.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void fail_everywhere(int number, int threads) {
+    struct problem problem = problem_new(number, true);
+    const size_t bytes = (size_t)problem.doubles * sizeof(double);
+    double *expected = malloc(bytes);
+    problem_oracle(&problem);
+    memcpy(expected, problem.first, bytes);
+    long failures = 0;
+    for (bool failed = true; failed; failures++) {
+        struct described described;
+        long last;
+        problem_describe(&problem, &described);
+        problem_reset(&problem);
+        redcc_memory_fail_after(failures);
+        const int parallel = problem_run(&problem, &described, threads, &last);
+        failed = redcc_memory_is_exhausted();
+        redcc_memory_fail_after(-1);
+        assert_memory_equal(expected, problem.first, bytes);
+        assert_true(failed || parallel);
+        problem_reset(&problem); /* again, with memory, and a history */
+        assert_true(problem_run(&problem, &described, threads, &last));
+        assert_memory_equal(expected, problem.first, bytes);
+        redcc_loop_forget(&described.loop);
+        assert_int_equal(redcc_memory_live(), 0);
+        assert_int_equal(redcc_memory_in_use(), 0);
+    }
+    assert_true(failures > 20);
+    free(expected);
+    problem_free(&problem);
+}
+
+static void failing_memory(void **unused) {
+    (void)unused;
+    fail_everywhere(3, 2);
+    fail_everywhere(9, 5);
+    fail_everywhere(11, 3);
+}
+
+static void a_limit_is_kept(void **unused) {
+    (void)unused;
+    struct problem problem = problem_new(3, true);
+    struct described described;
+    problem_describe(&problem, &described);
+    long last;
+    redcc_memory_limit(20000);
+    assert_false(problem_run(&problem, &described, 2, &last));
+    assert_true(redcc_memory_in_use() <= 20000);
+    const struct loop_state *state = described.loop.state;
+    assert_int_equal(atomic_load(&state->reported.statistics.fallback[REASON_NO_MEMORY]), 1);
+    redcc_memory_limit(0);
+    assert_true(problem_run(&problem, &described, 2, &last));
+    redcc_loop_forget(&described.loop);
+    assert_int_equal(redcc_memory_in_use(), 0);
+    problem_free(&problem);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(failing_memory),
+        cmocka_unit_test(a_limit_is_kept),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
