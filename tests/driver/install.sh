@@ -25,10 +25,14 @@ begin "nothing points back"
 # debugging information (a Debug build) names the sources, as it should; look at the rest
 cp -r "$prefix" stripped
 find stripped -type f \( -path '*/bin/*' -o -name '*.so*' -o -name '*.a' \) -exec strip -g {} + 2>/dev/null
-for folder in "$BUILD" "$SOURCE" "$work/first"; do
+for folder in "$BUILD" "$work/first"; do
   found=$(grep -rlF -- "$folder" stripped)
   expect_equal "$case_name: $folder" "" "$found"
 done
+# fabric's loops say in reports where they stand in its sources, by the path that CMake gave; nothing
+# else may know where the sources were
+found=$(grep -rlF -- "$SOURCE" stripped | grep -v bin/fabric)
+expect_equal "$case_name: $SOURCE" "" "$found"
 for program in "$prefix"/bin/* "$prefix"/lib/*.so; do
   readelf -d "$program" 2>/dev/null >dynamic
   expect_no_match dynamic 'RPATH|RUNPATH'
@@ -105,7 +109,9 @@ for compiler in gcc clang-19; do
     [ "$compiler $how" != "clang-19 -O2 -static" ] || continue # has no static libomp
     # shellcheck disable=SC2086
     REDCC_KEEP=$PWD/kept "$prefix/bin/redcc-cc" $compiler $how 'a loop.c' -o parallel 2>messages || fail "$compiler $how"
-    expect_empty messages
+    # a static libgomp draws this from the linker, redcc or not
+    grep -vE 'dlopen|libgomp\.a' messages >others
+    expect_empty others
     expect_match 'kept/a loop.c' redcc_enter
     rm -r kept
     for threads in 1 2 3; do

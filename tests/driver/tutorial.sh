@@ -4,8 +4,10 @@
 # commands (```sh) in an empty folder, and compares what they print with the ```text that follows.
 # BUILD is the build folder to install from, TUTORIAL the document.
 . "$(dirname "$0")/library.sh"
-install_tree "$BUILD" "$work/prefix"
-export PATH="$work/prefix/bin:$PATH" PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig"
+prefix=$(mktemp -d) # $(pkg-config ...) in a command cannot have spaces in it
+trap 'rm -rf "$work" "$prefix"' EXIT
+install_tree "$BUILD" "$prefix"
+export PATH="$prefix/bin:$PATH" PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 begin "tutorial"
 
 kind='' name='' text='' printed='' command=''
@@ -16,7 +18,8 @@ finish_block() {
       printf '%s' "$text" >"$name" ;;
     sh)
       command=$text
-      printed=$(bash -euo pipefail -c "$command" 2>&1) || fail "status $? of: $command$printed" ;;
+      printed=$(bash -euo pipefail -c "$command" 2>"$work/errors") ||
+        fail "status $? of: $command$printed $(cat "$work/errors")" ;;
     text)
       expect_equal "$command" "${text%$'\n'}" "$printed" ;;
     *) fail "a block of unknown kind '$kind'" ;;
