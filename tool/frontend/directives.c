@@ -1,108 +1,197 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Finds the preprocessor's lines in the main file, where a loop's text may not be cut through. */
+#include "frontend/directives.h"
+
 #include <ctype.h>
 #include <string.h>
 
-#include "frontend/translation.h"
+#include "support/vector.h"
 
 typedef struct scanner {
-    const char *text;
-    uint32_t length;
-    uint32_t at;
+    arena *arena;
+    const char *begin, *at, *end;
+    bool is_line_begin; /* only blanks and comments so far */
+    VECTOR(ir_directive) found;
 } scanner;
 
-static bool starts(const scanner *s, uint32_t at, const char *word) {
-    const size_t n = strlen(word);
-    return s->length - at >= n && memcmp(s->text + at, word, n) == 0;
+unsigned splice_length(const char *p, const char *end) {
+    unsigned length = 0;
+    if (p < end && *p == '\\')
+        length = 1;
+    else if (end - p >= 3 && strncmp(p, "?\?/", 3) == 0) /* a backslash, as a trigraph */
+        length = 3;
+    else
+        return 0;
+    if (p + length < end && p[length] == '\n')
+        return length + 1;
+    if (end - p >= length + 2 && p[length] == '\r' && p[length + 1] == '\n')
+        return length + 2;
+    return 0;
 }
 
-/* A backslash before the end of a line joins it to the next. */
-static uint32_t splice_length(const scanner *s, uint32_t at) {
-    if (starts(s, at, "\\\n"))
-        return 2;
-    return starts(s, at, "\\\r\n") ? 3 : 0;
+static bool starts_with(const scanner *s, const char *text) {
+    size_t length = strlen(text);
+    return (size_t)(s->end - s->at) >= length && strncmp(s->at, text, length) == 0;
 }
 
 static void skip_block_comment(scanner *s) {
-    for (s->at += 2; s->at < s->length && !starts(s, s->at, "*/"); s->at++)
-        ;
-    s->at = s->at + 2 < s->length ? s->at + 2 : s->length;
+    s->at += 2;
+    while (s->at < s->end && !starts_with(s, "*/"))
+        s->at++;
+    s->at = s->at < s->end ? s->at + 2 : s->end;
 }
 
-static void skip_to_line_end(scanner *s) {
-    while (s->at < s->length && s->text[s->at] != '\n') {
-        const uint32_t splice = splice_length(s, s->at);
-        if (splice)
+/* To the line's end, or to the closing quote; a quote that is left open ends with the line, as in
+ * a branch that is not compiled. */
+static void skip_to(scanner *s, char close) {
+    while (s->at < s->end && *s->at != '\n') {
+        unsigned splice = splice_length(s->at, s->end);
+        if (splice > 0) {
             s->at += splice;
-        else if (starts(s, s->at, "/*"))
-            skip_block_comment(s);
-        else
+        } else if (close != 0 && *s->at == '\\' && s->at + 1 < s->end && s->at[1] != '\n') {
+            s->at += 2;
+        } else if (close != 0 && *s->at == close) {
             s->at++;
+            return;
+        } else {
+            s->at++;
+        }
     }
 }
 
 static void skip_quoted(scanner *s) {
-    const char quote = s->text[s->at++];
-    while (s->at < s->length && s->text[s->at] != quote && s->text[s->at] != '\n')
-        s->at += s->text[s->at] == '\\' ? 2 : 1;
-    if (s->at < s->length && s->text[s->at] == quote)
+    char close = *s->at++;
+    skip_to(s, close);
+}
+
+/* Comments, strings and splices are passed over as one; anything else byte by byte. */
+static void skip_piece(scanner *s) {
+    unsigned splice = splice_length(s->at, s->end);
+    if (splice > 0)
+        s->at += splice;
+    else if (starts_with(s, "/*"))
+        skip_block_comment(s);
+    else if (starts_with(s, "//"))
+        skip_to(s, 0);
+    else if (*s->at == '"' || *s->at == '\'')
+        skip_quoted(s);
+    else
         s->at++;
 }
 
-static ir_directive_kind kind_of(const char *text, size_t length) {
-    static const char *const conditionals[] = {"if", "else", "elif", "endif", "ifdef", "ifndef"};
-    size_t at = 0, end;
-    while (at < length && !isalpha((unsigned char)text[at]))
-        at++;
-    for (end = at; end < length && isalpha((unsigned char)text[end]); end++)
-        ;
-    for (size_t i = 0; i < sizeof conditionals / sizeof *conditionals; i++)
-        if (strlen(conditionals[i]) == end - at &&
-            memcmp(conditionals[i], text + at, end - at) == 0)
-            return IR_DIRECTIVE_CONDITIONAL;
-    return end - at == 6 && memcmp(text + at, "pragma", 6) == 0 ? IR_DIRECTIVE_PRAGMA
-                                                                : IR_DIRECTIVE_OTHER;
+static void add(scanner *s, ir_directive_kind kind, const char *from) {
+    const char *to = s->at;
+    while (to > from && isspace((unsigned char)to[-1]))
+        to--;
+    ir_directive directive = {
+        .kind = kind,
+        .range = {(uint32_t)(from - s->begin), (uint32_t)(to - s->begin)},
+        .text = arena_copy(s->arena, from, (size_t)(to - from)),
+    };
+    VECTOR_PUSH(s->arena, &s->found, directive);
 }
 
-void scan_directives(arena *a, ir_unit *unit) {
-    scanner s = {.text = unit->source->text, .length = unit->source->length};
-    VECTOR(ir_directive) list = {0};
-    bool line_is_blank = true;
-    while (s.at < s.length) {
-        const char c = s.text[s.at];
-        const uint32_t begin = s.at;
-        const bool digraph = starts(&s, s.at, "%:");
-        if (starts(&s, s.at, "/*")) {
-            skip_block_comment(&s);
-        } else if (starts(&s, s.at, "//") || ((c == '#' || digraph) && line_is_blank)) {
-            skip_to_line_end(&s);
-            if (c != '/') {
-                const ir_directive directive = {.kind = kind_of(s.text + begin, s.at - begin),
-                                                .range = {begin, s.at},
-                                                .text =
-                                                    arena_copy(a, s.text + begin, s.at - begin)};
-                VECTOR_PUSH(a, &list, directive);
-            }
-        } else if (c == '"' || c == '\'') {
-            skip_quoted(&s);
-            line_is_blank = false;
-        } else if (starts(&s, s.at, "_Pragma") &&
-                   (begin == 0 ||
-                    !(isalnum((unsigned char)s.text[begin - 1]) || s.text[begin - 1] == '_'))) {
-            const ir_directive directive = {
-                .kind = IR_DIRECTIVE_PRAGMA, .range = {begin, begin + 7}, .text = "_Pragma"};
-            VECTOR_PUSH(a, &list, directive);
-            s.at += 7;
-            line_is_blank = false;
+/* The directive's name, behind "#", with splices and comments passed over. */
+static void read_name(scanner *s, char name[16]) {
+    size_t length = 0;
+    while (s->at < s->end && *s->at != '\n') {
+        if (length == 0 && (*s->at == ' ' || *s->at == '\t')) {
+            s->at++;
+        } else if (splice_length(s->at, s->end) > 0 || (length == 0 && starts_with(s, "/*"))) {
+            skip_piece(s);
+        } else if (isalnum((unsigned char)*s->at) || *s->at == '_') {
+            if (length < 15)
+                name[length++] = *s->at;
+            s->at++;
         } else {
-            if (c == '\n')
-                line_is_blank = true;
-            else if (!isspace((unsigned char)c) && !splice_length(&s, s.at) &&
-                     (unsigned char)c < 0x80)
-                line_is_blank = false;
-            s.at++;
+            break;
         }
     }
-    unit->directive_count = list.count;
-    unit->directives = list.items;
+    name[length] = 0;
+}
+
+static ir_directive_kind kind_of(const char *name) {
+    static const char *const conditionals[] = {"if",   "ifdef", "ifndef",  "elif",
+                                               "else", "endif", "elifdef", "elifndef"};
+    for (unsigned i = 0; i < sizeof conditionals / sizeof conditionals[0]; i++)
+        if (strcmp(name, conditionals[i]) == 0)
+            return IR_DIRECTIVE_CONDITIONAL;
+    return strcmp(name, "pragma") == 0 ? IR_DIRECTIVE_PRAGMA : IR_DIRECTIVE_OTHER;
+}
+
+/* `hash`: how long the "#" is. */
+static void read_directive(scanner *s, unsigned hash) {
+    const char *from = s->at;
+    char name[16];
+    s->at += hash;
+    read_name(s, name);
+    while (s->at < s->end && *s->at != '\n')
+        skip_piece(s);
+    add(s, kind_of(name), from);
+}
+
+static unsigned hash_length(const scanner *s) {
+    if (*s->at == '#')
+        return 1;
+    if (starts_with(s, "%:"))
+        return 2;
+    return starts_with(s, "?\?=") ? 3 : 0;
+}
+
+/* _Pragma ( "..." ) as a whole. */
+static void read_pragma_operator(scanner *s) {
+    const char *from = s->at;
+    s->at += strlen("_Pragma");
+    while (s->at < s->end && *s->at != ')' && *s->at != ';')
+        skip_piece(s);
+    if (s->at < s->end && *s->at == ')')
+        s->at++;
+    add(s, IR_DIRECTIVE_PRAGMA, from);
+}
+
+static bool is_word_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 128;
+}
+
+static void read_word(scanner *s) {
+    const char *word = s->at;
+    while (s->at < s->end && is_word_byte(*s->at))
+        s->at++;
+    if (s->at - word == 7 && strncmp(word, "_Pragma", 7) == 0) {
+        s->at = word;
+        read_pragma_operator(s);
+    }
+}
+
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+static void scan(scanner *s) {
+    if (starts_with(s, "\xef\xbb\xbf"))
+        s->at += 3;
+    s->is_line_begin = true;
+    while (s->at < s->end) {
+        if (*s->at == '\n') {
+            s->is_line_begin = true;
+            s->at++;
+        } else if (is_blank(*s->at) || starts_with(s, "/*") || splice_length(s->at, s->end) > 0) {
+            skip_piece(s); /* the next may still begin a directive */
+        } else if (s->is_line_begin && hash_length(s) > 0) {
+            read_directive(s, hash_length(s));
+        } else {
+            s->is_line_begin = false;
+            if (is_word_byte(*s->at))
+                read_word(s);
+            else
+                skip_piece(s);
+        }
+    }
+}
+
+void find_directives(arena *a, ir_unit *unit) {
+    const char *text = unit->source->text;
+    scanner s = {.arena = a, .begin = text, .at = text, .end = text + unit->source->length};
+    scan(&s);
+    unit->directives = s.found.items;
+    unit->directive_count = s.found.count;
 }

@@ -1,161 +1,141 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Expressions. Implicit conversions and parentheses are looked through. */
-#include <inttypes.h>
-#include <string.h>
+/* Expressions. */
+#include "frontend/convert.h"
 
-#include "frontend/translation.h"
+/* ---- children ------------------------------------------------------------------------------ */
 
-static bool is_clang_expression(CXCursor cursor) {
-    return clang_isExpression(clang_getCursorKind(cursor)) != 0;
+typedef struct child_list {
+    converter *converter;
+    cursor_list cursors;
+} child_list;
+
+static enum CXChildVisitResult collect_child(CXCursor child, CXCursor parent, CXClientData data) {
+    (void)parent;
+    child_list *list = data;
+    enum CXCursorKind kind = clang_getCursorKind(child);
+    if (clang_isExpression(kind) || clang_isStatement(kind))
+        VECTOR_PUSH(list->converter->scratch, &list->cursors, child);
+    return CXChildVisit_Continue;
 }
 
-ir_node *node_new(translation *t, CXCursor cursor, ir_kind kind, unsigned child_count) {
-    const ir_type *type =
-        is_clang_expression(cursor) ? translate_type(t, clang_getCursorType(cursor)) : NULL;
-    ir_node *node = ir_new(t->arena, kind, type, child_count);
-    node->range = place_range(t, cursor);
-    if (!place_is_plain(t, cursor))
-        node->flags |= IR_FROM_MACRO;
+cursor_list children_of(converter *c, CXCursor cursor) {
+    child_list list = {.converter = c};
+    clang_visitChildren(cursor, collect_child, &list);
+    return list.cursors;
+}
+
+/* ---- making nodes -------------------------------------------------------------------------- */
+
+static const ir_type *type_of(converter *c, CXCursor cursor) {
+    return convert_type(c, clang_getCursorType(cursor));
+}
+
+/* Only what names or reaches an object can be an array; see decayed(). */
+static bool may_be_array(ir_kind kind) {
+    return kind == IR_VARIABLE || kind == IR_INDEX || kind == IR_MEMBER || kind == IR_UNARY ||
+           kind == IR_INITIALIZERS;
+}
+
+static ir_node *new_expression(converter *c, CXCursor cursor, ir_kind kind, unsigned child_count) {
+    const ir_type *type = type_of(c, cursor);
+    if (!may_be_array(kind))
+        type = decayed(c, type);
+    ir_node *node = ir_new(c->arena, kind, type, child_count);
+    place_node(c, node, cursor);
     return node;
 }
 
-static ir_node *translate_any(translation *t, CXCursor cursor) {
-    const enum CXCursorKind kind = clang_getCursorKind(cursor);
-    if (clang_isExpression(kind))
-        return translate_expression(t, cursor);
-    if (clang_isStatement(kind))
-        return translate_statement(t, cursor);
-    return NULL;
+/* A node whose children are the expressions given, in their order. */
+static ir_node *convert_parts(converter *c, CXCursor cursor, ir_kind kind,
+                              const cursor_list *parts) {
+    ir_node *node = new_expression(c, cursor, kind, parts->count);
+    for (unsigned i = 0; i < parts->count; i++)
+        node->children[i] = convert_expression(c, parts->items[i]);
+    return node;
 }
 
-ir_node *node_opaque(translation *t, CXCursor cursor, const char *what) {
-    const cursor_list children = children_of(t, cursor);
-    node_list list = {0};
-    for (unsigned i = 0; i < children.count; i++) {
-        ir_node *child = translate_any(t, children.items[i]);
-        if (child)
-            VECTOR_PUSH(t->arena, &list, child);
-    }
-    ir_node *node = node_new(t, cursor, IR_OPAQUE, list.count);
-    if (list.count)
-        memcpy(node->children, list.items, list.count * sizeof *list.items);
+ir_node *convert_opaque(converter *c, CXCursor cursor, const ir_type *type, const char *what) {
+    cursor_list parts = children_of(c, cursor);
+    ir_node *node = ir_new(c->arena, IR_OPAQUE, type, parts.count);
+    place_node(c, node, cursor);
     node->text = what;
+    for (unsigned i = 0; i < parts.count; i++)
+        node->children[i] = convert_any(c, parts.items[i]);
     return node;
 }
 
-ir_node *node_with_children(translation *t, CXCursor cursor, ir_kind kind, const cursor_list *list,
-                            unsigned first) {
-    ir_node *node = node_new(t, cursor, kind, list->count - first);
-    for (unsigned i = first; i < list->count; i++)
-        node->children[i - first] = translate_any(t, list->items[i]);
-    return node;
-}
-
-static bool same_extent(CXCursor a, CXCursor b) {
-    return clang_equalRanges(clang_getCursorExtent(a), clang_getCursorExtent(b)) != 0;
-}
-
-/* ---- literals ------------------------------------------------------------------------------ */
-
-static const char *integer_text(translation *t, const ir_type *type, int64_t value) {
-    const char *suffix = type->size > 4    ? (type->is_signed ? "L" : "UL")
-                         : type->is_signed ? ""
-                                           : "U";
-    return type->is_signed || type->size < 4
-               ? arena_format(t->arena, "%" PRId64 "%s", value, type->size < 4 ? "" : suffix)
-               : arena_format(t->arena, "%" PRIu64 "%s", (uint64_t)value, suffix);
-}
-
-/* The constant's value, where it is an integer that libclang can tell. */
-static bool evaluate(CXCursor cursor, int64_t *value) {
-    CXEvalResult result = clang_Cursor_Evaluate(cursor);
-    if (!result)
-        return false;
-    const bool is_integer = clang_EvalResult_getKind(result) == CXEval_Int;
-    if (is_integer)
-        *value = clang_EvalResult_isUnsignedInt(result)
-                     ? (int64_t)clang_EvalResult_getAsUnsigned(result)
-                     : clang_EvalResult_getAsLongLong(result);
-    clang_EvalResult_dispose(result);
-    return is_integer;
-}
-
-static ir_node *integer_literal(translation *t, CXCursor cursor, bool keep_text) {
-    ir_node *node = node_new(t, cursor, IR_NUMBER, 0);
-    if (!evaluate(cursor, &node->value))
-        return node_opaque(t, cursor, "literal");
-    node->flags |= IR_HAS_VALUE;
-    node->text = keep_text ? place_token(t, cursor) : NULL;
-    if (!node->text)
-        node->text = integer_text(t, node->type, node->value);
-    return node;
-}
-
-static ir_node *floating_literal(translation *t, CXCursor cursor) {
-    ir_node *node = node_new(t, cursor, IR_NUMBER, 0);
-    node->text = place_token(t, cursor);
-    return node->text ? node : node_opaque(t, cursor, "literal");
-}
-
-static ir_node *size_of(translation *t, CXCursor cursor) {
-    ir_node *node = node_new(t, cursor, IR_SIZEOF, 0);
-    if (!evaluate(cursor, &node->value))
-        return node_opaque(t, cursor, "sizeof");
-    node->flags |= IR_HAS_VALUE;
-    node->text = integer_text(t, node->type, node->value);
-    return node;
+static ir_node *opaque_expression(converter *c, CXCursor cursor, const char *what) {
+    return convert_opaque(c, cursor, decayed(c, type_of(c, cursor)), what);
 }
 
 /* ---- names --------------------------------------------------------------------------------- */
 
-static ir_node *reference(translation *t, CXCursor cursor) {
-    const CXCursor declaration = clang_getCursorReferenced(cursor);
+static ir_node *convert_enumerator(converter *c, CXCursor cursor, CXCursor enumerator) {
+    ir_node *node = new_expression(c, cursor, IR_NUMBER, 0);
+    node->text = take_string(c, clang_getCursorSpelling(enumerator));
+    node->value = clang_getEnumConstantDeclValue(enumerator);
+    node->flags |= IR_HAS_VALUE;
+    return node;
+}
+
+static ir_node *convert_name(converter *c, CXCursor cursor) {
+    CXCursor declaration = clang_getCursorReferenced(cursor);
     ir_node *node;
     switch (clang_getCursorKind(declaration)) {
     case CXCursor_VarDecl:
     case CXCursor_ParmDecl:
-        node = node_new(t, cursor, IR_VARIABLE, 0);
-        node->variable = translate_variable(t, declaration);
+        node = new_expression(c, cursor, IR_VARIABLE, 0);
+        node->variable = convert_variable(c, declaration);
+        if (node->variable->storage == IR_PARAMETER)
+            node->type = node->variable->type;
         return node;
     case CXCursor_FunctionDecl:
-        node = node_new(t, cursor, IR_FUNCTION, 0);
-        node->function = translate_function(t, declaration);
+        node = new_expression(c, cursor, IR_FUNCTION, 0);
+        node->function = convert_function(c, declaration);
+        node->type = node->function->type;
         return node;
     case CXCursor_EnumConstantDecl:
-        node = node_new(t, cursor, IR_NUMBER, 0);
-        node->value = clang_getEnumConstantDeclValue(declaration);
-        node->flags |= IR_HAS_VALUE;
-        node->text = take_string(t, clang_getCursorSpelling(declaration));
-        return node;
+        return convert_enumerator(c, cursor, declaration);
     default:
-        return node_opaque(t, cursor, "name");
+        return opaque_expression(c, cursor, "name");
     }
-}
-
-static ir_node *member(translation *t, CXCursor cursor) {
-    const cursor_list children = children_of(t, cursor);
-    const CXCursor field = clang_getCursorReferenced(cursor);
-    if (children.count == 0 || clang_getCursorKind(field) != CXCursor_FieldDecl)
-        return node_opaque(t, cursor, "member");
-    ir_node *object = translate_expression(t, children.items[0]);
-    ir_node *node = node_new(t, cursor, IR_MEMBER, 1);
-    node->children[0] = object;
-    node->field = translate_field(t, field);
-    if (object->type && object->type->kind == IR_POINTER)
-        node->flags |= IR_ARROW;
-    return node->field ? node : node_opaque(t, cursor, "member");
 }
 
 /* ---- operators ----------------------------------------------------------------------------- */
 
+static ir_operator unary_operator(enum CXUnaryOperatorKind kind) {
+    switch (kind) {
+    case CXUnaryOperator_PostInc:
+        return IR_OP_POST_INCREMENT;
+    case CXUnaryOperator_PostDec:
+        return IR_OP_POST_DECREMENT;
+    case CXUnaryOperator_PreInc:
+        return IR_OP_PRE_INCREMENT;
+    case CXUnaryOperator_PreDec:
+        return IR_OP_PRE_DECREMENT;
+    case CXUnaryOperator_AddrOf:
+        return IR_OP_ADDRESS;
+    case CXUnaryOperator_Deref:
+        return IR_OP_DEREFERENCE;
+    case CXUnaryOperator_Plus:
+        return IR_OP_PLUS;
+    case CXUnaryOperator_Minus:
+        return IR_OP_MINUS;
+    case CXUnaryOperator_Not:
+        return IR_OP_BIT_NOT;
+    case CXUnaryOperator_LNot:
+        return IR_OP_NOT;
+    case CXUnaryOperator_Real:
+        return IR_OP_REAL;
+    case CXUnaryOperator_Imag:
+        return IR_OP_IMAG;
+    default:
+        return IR_OP_NONE;
+    }
+}
+
 static ir_operator binary_operator(enum CXBinaryOperatorKind kind) {
     switch (kind) {
-    case CXBinaryOperator_Add:
-    case CXBinaryOperator_AddAssign:
-        return IR_OP_ADD;
-    case CXBinaryOperator_Sub:
-    case CXBinaryOperator_SubAssign:
-        return IR_OP_SUBTRACT;
     case CXBinaryOperator_Mul:
     case CXBinaryOperator_MulAssign:
         return IR_OP_MULTIPLY;
@@ -165,6 +145,12 @@ static ir_operator binary_operator(enum CXBinaryOperatorKind kind) {
     case CXBinaryOperator_Rem:
     case CXBinaryOperator_RemAssign:
         return IR_OP_REMAINDER;
+    case CXBinaryOperator_Add:
+    case CXBinaryOperator_AddAssign:
+        return IR_OP_ADD;
+    case CXBinaryOperator_Sub:
+    case CXBinaryOperator_SubAssign:
+        return IR_OP_SUBTRACT;
     case CXBinaryOperator_Shl:
     case CXBinaryOperator_ShlAssign:
         return IR_OP_SHIFT_LEFT;
@@ -203,184 +189,276 @@ static ir_operator binary_operator(enum CXBinaryOperatorKind kind) {
     }
 }
 
-static ir_operator unary_operator(enum CXUnaryOperatorKind kind) {
-    switch (kind) {
-    case CXUnaryOperator_PostInc:
-        return IR_OP_POST_INCREMENT;
-    case CXUnaryOperator_PostDec:
-        return IR_OP_POST_DECREMENT;
-    case CXUnaryOperator_PreInc:
-        return IR_OP_PRE_INCREMENT;
-    case CXUnaryOperator_PreDec:
-        return IR_OP_PRE_DECREMENT;
-    case CXUnaryOperator_AddrOf:
-        return IR_OP_ADDRESS;
-    case CXUnaryOperator_Deref:
-        return IR_OP_DEREFERENCE;
-    case CXUnaryOperator_Plus:
-        return IR_OP_PLUS;
-    case CXUnaryOperator_Minus:
-        return IR_OP_MINUS;
-    case CXUnaryOperator_Not:
-        return IR_OP_BIT_NOT;
-    case CXUnaryOperator_LNot:
-        return IR_OP_NOT;
-    case CXUnaryOperator_Real:
-        return IR_OP_REAL;
-    case CXUnaryOperator_Imag:
-        return IR_OP_IMAG;
-    default:
-        return IR_OP_NONE;
-    }
+static ir_node *convert_unary(converter *c, CXCursor cursor) {
+    enum CXUnaryOperatorKind kind = clang_getCursorUnaryOperatorKind(cursor);
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count == 1 && kind == CXUnaryOperator_Extension)
+        return convert_expression(c, parts.items[0]);
+    ir_operator op = unary_operator(kind);
+    if (parts.count != 1 || op == IR_OP_NONE)
+        return opaque_expression(c, cursor, "unary operator");
+    ir_node *node = convert_parts(c, cursor, IR_UNARY, &parts);
+    node->op = op;
+    if (op == IR_OP_ADDRESS && node->children[0]->type->kind != IR_FUNCTION_TYPE)
+        node->type = pointer_to(c, node->children[0]->type);
+    else if (op != IR_OP_DEREFERENCE)
+        node->type = decayed(c, node->type);
+    return node;
 }
 
-static ir_node *binary(translation *t, CXCursor cursor, const cursor_list *children) {
-    const enum CXBinaryOperatorKind kind = clang_getCursorBinaryOperatorKind(cursor);
-    const bool assigns = kind >= CXBinaryOperator_Assign && kind <= CXBinaryOperator_OrAssign;
-    const ir_operator op = binary_operator(kind);
-    if (children->count != 2 || (op == IR_OP_NONE && kind != CXBinaryOperator_Assign))
-        return node_opaque(t, cursor, "operator");
-    ir_node *node = node_with_children(t, cursor, assigns ? IR_ASSIGN : IR_BINARY, children, 0);
+static ir_node *convert_binary(converter *c, CXCursor cursor) {
+    enum CXBinaryOperatorKind kind = clang_getCursorBinaryOperatorKind(cursor);
+    cursor_list parts = children_of(c, cursor);
+    bool is_assignment = kind == CXBinaryOperator_Assign;
+    bool is_compound = clang_getCursorKind(cursor) == CXCursor_CompoundAssignOperator;
+    ir_operator op = binary_operator(kind);
+    if (parts.count != 2 || (op == IR_OP_NONE && !is_assignment))
+        return opaque_expression(c, cursor, "binary operator");
+    ir_node *node =
+        convert_parts(c, cursor, is_assignment || is_compound ? IR_ASSIGN : IR_BINARY, &parts);
     node->op = op;
     return node;
 }
 
-static ir_node *unary(translation *t, CXCursor cursor, const cursor_list *children) {
-    const enum CXUnaryOperatorKind kind = clang_getCursorUnaryOperatorKind(cursor);
-    if (kind == CXUnaryOperator_Extension && children->count == 1)
-        return translate_expression(t, children->items[0]);
-    const ir_operator op = unary_operator(kind);
-    if (children->count != 1 || op == IR_OP_NONE)
-        return node_opaque(t, cursor, "operator");
-    ir_node *node = node_with_children(t, cursor, IR_UNARY, children, 0);
-    node->op = op;
+static ir_node *convert_conditional(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 3)
+        return opaque_expression(c, cursor, "conditional");
+    return convert_parts(c, cursor, IR_CONDITIONAL, &parts);
+}
+
+/* ---- access -------------------------------------------------------------------------------- */
+
+/* Arrays too: of those libclang calls so, the ones that are used as values are pointers. */
+static bool is_pointer(CXCursor cursor) {
+    enum CXTypeKind kind = clang_getCanonicalType(clang_getCursorType(cursor)).kind;
+    return kind == CXType_Pointer || kind == CXType_ConstantArray ||
+           kind == CXType_IncompleteArray || kind == CXType_VariableArray;
+}
+
+/* 3[a] too: clang gives the parts as they are written. */
+static ir_node *convert_subscript(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 2 || (!is_pointer(parts.items[0]) && !is_pointer(parts.items[1])))
+        return opaque_expression(c, cursor, "subscript of a vector");
+    unsigned array = is_pointer(parts.items[0]) ? 0 : 1;
+    ir_node *first = convert_expression(c, parts.items[0]);
+    ir_node *second = convert_expression(c, parts.items[1]);
+    ir_node *node = new_expression(c, cursor, IR_INDEX, 2);
+    node->children[0] = array == 0 ? first : second;
+    node->children[1] = array == 0 ? second : first;
     return node;
 }
 
-static ir_node *subscript(translation *t, CXCursor cursor, const cursor_list *children) {
-    if (children->count != 2)
-        return node_opaque(t, cursor, "subscript");
-    ir_node *node = node_with_children(t, cursor, IR_INDEX, children, 0);
-    ir_node *first = node->children[0];
-    const ir_type *type = first->type;
-    if (type && type->kind != IR_POINTER && type->kind != IR_ARRAY) {
-        node->children[0] = node->children[1];
-        node->children[1] = first;
+/* The record's own field in which `wanted` is: itself, or an anonymous member that holds it. */
+static const ir_field *way_to(const ir_record *record, const ir_field *wanted) {
+    for (unsigned i = 0; i < record->field_count; i++) {
+        const ir_field *field = &record->fields[i];
+        bool is_anonymous = field->name[0] == 0 && field->type->record != NULL;
+        if (field == wanted || (is_anonymous && way_to(field->type->record, wanted) != NULL))
+            return field;
     }
-    type = node->children[0]->type;
-    if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
-        return node_opaque(t, cursor, "subscript");
+    return NULL;
+}
+
+static ir_node *member_node(converter *c, CXCursor cursor, ir_node *object, const ir_field *field) {
+    ir_node *node = ir_new(c->arena, IR_MEMBER, field->type, 1);
+    place_node(c, node, cursor);
+    node->children[0] = object;
+    node->field = field;
     return node;
 }
 
-/* ---- lists --------------------------------------------------------------------------------- */
-
-/* A designated initialiser: an unexposed expression that names a field or an index first. */
-static bool is_designated(CXCursor value, const cursor_list *inside) {
-    if (clang_getCursorKind(value) != CXCursor_UnexposedExpr || inside->count == 0)
-        return false;
-    return clang_getCursorKind(inside->items[0]) == CXCursor_MemberRef ||
-           !same_extent(value, inside->items[inside->count - 1]);
+/* clang leaves out the anonymous members between an object and what is named in it; here each is a
+ * step of its own. */
+static ir_node *convert_member(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    CXCursor declaration = clang_getCursorReferenced(cursor);
+    const ir_field *field = NULL;
+    if (clang_getCursorKind(declaration) == CXCursor_FieldDecl)
+        field = convert_field(c, declaration);
+    if (parts.count != 1 || field == NULL)
+        return opaque_expression(c, cursor, "member");
+    bool is_arrow = is_pointer(parts.items[0]);
+    const ir_type *object_type = type_of(c, parts.items[0]);
+    const ir_record *record = is_arrow ? object_type->target->record : object_type->record;
+    const ir_field *step = record != NULL ? way_to(record, field) : NULL;
+    if (step == NULL)
+        return opaque_expression(c, cursor, "member");
+    ir_node *node = member_node(c, cursor, convert_expression(c, parts.items[0]), step);
+    if (is_arrow)
+        node->flags |= IR_ARROW;
+    while (step != field) {
+        step = way_to(step->type->record, field);
+        node = member_node(c, cursor, node, step);
+    }
+    node->type = type_of(c, cursor); /* with the object's qualifiers */
+    return node;
 }
 
-static ir_node *initializers(translation *t, CXCursor cursor, const cursor_list *children) {
-    ir_node *node = node_new(t, cursor, IR_INITIALIZERS, children->count);
-    for (unsigned i = 0; i < children->count; i++) {
-        CXCursor value = children->items[i];
-        const cursor_list inside = children_of(t, value);
-        if (is_designated(value, &inside)) {
+static ir_node *convert_call(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    int count = clang_Cursor_getNumArguments(cursor);
+    if (count < 0 || parts.count != (unsigned)count + 1)
+        return opaque_expression(c, cursor, "call");
+    return convert_parts(c, cursor, IR_CALL, &parts);
+}
+
+/* ---- casts, literals ----------------------------------------------------------------------- */
+
+/* The lengths in a type like double (*)[n] are evaluated by the cast; what else stands in the type
+ * (in a typeof, say) is not. The operand comes last. */
+static ir_node *convert_cast(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count == 0 || (parts.count > 1 && has_variable_length(type_of(c, cursor))))
+        return opaque_expression(c, cursor, "cast to a type of variable length");
+    cursor_list operand = {.items = &parts.items[parts.count - 1], .count = 1};
+    return convert_parts(c, cursor, IR_CAST, &operand);
+}
+
+static bool is_braces(CXCursor cursor) {
+    return clang_getCursorKind(cursor) == CXCursor_InitListExpr;
+}
+
+static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 1 || !is_braces(parts.items[0]))
+        return opaque_expression(c, cursor, "compound literal");
+    ir_node *node = convert_braces(c, parts.items[0]);
+    node->type = type_of(c, cursor);
+    node->flags |= IR_COMPOUND_LITERAL;
+    place_node(c, node, cursor);
+    return node;
+}
+
+/* `[3] = x`, `.a.b = x`: clang shows them as an expression without a type of its own, of which the
+ * last part is the value. */
+static bool is_designated(CXCursor cursor) {
+    return clang_getCursorKind(cursor) == CXCursor_UnexposedExpr &&
+           clang_getCursorType(cursor).kind == CXType_Void;
+}
+
+ir_node *convert_braces(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    ir_node *node = new_expression(c, cursor, IR_INITIALIZERS, parts.count);
+    for (unsigned i = 0; i < parts.count; i++) {
+        CXCursor value = parts.items[i];
+        if (is_designated(value)) {
+            cursor_list inner = children_of(c, value);
             node->flags |= IR_DESIGNATED;
-            value = inside.items[inside.count - 1];
+            if (inner.count > 0)
+                value = inner.items[inner.count - 1];
         }
-        node->children[i] = translate_any(t, value);
-        if (!node->children[i])
-            return node_opaque(t, cursor, "initialiser");
+        node->children[i] = convert_expression(c, value);
     }
     return node;
 }
 
-static ir_node *compound_literal(translation *t, CXCursor cursor, const cursor_list *children) {
-    for (unsigned i = 0; i < children->count; i++)
-        if (clang_getCursorKind(children->items[i]) == CXCursor_InitListExpr) {
-            ir_node *node = translate_expression(t, children->items[i]);
-            node->flags |= IR_COMPOUND_LITERAL;
-            node->range = place_range(t, cursor);
-            return node;
+/* Which association was chosen clang does not tell: it is the one whose type the whole has, if
+ * there is one such. The first part is the controlling expression, which is not evaluated. */
+static ir_node *convert_generic(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
+    unsigned chosen = 0;
+    for (unsigned i = 1; i < parts.count; i++)
+        if (clang_equalTypes(clang_getCanonicalType(clang_getCursorType(parts.items[i])), type)) {
+            if (chosen != 0)
+                return opaque_expression(c, cursor, "generic selection");
+            chosen = i;
         }
-    return node_opaque(t, cursor, "compound literal");
+    if (chosen == 0)
+        return opaque_expression(c, cursor, "generic selection");
+    return convert_expression(c, parts.items[chosen]);
 }
 
-static ir_node *cast(translation *t, CXCursor cursor, const cursor_list *children) {
-    if (children->count == 0)
-        return node_opaque(t, cursor, "cast");
-    return node_with_children(t, cursor, IR_CAST, children, children->count - 1);
+/* ---- what libclang does not expose --------------------------------------------------------- */
+
+static bool has_same_extent(CXCursor a, CXCursor b) {
+    return clang_equalRanges(clang_getCursorExtent(a), clang_getCursorExtent(b)) != 0;
 }
 
-/* ---- all of them --------------------------------------------------------------------------- */
+/* An implicit conversion has one part and its extent. Anything else is `a ?: b`, va_arg, offsetof,
+ * an atomic builtin, ... */
+static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count == 1 && has_same_extent(cursor, parts.items[0]))
+        return convert_expression(c, parts.items[0]);
+    const char *text = plain_text(c, cursor);
+    return opaque_expression(c, cursor, text != NULL ? text : "expression");
+}
 
-static ir_node *by_kind(translation *t, CXCursor cursor) {
-    const cursor_list children = children_of(t, cursor);
-    switch (clang_getCursorKind(cursor)) {
-    case CXCursor_UnexposedExpr: /* an implicit conversion */
-        if (children.count == 1 && is_clang_expression(children.items[0]) &&
-            same_extent(cursor, children.items[0]))
-            return translate_expression(t, children.items[0]);
-        return node_opaque(t, cursor, "expression");
-    case CXCursor_ParenExpr:
-        return children.count == 1 ? translate_expression(t, children.items[0])
-                                   : node_opaque(t, cursor, "expression");
-    case CXCursor_DeclRefExpr:
-        return reference(t, cursor);
-    case CXCursor_IntegerLiteral:
-        return integer_literal(t, cursor, true);
-    case CXCursor_CharacterLiteral:
-        return integer_literal(t, cursor, false);
-    case CXCursor_FloatingLiteral:
-        return floating_literal(t, cursor);
-    case CXCursor_StringLiteral: {
-        ir_node *node = node_new(t, cursor, IR_STRING, 0);
-        node->text = take_string(t, clang_getCursorSpelling(cursor));
-        return node;
+static ir_node *convert_parentheses(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 1)
+        return opaque_expression(c, cursor, "parentheses");
+    return convert_expression(c, parts.items[0]);
+}
+
+/* ---- all ----------------------------------------------------------------------------------- */
+
+bool enter_level(converter *c, CXCursor cursor, const ir_type *type, ir_node **result) {
+    if (c->depth < DEEPEST_NODE) {
+        c->depth++;
+        return true;
     }
-    case CXCursor_MemberRefExpr:
-        return member(t, cursor);
-    case CXCursor_ArraySubscriptExpr:
-        return subscript(t, cursor, &children);
-    case CXCursor_CallExpr:
-        return children.count ? node_with_children(t, cursor, IR_CALL, &children, 0)
-                              : node_opaque(t, cursor, "call");
+    c->function->has_errors = true;
+    *result = ir_new(c->arena, IR_OPAQUE, type, 0);
+    (*result)->text = "nested too deeply";
+    place_node(c, *result, cursor);
+    return false;
+}
+
+static ir_node *convert_by_kind(converter *c, CXCursor cursor) {
+    switch (clang_getCursorKind(cursor)) {
+    case CXCursor_DeclRefExpr:
+        return convert_name(c, cursor);
+    case CXCursor_IntegerLiteral:
+    case CXCursor_FloatingLiteral:
+    case CXCursor_CharacterLiteral:
+    case CXCursor_StringLiteral:
+    case CXCursor_ImaginaryLiteral:
+        return convert_literal(c, cursor);
+    case CXCursor_ParenExpr:
+        return convert_parentheses(c, cursor);
+    case CXCursor_UnexposedExpr:
+        return convert_unexposed(c, cursor);
     case CXCursor_UnaryOperator:
-        return unary(t, cursor, &children);
+        return convert_unary(c, cursor);
     case CXCursor_BinaryOperator:
     case CXCursor_CompoundAssignOperator:
-        return binary(t, cursor, &children);
+        return convert_binary(c, cursor);
     case CXCursor_ConditionalOperator:
-        return children.count == 3 ? node_with_children(t, cursor, IR_CONDITIONAL, &children, 0)
-                                   : node_opaque(t, cursor, "expression");
+        return convert_conditional(c, cursor);
+    case CXCursor_ArraySubscriptExpr:
+        return convert_subscript(c, cursor);
+    case CXCursor_MemberRefExpr:
+        return convert_member(c, cursor);
+    case CXCursor_CallExpr:
+        return convert_call(c, cursor);
     case CXCursor_CStyleCastExpr:
-        return cast(t, cursor, &children);
-    case CXCursor_UnaryExpr:
-        return size_of(t, cursor);
-    case CXCursor_InitListExpr:
-        return initializers(t, cursor, &children);
+        return convert_cast(c, cursor);
     case CXCursor_CompoundLiteralExpr:
-        return compound_literal(t, cursor, &children);
+        return convert_compound_literal(c, cursor);
+    case CXCursor_InitListExpr:
+        return convert_braces(c, cursor);
+    case CXCursor_GenericSelectionExpr:
+        return convert_generic(c, cursor);
+    case CXCursor_UnaryExpr:
+        return convert_sizeof(c, cursor);
     case CXCursor_StmtExpr:
-        return node_opaque(t, cursor, "statement expression");
+        return opaque_expression(c, cursor, "statement expression");
+    case CXCursor_AddrLabelExpr:
+        return opaque_expression(c, cursor, "address of a label");
     default:
-        return node_opaque(t, cursor, "expression");
+        return opaque_expression(c, cursor, "expression");
     }
 }
 
-ir_node *translate_expression(translation *t, CXCursor cursor) {
-    if (t->depth >= DEEPEST_NESTING) {
-        t->too_deep = true;
-        ir_node *node = node_new(t, cursor, IR_OPAQUE, 0);
-        node->text = "nested too deeply";
+ir_node *convert_expression(converter *c, CXCursor cursor) {
+    ir_node *node;
+    if (!enter_level(c, cursor, type_of(c, cursor), &node))
         return node;
-    }
-    t->depth++;
-    ir_node *node = by_kind(t, cursor);
-    t->depth--;
+    node = convert_by_kind(c, cursor);
+    c->depth--;
     return node;
 }

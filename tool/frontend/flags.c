@@ -1,120 +1,172 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/*
- * Which flags of a compiler's command line libclang may see. Only what changes the meaning of the
- * text: others write files (-MMD), are fatal to libclang (-save-temps), or hide loops (-fopenmp).
- */
-#include <dirent.h>
-#include <stdlib.h>
+#include "frontend/flags.h"
+
+#include <glob.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
-#include "frontend/translation.h"
+/* How a flag that is passed on looks; all others are left out. */
+typedef enum flag_form {
+    EXACT,   /* -ansi */
+    PREFIX,  /* -std=c99 */
+    ARGUMENT /* -Idir, -I dir */
+} flag_form;
 
-enum { JOINED = 1, SEPARATE = 2 };
-
-/* Sorted by name is not needed: few, and looked at once. */
 static const struct {
     const char *name;
-    unsigned form; /* how its argument is given; 0: none */
-} forwarded[] = {
-    {"-I", JOINED | SEPARATE},
-    {"-isystem", JOINED | SEPARATE},
-    {"-iquote", JOINED | SEPARATE},
-    {"-idirafter", JOINED | SEPARATE},
-    {"-include", SEPARATE},
-    {"-imacros", SEPARATE},
-    {"-D", JOINED | SEPARATE},
-    {"-U", JOINED | SEPARATE},
-    {"-std=", JOINED},
-    {"-ansi", 0},
-    {"-m", JOINED},
-    {"-fsigned-char", 0},
-    {"-funsigned-char", 0},
-    {"-fno-signed-char", 0},
-    {"-fno-unsigned-char", 0},
-    {"-fshort-enums", 0},
-    {"-fno-builtin", JOINED},
-    {"-nostdinc", 0},
-    {"--sysroot", JOINED | SEPARATE},
-    {"-pthread", 0},
-    {"-O", JOINED},
-    {"-fno-strict-aliasing", 0},
+    flag_form form;
+} passed_on[] = {
+    {"--sysroot", ARGUMENT},
+    {"-D", ARGUMENT},
+    {"-I", ARGUMENT},
+    {"-O", PREFIX},
+    {"-U", ARGUMENT},
+    {"-ansi", EXACT},
+    {"-fms-extensions", EXACT},
+    {"-fno-builtin", PREFIX},
+    {"-fno-short-enums", EXACT},
+    {"-fno-signed-char", EXACT},
+    {"-fno-unsigned-char", EXACT},
+    {"-fshort-enums", EXACT},
+    {"-fsigned-char", EXACT},
+    {"-funsigned-char", EXACT},
+    {"-idirafter", ARGUMENT},
+    {"-imacros", ARGUMENT},
+    {"-include", ARGUMENT},
+    {"-iquote", ARGUMENT},
+    {"-isysroot", ARGUMENT},
+    {"-isystem", ARGUMENT},
+    {"-m", PREFIX},
+    {"-nostdinc", EXACT},
+    {"-pthread", EXACT},
+    {"-std=", PREFIX},
+    {"-trigraphs", EXACT},
 };
 
-static const char *const ours[] = {
-    "-xc",
-    "-w",
-    "-ferror-limit=0",
-    "-fbracket-depth=100000",
-    "-Wno-error=implicit-function-declaration",
-    "-Wno-error=implicit-int",
-    "-Wno-error=int-conversion",
-    "-Wno-error=incompatible-function-pointer-types",
-    "-Wno-error=incompatible-pointer-types",
-    "-Wno-error=return-type",
-};
+static bool starts_with(const char *text, const char *prefix) {
+    return strncmp(text, prefix, strlen(prefix)) == 0;
+}
 
-/* 0: not forwarded; 1: this word; 2: this and the next. */
-static int words_of(const char *flag) {
-    for (size_t i = 0; i < sizeof forwarded / sizeof *forwarded; i++) {
-        const size_t n = strlen(forwarded[i].name);
-        if (strncmp(flag, forwarded[i].name, n) != 0)
+static bool has_form(const char *flag, unsigned row) {
+    const char *name = passed_on[row].name;
+    switch (passed_on[row].form) {
+    case EXACT:
+        return strcmp(flag, name) == 0;
+    default:
+        return starts_with(flag, name);
+    }
+}
+
+/* Adds flags[i], and its argument where that stands apart. Returns the index of the last taken. */
+static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
+                     const char *const *flags) {
+    for (unsigned row = 0; row < sizeof passed_on / sizeof passed_on[0]; row++) {
+        if (!has_form(flags[i], row))
             continue;
-        if (flag[n] == 0)
-            return forwarded[i].form & SEPARATE ? 2 : 1;
-        if (forwarded[i].form & JOINED)
-            return 1;
+        bool is_alone = strcmp(flags[i], passed_on[row].name) == 0;
+        bool needs_next = is_alone && passed_on[row].form == ARGUMENT;
+        if (needs_next && i + 1 == count)
+            return i;
+        VECTOR_PUSH(a, &chosen->items, flags[i]);
+        if (needs_next)
+            VECTOR_PUSH(a, &chosen->items, flags[++i]);
+        return i;
     }
-    return 0;
+    return i;
 }
 
-/* gcc's own headers (omp.h), after all others: the newest version there is. */
-static const char *gcc_headers(arena *a) {
-    const char *root = "/usr/lib/gcc/x86_64-linux-gnu";
-    long newest = -1;
-    DIR *folder = opendir(root);
-    if (!folder)
-        return NULL;
-    for (const struct dirent *entry; (entry = readdir(folder)) != NULL;) {
-        const long version = strtol(entry->d_name, NULL, 10);
-        if (version > newest)
-            newest = version;
-    }
-    closedir(folder);
-    return newest > 0 ? arena_format(a, "%s/%ld/include", root, newest) : NULL;
+static bool is_folder(const char *path) {
+    struct stat status;
+    return path[0] != 0 && stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-flag_list frontend_flags(arena *a, unsigned count, const char *const *flags,
-                         bool *strict_aliasing) {
-    flag_list list = {0};
-    bool openmp = false;
-    *strict_aliasing = true;
-    for (size_t i = 0; i < sizeof ours / sizeof *ours; i++)
-        VECTOR_PUSH(a, &list, ours[i]);
-    if (access(CLANG_RESOURCE_DIRECTORY "/include/stddef.h", R_OK) == 0) {
-        VECTOR_PUSH(a, &list, "-resource-dir");
-        VECTOR_PUSH(a, &list, CLANG_RESOURCE_DIRECTORY);
+/* gcc's own headers: where they were when this was built, or where Debian has them. */
+static const char *gcc_include_folder(arena *a) {
+    if (is_folder(REDCC_GCC_INCLUDE))
+        return REDCC_GCC_INCLUDE;
+    glob_t found;
+    const char *folder = NULL;
+    if (glob("/usr/lib/gcc/*/*/include", 0, NULL, &found) == 0) {
+        folder = arena_string(a, found.gl_pathv[found.gl_pathc - 1]);
+        globfree(&found);
     }
+    return folder;
+}
+
+static void add(arena *a, parse_flags *chosen, const char *flag) {
+    VECTOR_PUSH(a, &chosen->items, flag);
+}
+
+/* Old C that gcc takes with a warning, and limits meant for people, must not stop the parser. */
+static void add_leniency(arena *a, parse_flags *chosen) {
+    static const char *const flags[] = {
+        "-xc",
+        "-ferror-limit=0",
+        "-fbracket-depth=100000",
+        "-w",
+        "-Wno-error=implicit-function-declaration",
+        "-Wno-error=implicit-int",
+        "-Wno-error=int-conversion",
+        "-Wno-error=incompatible-function-pointer-types",
+        "-Wno-error=incompatible-pointer-types",
+        "-Wno-error=return-mismatch",
+        "-D__malloc__(...)=__malloc__", /* gcc's omp.h gives the attribute arguments */
+    };
+    for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
+        add(a, chosen, flags[i]);
+}
+
+static void add_headers(arena *a, parse_flags *chosen) {
+    if (is_folder(REDCC_CLANG_RESOURCES)) {
+        add(a, chosen, "-resource-dir");
+        add(a, chosen, REDCC_CLANG_RESOURCES);
+    }
+}
+
+bool add_gcc_headers(arena *a, parse_flags *flags) {
+    const char *folder = flags->has_headers ? gcc_include_folder(a) : NULL;
+    if (folder == NULL)
+        return false;
+    add(a, flags, "-idirafter");
+    add(a, flags, folder);
+    return true;
+}
+
+static bool sets_word_size(const char *flag) {
+    return strcmp(flag, "-m32") == 0 || strcmp(flag, "-m64") == 0 || strcmp(flag, "-mx32") == 0;
+}
+
+void remove_machine_flags(parse_flags *flags) {
+    unsigned kept = 0;
+    for (unsigned i = 0; i < flags->items.count; i++) {
+        const char *flag = flags->items.items[i];
+        if (!starts_with(flag, "-m") || sets_word_size(flag))
+            flags->items.items[kept++] = flag;
+    }
+    flags->items.count = kept;
+}
+
+parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
+    parse_flags chosen = {.strict_aliasing = true, .has_headers = true};
+    bool has_openmp = false;
     for (unsigned i = 0; i < count; i++) {
-        if (strcmp(flags[i], "-fno-strict-aliasing") == 0)
-            *strict_aliasing = false;
-        if (strcmp(flags[i], "-fstrict-aliasing") == 0)
-            *strict_aliasing = true;
-        openmp |= strncmp(flags[i], "-fopenmp", 8) == 0 && strcmp(flags[i], "-fopenmp-simd") != 0;
-        const int words = words_of(flags[i]);
-        if (words > 0)
-            VECTOR_PUSH(a, &list, flags[i]);
-        if (words == 2 && i + 1 < count)
-            VECTOR_PUSH(a, &list, flags[++i]);
+        const char *flag = flags[i];
+        if (starts_with(flag, "-fopenmp") && strcmp(flag, "-fopenmp-simd") != 0)
+            has_openmp = true;
+        else if (strcmp(flag, "-fno-openmp") == 0)
+            has_openmp = false;
+        else if (strcmp(flag, "-fno-strict-aliasing") == 0)
+            chosen.strict_aliasing = false;
+        else if (strcmp(flag, "-fstrict-aliasing") == 0)
+            chosen.strict_aliasing = true;
+        chosen.has_headers = chosen.has_headers && strcmp(flag, "-nostdinc") != 0;
+        i = take(a, &chosen, i, count, flags);
     }
-    if (openmp) {
-        VECTOR_PUSH(a, &list, "-D_OPENMP=201511");
-        VECTOR_PUSH(a, &list, "-D__malloc__(...)=__malloc__"); /* gcc-12's omp.h */
-    }
-    const char *headers = gcc_headers(a);
-    if (headers) {
-        VECTOR_PUSH(a, &list, "-idirafter");
-        VECTOR_PUSH(a, &list, headers);
-    }
-    return list;
+    /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */
+    if (has_openmp)
+        add(a, &chosen, "-D_OPENMP=201511");
+    add_leniency(a, &chosen);
+    if (chosen.has_headers)
+        add_headers(a, &chosen);
+    return chosen;
 }

@@ -1,218 +1,382 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Statements. */
+/* Statements and declarations in functions. */
 #include <string.h>
 
-#include "frontend/translation.h"
+#include "frontend/convert.h"
+#include "frontend/directives.h"
 
-static ir_node *empty_node(translation *t) {
-    return ir_new(t->arena, IR_EMPTY, NULL, 0);
+static ir_node *new_statement(converter *c, CXCursor cursor, ir_kind kind, unsigned child_count) {
+    ir_node *node = ir_new(c->arena, kind, NULL, child_count);
+    place_node(c, node, cursor);
+    return node;
 }
 
-static ir_node *simple(translation *t, CXCursor cursor, ir_kind kind) {
-    return node_new(t, cursor, kind, 0);
+static ir_node *empty_statement(converter *c) {
+    return ir_new(c->arena, IR_EMPTY, NULL, 0);
 }
 
-/* An expression as a statement. */
-static ir_node *expression_statement(translation *t, CXCursor cursor) {
-    ir_node *expression = translate_expression(t, cursor);
-    ir_node *node = ir_new(t->arena, IR_EXPRESSION, NULL, 1);
-    node->children[0] = expression;
-    node->range = place_range(t, cursor);
-    if (!place_is_plain(t, cursor))
+static ir_node *opaque_statement(converter *c, CXCursor cursor, const char *what) {
+    return convert_opaque(c, cursor, NULL, what);
+}
+
+static ir_node *expression_statement(converter *c, CXCursor cursor) {
+    ir_node *node = new_statement(c, cursor, IR_EXPRESSION, 1);
+    node->children[0] = convert_expression(c, cursor);
+    return node;
+}
+
+static ir_node *convert_block(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    ir_node *node = new_statement(c, cursor, IR_BLOCK, parts.count);
+    for (unsigned i = 0; i < parts.count; i++)
+        node->children[i] = convert_statement(c, parts.items[i]);
+    return node;
+}
+
+/* ---- declarations -------------------------------------------------------------------------- */
+
+typedef struct declaration_list {
+    converter *converter;
+    cursor_list variables;
+} declaration_list;
+
+static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
+                                                CXClientData data) {
+    (void)parent;
+    declaration_list *list = data;
+    if (clang_getCursorKind(child) == CXCursor_VarDecl)
+        VECTOR_PUSH(list->converter->scratch, &list->variables, child);
+    return CXChildVisit_Continue;
+}
+
+/* The expressions in a declarator's type of variable length are evaluated there: they become an
+ * opaque initialiser together with the one that is written. */
+static ir_node *lengths(converter *c, CXCursor declaration) {
+    const ir_type *type = convert_type(c, clang_getCursorType(declaration));
+    return convert_opaque(c, declaration, type, "variable length");
+}
+
+static ir_node *initialiser_of(converter *c, CXCursor declaration) {
+    const ir_type *type = convert_type(c, clang_getCursorType(declaration));
+    if (has_variable_length(type) && children_of(c, declaration).count > 0 &&
+        clang_Cursor_hasVarDeclExternalStorage(declaration) != 1)
+        return lengths(c, declaration);
+    CXCursor initialiser = clang_Cursor_getVarDeclInitializer(declaration);
+    if (clang_Cursor_isNull(initialiser) || !clang_isExpression(clang_getCursorKind(initialiser)))
+        return NULL;
+    return convert_expression(c, initialiser);
+}
+
+static ir_node *convert_declarator(converter *c, CXCursor declaration) {
+    ir_node *node = ir_new(c->arena, IR_DECLARATOR, NULL, 0);
+    bool is_from_macro;
+    CXSourceRange extent = clang_getCursorExtent(declaration);
+    CXSourceLocation name = clang_getCursorLocation(declaration);
+    node->range = range_of(c, clang_getRange(name, clang_getRangeEnd(extent)), &is_from_macro);
+    if (is_from_macro)
         node->flags |= IR_FROM_MACRO;
-    return node;
-}
-
-static ir_node *declarator(translation *t, CXCursor cursor) {
-    const CXCursor initializer = clang_Cursor_getVarDeclInitializer(cursor);
-    const bool has_value = !clang_Cursor_isNull(initializer);
-    ir_node *node = node_new(t, cursor, IR_DECLARATOR, has_value ? 1 : 0);
-    node->variable = translate_variable(t, cursor);
-    if (has_value)
-        node->children[0] = translate_expression(t, initializer);
-    return node;
-}
-
-static ir_node *declaration(translation *t, CXCursor cursor) {
-    const cursor_list children = children_of(t, cursor);
-    node_list declarators = {0};
-    for (unsigned i = 0; i < children.count; i++)
-        if (clang_getCursorKind(children.items[i]) == CXCursor_VarDecl)
-            VECTOR_PUSH(t->arena, &declarators, declarator(t, children.items[i]));
-    ir_node *node = node_new(t, cursor, IR_DECLARATION, declarators.count);
-    if (declarators.count)
-        memcpy(node->children, declarators.items, declarators.count * sizeof *declarators.items);
-    return node;
-}
-
-/* ---- for: libclang keeps only the clauses that are there ----------------------------------- */
-
-static const char *skip_quoted(const char *p, const char *end) {
-    const char quote = *p++;
-    while (p < end && *p != quote && *p != '\n')
-        p += *p == '\\' && p + 1 < end ? 2 : 1;
-    return p < end ? p + 1 : end;
-}
-
-static const char *skip_comment(const char *p, const char *end) {
-    if (p[1] == '/') {
-        while (p < end && *p != '\n')
-            p++;
-        return p;
-    }
-    for (p += 2; p + 1 < end; p++)
-        if (p[0] == '*' && p[1] == '/')
-            return p + 2;
-    return end;
-}
-
-/* Offsets of the two semicolons of a for's header; false where they cannot be found. */
-static bool find_semicolons(const source *s, ir_range range, uint32_t semicolon[2]) {
-    const char *p = s->text + range.begin, *end = s->text + range.end;
-    int depth = 0;
-    unsigned found = 0;
-    while (p < end) {
-        if (*p == '"' || *p == '\'') {
-            p = skip_quoted(p, end);
-            continue;
-        }
-        if (*p == '/' && p + 1 < end && (p[1] == '/' || p[1] == '*')) {
-            p = skip_comment(p, end);
-            continue;
-        }
-        depth += *p == '(' || *p == '{' || *p == '[';
-        depth -= *p == ')' || *p == '}' || *p == ']';
-        if (*p == ';' && depth == 1) {
-            semicolon[found++] = (uint32_t)(p - s->text);
-            if (found == 2)
-                return true;
-        }
-        if (*p == ')' && depth == 0)
-            return false;
-        p++;
-    }
-    return false;
-}
-
-static ir_node *header_part(translation *t, CXCursor cursor) {
-    return clang_isExpression(clang_getCursorKind(cursor)) ? translate_expression(t, cursor)
-                                                           : translate_statement(t, cursor);
-}
-
-static ir_node *for_loop(translation *t, CXCursor cursor) {
-    const cursor_list children = children_of(t, cursor);
-    ir_node *node = node_new(t, cursor, IR_FOR, 4);
-    uint32_t semicolon[2];
-    if (children.count == 0 || children.count > 4)
-        return node_opaque(t, cursor, "for");
-    for (unsigned i = 0; i < 3; i++)
-        node->children[i] = empty_node(t);
-    if (children.count < 4 && children.count > 1 &&
-        ((node->flags & IR_FROM_MACRO) ||
-         !find_semicolons(t->unit->source, node->range, semicolon)))
-        return node_opaque(t, cursor, "for");
-    for (unsigned i = 0; i + 1 < children.count; i++) {
-        unsigned clause = i;
-        if (children.count < 4) {
-            const uint32_t at = place_range(t, children.items[i]).begin;
-            clause = at < semicolon[0] ? 0 : at < semicolon[1] ? 1 : 2;
-        }
-        node->children[clause] = header_part(t, children.items[i]);
-    }
-    node->children[3] = translate_statement(t, children.items[children.count - 1]);
-    return node;
-}
-
-/* ---- the others ---------------------------------------------------------------------------- */
-
-/* A statement of which the first `expressions` children are expressions, the rest statements. */
-static ir_node *control(translation *t, CXCursor cursor, ir_kind kind, unsigned least,
-                        unsigned most) {
-    const cursor_list children = children_of(t, cursor);
-    if (children.count < least || children.count > most)
-        return node_opaque(t, cursor, "statement");
-    ir_node *node = node_new(t, cursor, kind, children.count);
-    for (unsigned i = 0; i < children.count; i++) {
-        const bool expression =
-            kind == IR_DO ? i == 1
-                          : i == 0 && kind != IR_DEFAULT && kind != IR_LABEL && kind != IR_BLOCK;
-        node->children[i] = expression ? translate_expression(t, children.items[i])
-                                       : translate_statement(t, children.items[i]);
-    }
-    return node;
-}
-
-static ir_node *label(translation *t, CXCursor cursor) {
-    ir_node *node = control(t, cursor, IR_LABEL, 1, 1);
-    if (node->kind == IR_LABEL)
-        node->text = take_string(t, clang_getCursorSpelling(cursor));
-    return node;
-}
-
-static ir_node *jump(translation *t, CXCursor cursor) {
-    ir_node *node = simple(t, cursor, IR_GOTO);
-    const cursor_list children = children_of(t, cursor);
-    if (children.count)
-        node->text = take_string(t, clang_getCursorSpelling(children.items[0]));
-    return node;
-}
-
-static ir_node *by_kind(translation *t, CXCursor cursor) {
-    const enum CXCursorKind kind = clang_getCursorKind(cursor);
-    if (clang_isExpression(kind))
-        return expression_statement(t, cursor);
-    switch (kind) {
-    case CXCursor_CompoundStmt:
-        return control(t, cursor, IR_BLOCK, 0, UINT32_MAX);
-    case CXCursor_DeclStmt:
-        return declaration(t, cursor);
-    case CXCursor_IfStmt:
-        return control(t, cursor, IR_IF, 2, 3);
-    case CXCursor_ForStmt:
-        return for_loop(t, cursor);
-    case CXCursor_WhileStmt:
-        return control(t, cursor, IR_WHILE, 2, 2);
-    case CXCursor_DoStmt:
-        return control(t, cursor, IR_DO, 2, 2);
-    case CXCursor_SwitchStmt:
-        return control(t, cursor, IR_SWITCH, 2, 2);
-    case CXCursor_CaseStmt: /* three children: a range, as GNU C has it */
-        return control(t, cursor, IR_CASE, 2, 2);
-    case CXCursor_DefaultStmt:
-        return control(t, cursor, IR_DEFAULT, 1, 1);
-    case CXCursor_LabelStmt:
-        return label(t, cursor);
-    case CXCursor_GotoStmt:
-        return jump(t, cursor);
-    case CXCursor_IndirectGotoStmt:
-        return simple(t, cursor, IR_GOTO);
-    case CXCursor_ReturnStmt: {
-        const cursor_list children = children_of(t, cursor);
-        return node_with_children(t, cursor, IR_RETURN, &children, 0);
-    }
-    case CXCursor_BreakStmt:
-        return simple(t, cursor, IR_BREAK);
-    case CXCursor_ContinueStmt:
-        return simple(t, cursor, IR_CONTINUE);
-    case CXCursor_NullStmt:
-        return simple(t, cursor, IR_EMPTY);
-    case CXCursor_AsmStmt:
-    case CXCursor_MSAsmStmt:
-        return node_opaque(t, cursor, "assembly");
-    default:
-        return node_opaque(t, cursor, "statement");
-    }
-}
-
-ir_node *translate_statement(translation *t, CXCursor cursor) {
-    if (t->depth >= DEEPEST_NESTING) {
-        t->too_deep = true;
-        ir_node *node = ir_new(t->arena, IR_OPAQUE, NULL, 0);
-        node->text = "nested too deeply";
+    node->variable = convert_variable(c, declaration);
+    ir_node *initialiser = initialiser_of(c, declaration);
+    if (initialiser == NULL)
         return node;
-    }
-    t->depth++;
-    ir_node *node = by_kind(t, cursor);
-    t->depth--;
+    node->child_count = 1;
+    node->children = ARENA_ARRAY(c->arena, ir_node *, 1);
+    node->children[0] = initialiser;
+    if (initialiser->kind == IR_OPAQUE && initialiser->range.begin < node->range.begin)
+        initialiser->range = node->range; /* lengths: an extent with the type before the name */
     return node;
+}
+
+/* Types and prototypes declared in a function leave no declarators. */
+static ir_node *convert_declaration(converter *c, CXCursor cursor) {
+    declaration_list list = {.converter = c};
+    clang_visitChildren(cursor, collect_variable, &list);
+    ir_node *node = new_statement(c, cursor, IR_DECLARATION, list.variables.count);
+    for (unsigned i = 0; i < list.variables.count; i++)
+        node->children[i] = convert_declarator(c, list.variables.items[i]);
+    return node;
+}
+
+/* ---- for ----------------------------------------------------------------------------------- */
+
+/* Offsets of the semicolons in the header of a for, in a text that begins with it. */
+typedef struct for_header {
+    size_t semicolons[2];
+    unsigned count; /* all that were found */
+    bool is_closed;
+} for_header;
+
+static size_t skip_quoted(const char *text, size_t i, size_t length) {
+    char close = text[i++];
+    while (i < length && text[i] != close)
+        i += text[i] == '\\' ? 2 : 1;
+    return i + 1;
+}
+
+static size_t skip_comment(const char *text, size_t i, size_t length) {
+    bool is_line = text[i + 1] == '/';
+    for (i += 2; i < length; i++) {
+        unsigned splice = splice_length(text + i, text + length);
+        if (is_line && splice > 0)
+            i += splice - 1;
+        else if (is_line && text[i] == '\n')
+            return i;
+        else if (!is_line && text[i] == '/' && text[i - 1] == '*')
+            return i + 1;
+    }
+    return length;
+}
+
+static for_header scan_header(const char *text, size_t length) {
+    for_header header = {0};
+    unsigned depth = 0;
+    for (size_t i = 0; i < length && !header.is_closed;) {
+        char at = text[i];
+        if (at == '"' || at == '\'') {
+            i = skip_quoted(text, i, length);
+            continue;
+        }
+        if (at == '/' && i + 1 < length && (text[i + 1] == '/' || text[i + 1] == '*')) {
+            i = skip_comment(text, i, length);
+            continue;
+        }
+        if (at == '?' && i + 2 < length && text[i + 1] == '?') { /* trigraphs: no parentheses */
+            i += 3;
+            continue;
+        }
+        depth += at == '(' || at == '{';
+        if (at == ')' || at == '}')
+            header.is_closed = --depth == 0;
+        if (at == ';' && depth == 1 && header.count++ < 2)
+            header.semicolons[header.count - 1] = i;
+        i++;
+    }
+    return header;
+}
+
+/* The place, counted from the beginning of the for, where a part begins. */
+static bool place_in_for(CXCursor loop, CXCursor part, size_t *place) {
+    CXFile loop_file, part_file;
+    unsigned loop_offset, part_offset;
+    clang_getExpansionLocation(clang_getRangeStart(clang_getCursorExtent(loop)), &loop_file, NULL,
+                               NULL, &loop_offset);
+    clang_getExpansionLocation(clang_getRangeStart(clang_getCursorExtent(part)), &part_file, NULL,
+                               NULL, &part_offset);
+    *place = part_offset - loop_offset;
+    return clang_File_isEqual(loop_file, part_file) && part_offset >= loop_offset;
+}
+
+/* Which of the three clauses each part is, by the semicolons before it. clang leaves out clauses
+ * that are empty; false: cannot be told. */
+static bool assign_clauses(converter *c, CXCursor cursor, const cursor_list *parts,
+                           CXCursor clauses[3], bool present[3]) {
+    unsigned given = parts->count - 1;
+    if (given == 3 || given == 0) {
+        for (unsigned i = 0; i < given; i++) {
+            clauses[i] = parts->items[i];
+            present[i] = true;
+        }
+        return true;
+    }
+    CXSourceLocation start = clang_getRangeStart(clang_getCursorExtent(cursor));
+    file_text text = text_at(c, start);
+    if (text.length < 3 || strncmp(text.text, "for", 3) != 0)
+        return false;
+    for_header header = scan_header(text.text, text.length);
+    if (!header.is_closed || header.count != 2)
+        return false;
+    for (unsigned i = 0; i < given; i++) {
+        size_t place;
+        if (!place_in_for(cursor, parts->items[i], &place))
+            return false;
+        unsigned clause = place > header.semicolons[1] ? 2 : place > header.semicolons[0] ? 1 : 0;
+        if (present[clause])
+            return false;
+        clauses[clause] = parts->items[i];
+        present[clause] = true;
+    }
+    return true;
+}
+
+static bool is_plain_start(CXCursor cursor) {
+    CXFile file, spelled;
+    unsigned offset, spelled_offset;
+    CXSourceLocation start = clang_getRangeStart(clang_getCursorExtent(cursor));
+    clang_getExpansionLocation(start, &file, NULL, NULL, &offset);
+    clang_getSpellingLocation(start, &spelled, NULL, NULL, &spelled_offset);
+    return offset == spelled_offset && clang_File_isEqual(file, spelled);
+}
+
+static ir_node *convert_for(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    CXCursor clauses[3];
+    bool present[3] = {false, false, false};
+    bool is_readable = parts.count == 1 || parts.count == 4 || is_plain_start(cursor);
+    if (parts.count == 0 || parts.count > 4 || !is_readable ||
+        !assign_clauses(c, cursor, &parts, clauses, present))
+        return opaque_statement(c, cursor, "for with a header made by a macro");
+    ir_node *node = new_statement(c, cursor, IR_FOR, 4);
+    for (unsigned i = 0; i < 3; i++)
+        node->children[i] = present[i] ? convert_any(c, clauses[i]) : empty_statement(c);
+    node->children[3] = convert_statement(c, parts.items[parts.count - 1]);
+    return node;
+}
+
+/* ---- other statements ---------------------------------------------------------------------- */
+
+/* Condition or value, then statements. */
+static ir_node *convert_controlled(converter *c, CXCursor cursor, ir_kind kind, unsigned least,
+                                   unsigned most) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count < least || parts.count > most)
+        return opaque_statement(c, cursor, "statement");
+    ir_node *node = new_statement(c, cursor, kind, parts.count);
+    node->children[0] = convert_expression(c, parts.items[0]);
+    for (unsigned i = 1; i < parts.count; i++)
+        node->children[i] = convert_statement(c, parts.items[i]);
+    return node;
+}
+
+static ir_node *convert_do(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 2)
+        return opaque_statement(c, cursor, "do");
+    ir_node *node = new_statement(c, cursor, IR_DO, 2);
+    node->children[0] = convert_statement(c, parts.items[0]);
+    node->children[1] = convert_expression(c, parts.items[1]);
+    return node;
+}
+
+/* case 1 ... 3: the value is opaque, with both ends. */
+static ir_node *case_range(converter *c, const cursor_list *parts) {
+    ir_node *first = convert_expression(c, parts->items[0]);
+    ir_node *range = ir_new(c->arena, IR_OPAQUE, first->type, 2);
+    range->text = "range of a case";
+    range->children[0] = first;
+    range->children[1] = convert_expression(c, parts->items[1]);
+    range->flags = (first->flags | range->children[1]->flags) & IR_FROM_MACRO;
+    range->range = (ir_range){.begin = first->range.begin, .end = range->children[1]->range.end};
+    return range;
+}
+
+static ir_node *convert_case(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 3)
+        return convert_controlled(c, cursor, IR_CASE, 2, 2);
+    ir_node *node = new_statement(c, cursor, IR_CASE, 2);
+    node->children[0] = case_range(c, &parts);
+    node->children[1] = convert_statement(c, parts.items[2]);
+    return node;
+}
+
+/* A label or `default`, and its statement. */
+static ir_node *convert_labelled(converter *c, CXCursor cursor, ir_kind kind) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 1)
+        return opaque_statement(c, cursor, "label");
+    ir_node *node = new_statement(c, cursor, kind, 1);
+    if (kind == IR_LABEL)
+        node->text = take_string(c, clang_getCursorSpelling(cursor));
+    node->children[0] = convert_statement(c, parts.items[0]);
+    return node;
+}
+
+static enum CXChildVisitResult find_label(CXCursor child, CXCursor parent, CXClientData data) {
+    (void)parent;
+    if (clang_getCursorKind(child) != CXCursor_LabelRef)
+        return CXChildVisit_Continue;
+    *(CXCursor *)data = child;
+    return CXChildVisit_Break;
+}
+
+static ir_node *convert_goto(converter *c, CXCursor cursor) {
+    CXCursor label = clang_getNullCursor();
+    clang_visitChildren(cursor, find_label, &label);
+    if (clang_Cursor_isNull(label))
+        return opaque_statement(c, cursor, "goto");
+    ir_node *node = new_statement(c, cursor, IR_GOTO, 0);
+    node->text = take_string(c, clang_getCursorSpelling(label));
+    return node;
+}
+
+/* return [value], goto *address. */
+static ir_node *convert_jump(converter *c, CXCursor cursor, ir_kind kind) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count > 1)
+        return opaque_statement(c, cursor, "jump");
+    ir_node *node = new_statement(c, cursor, kind, parts.count);
+    if (parts.count == 1)
+        node->children[0] = convert_expression(c, parts.items[0]);
+    return node;
+}
+
+/* A statement with attributes, which mean nothing here. */
+static ir_node *convert_unexposed_statement(converter *c, CXCursor cursor) {
+    cursor_list parts = children_of(c, cursor);
+    if (parts.count != 1)
+        return opaque_statement(c, cursor, "statement");
+    ir_node *node = convert_statement(c, parts.items[0]);
+    place_node(c, node, cursor);
+    return node;
+}
+
+/* ---- all ----------------------------------------------------------------------------------- */
+
+static ir_node *convert_by_kind(converter *c, CXCursor cursor) {
+    switch (clang_getCursorKind(cursor)) {
+    case CXCursor_CompoundStmt:
+        return convert_block(c, cursor);
+    case CXCursor_DeclStmt:
+        return convert_declaration(c, cursor);
+    case CXCursor_IfStmt:
+        return convert_controlled(c, cursor, IR_IF, 2, 3);
+    case CXCursor_ForStmt:
+        return convert_for(c, cursor);
+    case CXCursor_WhileStmt:
+        return convert_controlled(c, cursor, IR_WHILE, 2, 2);
+    case CXCursor_DoStmt:
+        return convert_do(c, cursor);
+    case CXCursor_SwitchStmt:
+        return convert_controlled(c, cursor, IR_SWITCH, 2, 2);
+    case CXCursor_CaseStmt:
+        return convert_case(c, cursor);
+    case CXCursor_DefaultStmt:
+        return convert_labelled(c, cursor, IR_DEFAULT);
+    case CXCursor_LabelStmt:
+        return convert_labelled(c, cursor, IR_LABEL);
+    case CXCursor_GotoStmt:
+        return convert_goto(c, cursor);
+    case CXCursor_IndirectGotoStmt:
+        return convert_jump(c, cursor, IR_GOTO);
+    case CXCursor_ReturnStmt:
+        return convert_jump(c, cursor, IR_RETURN);
+    case CXCursor_BreakStmt:
+        return new_statement(c, cursor, IR_BREAK, 0);
+    case CXCursor_ContinueStmt:
+        return new_statement(c, cursor, IR_CONTINUE, 0);
+    case CXCursor_NullStmt:
+        return new_statement(c, cursor, IR_EMPTY, 0);
+    case CXCursor_GCCAsmStmt:
+    case CXCursor_MSAsmStmt:
+        return opaque_statement(c, cursor, "inline assembly");
+    case CXCursor_UnexposedStmt:
+        return convert_unexposed_statement(c, cursor);
+    default:
+        return opaque_statement(c, cursor, "statement");
+    }
+}
+
+ir_node *convert_statement(converter *c, CXCursor cursor) {
+    ir_node *node;
+    if (!enter_level(c, cursor, NULL, &node))
+        return node;
+    bool is_expression = clang_isExpression(clang_getCursorKind(cursor)) != 0;
+    node = is_expression ? expression_statement(c, cursor) : convert_by_kind(c, cursor);
+    c->depth--;
+    return node;
+}
+
+ir_node *convert_any(converter *c, CXCursor cursor) {
+    return clang_isExpression(clang_getCursorKind(cursor)) ? convert_expression(c, cursor)
+                                                           : convert_statement(c, cursor);
 }

@@ -1,206 +1,288 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* libclang's types to ours. Canonical ones only: typedefs are looked through. */
+/* clang's types to IR types; each canonical type once. */
 #include <string.h>
 
-#include "frontend/translation.h"
+#include "frontend/convert.h"
+#include "ir/ir_words.h"
 
-static ir_type_kind kind_of(enum CXTypeKind kind) {
+bool is_nameless(const char *spelling) {
+    return strstr(spelling, "(unnamed") != NULL || strstr(spelling, "(anonymous") != NULL;
+}
+
+/* clang's spelling, unless it holds a name that is none. */
+static const char *clang_spelling(converter *c, CXType type) {
+    const char *text = take_string(c, clang_getTypeSpelling(type));
+    return text[0] == 0 || is_nameless(text) ? NULL : text;
+}
+
+static int64_t size_of(CXType type) {
+    long long size = clang_Type_getSizeOf(type);
+    return size < 0 ? -1 : size;
+}
+
+/* ---- scalars ------------------------------------------------------------------------------- */
+
+static const char *scalar_word(enum CXTypeKind kind) {
     switch (kind) {
     case CXType_Void:
-        return IR_VOID;
+        return "void";
     case CXType_Bool:
-        return IR_BOOLEAN;
-    case CXType_Char_U:
-    case CXType_UChar:
-    case CXType_UShort:
-    case CXType_UInt:
-    case CXType_ULong:
-    case CXType_ULongLong:
+        return "bool";
     case CXType_Char_S:
+    case CXType_Char_U:
+        return "char";
     case CXType_SChar:
+        return "schar";
+    case CXType_UChar:
+        return "uchar";
     case CXType_Short:
+        return "short";
+    case CXType_UShort:
+        return "ushort";
     case CXType_Int:
+        return "int";
+    case CXType_UInt:
+        return "uint";
     case CXType_Long:
+        return "long";
+    case CXType_ULong:
+        return "ulong";
     case CXType_LongLong:
-    case CXType_WChar:
-    case CXType_Char16:
-    case CXType_Char32:
-    case CXType_Enum:
-        return IR_INTEGER;
+        return "llong";
+    case CXType_ULongLong:
+        return "ullong";
     case CXType_Float:
+        return "float";
     case CXType_Double:
+        return "double";
     case CXType_LongDouble:
-        return IR_FLOATING;
-    case CXType_Complex:
-        return IR_COMPLEX;
-    case CXType_Pointer:
-        return IR_POINTER;
-    case CXType_ConstantArray:
-    case CXType_IncompleteArray:
-    case CXType_VariableArray:
-        return IR_ARRAY;
-    case CXType_Record:
-        return IR_RECORD;
-    case CXType_FunctionProto:
-    case CXType_FunctionNoProto:
-        return IR_FUNCTION_TYPE;
+        return "ldouble";
     default:
-        return IR_OTHER_TYPE;
+        return NULL;
     }
 }
 
-static bool is_signed_kind(enum CXTypeKind kind) {
-    return kind == CXType_Char_S || kind == CXType_SChar || kind == CXType_Short ||
-           kind == CXType_Int || kind == CXType_Long || kind == CXType_LongLong;
-}
-
-static bool is_character_kind(enum CXTypeKind kind) {
-    return kind == CXType_Char_S || kind == CXType_SChar || kind == CXType_Char_U ||
-           kind == CXType_UChar;
-}
-
-/* A type that cannot be written down again elsewhere: without a name, or with an expression in it.
- */
-static bool can_be_spelled(const ir_type *type, const char *spelling) {
-    if (strstr(spelling, "(unnamed") || strstr(spelling, "(anonymous"))
+static bool fill_scalar(ir_type *type, CXType clang) {
+    const char *word = scalar_word(clang.kind);
+    if (word == NULL)
         return false;
-    for (const ir_type *at = type; at; at = at->target)
-        if (at->kind == IR_ARRAY && at->size < 0 && at->count < 0 && at != type && at->target &&
-            at->target->size < 0)
-            return false;
+    ir_scalar_type(type, ir_scalar_named(word, strlen(word)));
+    if (type->kind != IR_VOID)
+        type->size = size_of(clang);
+    if (clang.kind == CXType_Char_U)
+        type->is_signed = false;
     return true;
 }
 
-typedef struct field_collector {
-    translation *t;
-    VECTOR(ir_field) fields;
-    cursor_list cursors;
-} field_collector;
-
-static enum CXVisitorResult add_field(CXCursor cursor, CXClientData data) {
-    field_collector *c = data;
-    const long long bits = clang_Cursor_getOffsetOfField(cursor);
-    const bool bit_field = clang_Cursor_isBitField(cursor) != 0;
-    const ir_field field = {
-        .name = take_string(c->t, clang_getCursorSpelling(cursor)),
-        .type = translate_type(c->t, clang_getCursorType(cursor)),
-        .offset = bit_field || bits < 0 ? -1 : bits / 8,
-        .is_bit_field = bit_field,
-    };
-    VECTOR_PUSH(c->t->arena, &c->fields, field);
-    VECTOR_PUSH(c->t->arena, &c->cursors, cursor);
-    return CXVisit_Continue;
-}
-
-static const void *declaration_key(CXCursor declaration) {
-    return clang_getCanonicalCursor(declaration).data[0];
-}
-
-static const ir_record *translate_record(translation *t, CXType type) {
-    const CXCursor declaration = clang_getTypeDeclaration(type);
-    const void *key = declaration_key(declaration);
-    ir_record *record = map_get(t->records, &key, sizeof key);
-    if (record)
-        return record;
-    record = ARENA_NEW(t->arena, ir_record);
-    *map_at(t->records, &key, sizeof key) = record;
-    const char *spelling = take_string(t, clang_getTypeSpelling(clang_getUnqualifiedType(type)));
-    const bool named = !strstr(spelling, "(unnamed") && !strstr(spelling, "(anonymous");
-    const char *blank = strrchr(spelling, ' ');
-    record->name = named ? (blank ? blank + 1 : spelling) : "";
-    record->spelling = named ? spelling : NULL;
-    record->is_union = clang_getCursorKind(declaration) == CXCursor_UnionDecl;
-    const long long size = clang_Type_getSizeOf(type);
-    record->is_complete = size >= 0;
-    record->size = size >= 0 ? size : -1;
-    field_collector c = {.t = t};
-    if (record->is_complete)
-        clang_Type_visitFields(type, add_field, &c);
-    record->field_count = c.fields.count;
-    record->fields = c.fields.items;
-    for (unsigned i = 0; i < c.cursors.count; i++) {
-        const void *field_key = declaration_key(c.cursors.items[i]);
-        *map_at(t->fields, &field_key, sizeof field_key) = (void *)&record->fields[i];
+static void fill_complex(ir_type *type, CXType clang) {
+    static const char *const words[] = {"cfloat", "cdouble", "cldouble"};
+    enum CXTypeKind part = clang_getElementType(clang).kind;
+    unsigned row = part == CXType_Float ? 0 : part == CXType_Double ? 1 : 2;
+    if (row == 2 && part != CXType_LongDouble) { /* GNU: complex integers */
+        type->kind = IR_OTHER_TYPE;
+        return;
     }
-    return record;
+    ir_scalar_type(type, ir_scalar_named(words[row], strlen(words[row])));
+    type->size = size_of(clang);
 }
 
-const ir_field *translate_field(translation *t, CXCursor field) {
-    translate_type(t, clang_getCursorType(clang_getCursorSemanticParent(field)));
-    const void *key = declaration_key(field);
-    return map_get(t->fields, &key, sizeof key);
+/* An enumeration is its integer type, with its own name where it has one. */
+static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
+    CXCursor declaration = clang_getTypeDeclaration(clang);
+    CXType integer = clang_getCanonicalType(clang_getEnumDeclIntegerType(declaration));
+    if (!fill_scalar(type, integer) || type->kind != IR_INTEGER) {
+        *type = (ir_type){.kind = IR_OTHER_TYPE, .size = -1, .count = -1};
+        return;
+    }
+    const char *spelling = clang_spelling(c, clang_getUnqualifiedType(clang));
+    if (spelling != NULL)
+        type->spelling = spelling;
 }
 
-static void complete_array(translation *t, ir_type *type, CXType clang) {
-    type->target = translate_type(t, clang_getArrayElementType(clang));
+/* ---- derived types ------------------------------------------------------------------------- */
+
+static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
+    ir_type *copy = ARENA_NEW(c->arena, ir_type);
+    *copy = *type;
+    if (type->kind == IR_ARRAY) { /* an array's qualifiers are its elements' (C17 6.7.3 p9) */
+        copy->target = qualified(c, type->target, quals);
+        if (copy->spelling != NULL)
+            copy->spelling = ir_type_default_spelling(c->arena, copy);
+        return copy;
+    }
+    copy->is_const |= clang_isConstQualifiedType(quals) != 0;
+    copy->is_volatile |= clang_isVolatileQualifiedType(quals) != 0;
+    copy->is_restrict |= clang_isRestrictQualifiedType(quals) != 0;
+    if (type->spelling == NULL)
+        return copy;
+    const char *usual = ir_type_default_spelling(c->arena, type);
+    if (usual != NULL && strcmp(usual, type->spelling) == 0)
+        copy->spelling = ir_type_default_spelling(c->arena, copy);
+    else if (type->kind == IR_POINTER)
+        copy->spelling = NULL; /* to a function: the caller asks clang */
+    else
+        copy->spelling = arena_format(c->arena, "%s%s%s", copy->is_const ? "const " : "",
+                                      copy->is_volatile ? "volatile " : "", type->spelling);
+    return copy;
+}
+
+static bool is_array(enum CXTypeKind kind) {
+    return kind == CXType_ConstantArray || kind == CXType_IncompleteArray ||
+           kind == CXType_VariableArray;
+}
+
+static void fill_array(converter *c, ir_type *type, CXType clang) {
+    type->kind = IR_ARRAY;
+    type->target = convert_type(c, clang_getArrayElementType(clang));
     type->count = clang.kind == CXType_ConstantArray ? clang_getArraySize(clang) : -1;
-    type->size =
-        type->count >= 0 && type->target->size >= 0 ? type->count * type->target->size : -1;
+    type->size = clang.kind == CXType_ConstantArray ? ir_type_default_size(type) : -1;
+    if (clang.kind != CXType_VariableArray)
+        type->spelling = ir_type_default_spelling(c->arena, type);
 }
 
-static void complete(translation *t, ir_type *type, CXType clang) {
-    switch (type->kind) {
-    case IR_ARRAY:
-        complete_array(t, type, clang);
-        break;
-    case IR_POINTER:
-        type->target = translate_type(t, clang_getPointeeType(clang));
-        type->size = clang_Type_getSizeOf(clang);
-        break;
-    case IR_FUNCTION_TYPE:
-        type->target = translate_type(t, clang_getResultType(clang));
-        break;
-    case IR_RECORD:
-        type->record = translate_record(t, clang);
-        type->size = type->record->size;
-        break;
-    case IR_COMPLEX:
-        type->target = translate_type(t, clang_getElementType(clang));
-        type->size = 2 * type->target->size;
-        break;
-    case IR_INTEGER:
-        if (clang.kind == CXType_Enum) {
-            const CXType integer = clang_getCanonicalType(
-                clang_getEnumDeclIntegerType(clang_getTypeDeclaration(clang)));
-            type->is_signed = is_signed_kind(integer.kind);
-            type->size = integer.kind == CXType_Invalid ? -1 : clang_Type_getSizeOf(integer);
-            break;
-        }
-        type->is_signed = is_signed_kind(clang.kind);
-        type->is_character = is_character_kind(clang.kind);
-        type->size = clang_Type_getSizeOf(clang);
-        break;
-    case IR_BOOLEAN:
-    case IR_FLOATING:
-        type->size = clang_Type_getSizeOf(clang);
-        break;
-    case IR_VOID:
-    case IR_OTHER_TYPE:
-        break;
+static const ir_type *bottom(const ir_type *type) {
+    while (type->kind == IR_POINTER || type->kind == IR_ARRAY)
+        type = type->target;
+    return type;
+}
+
+static void fill_pointer(converter *c, ir_type *type, CXType clang) {
+    type->kind = IR_POINTER;
+    type->size = size_of(clang);
+    type->target = convert_type(c, clang_getPointeeType(clang));
+    if (bottom(type)->kind == IR_FUNCTION_TYPE) /* only clang knows the parameters */
+        type->spelling = bottom(type)->spelling != NULL ? clang_spelling(c, clang) : NULL;
+    else
+        type->spelling = ir_type_default_spelling(c->arena, type);
+}
+
+/* Not part of the type as C spells it in a cast. */
+static const char *without_noreturn(converter *c, const char *spelling) {
+    static const char attribute[] = " __attribute__((noreturn))";
+    size_t length = spelling != NULL ? strlen(spelling) : 0, tail = sizeof attribute - 1;
+    if (length < tail || strcmp(spelling + length - tail, attribute) != 0)
+        return spelling;
+    return arena_copy(c->arena, spelling, length - tail);
+}
+
+static void fill_function(converter *c, ir_type *type, CXType clang) {
+    type->kind = IR_FUNCTION_TYPE;
+    type->target = convert_type(c, clang_getResultType(clang));
+    type->spelling = without_noreturn(c, clang_spelling(c, clang));
+}
+
+static void fill_record(converter *c, ir_type *type, CXType clang) {
+    type->kind = IR_RECORD;
+    type->record = convert_record(c, clang);
+    type->size = type->record->size;
+    type->spelling = type->record->spelling;
+}
+
+static void fill_atomic(converter *c, ir_type *type, CXType clang) {
+    *type = *convert_type(c, clang_Type_getValueType(clang));
+    type->is_atomic = true;
+    type->spelling = clang_spelling(c, clang);
+}
+
+static bool has_plain_name(enum CXTypeKind kind) {
+    return kind == CXType_Int128 || kind == CXType_UInt128 || kind == CXType_Float128 ||
+           kind == CXType_Float16 || kind == CXType_BFloat16;
+}
+
+static void fill_other(converter *c, ir_type *type, CXType clang) {
+    type->kind = IR_OTHER_TYPE;
+    type->size = -1;
+    if (has_plain_name(clang.kind)) {
+        type->size = size_of(clang);
+        type->spelling = clang_spelling(c, clang);
     }
-    if (type->size < 0)
-        type->size = -1;
 }
 
-const ir_type *translate_type(translation *t, CXType written) {
-    CXType clang = clang_getCanonicalType(written);
-    ir_type *type = map_get(t->types, &clang.data[0], sizeof clang.data[0]);
-    if (type)
-        return type;
-    type = ARENA_NEW(t->arena, ir_type);
-    *map_at(t->types, &clang.data[0], sizeof clang.data[0]) = type;
+/* `clang` is canonical and has no qualifiers that matter here. */
+static void fill(converter *c, ir_type *type, CXType clang) {
     type->size = -1;
     type->count = -1;
-    type->is_const = clang_isConstQualifiedType(clang) != 0;
-    type->is_volatile = clang_isVolatileQualifiedType(clang) != 0;
-    type->is_restrict = clang_isRestrictQualifiedType(clang) != 0;
-    const char *spelling = take_string(t, clang_getTypeSpelling(clang));
-    if (clang.kind == CXType_Atomic) {
-        type->is_atomic = true;
-        clang = clang_getCanonicalType(clang_Type_getValueType(clang));
+    if (fill_scalar(type, clang))
+        return;
+    if (is_array(clang.kind)) {
+        fill_array(c, type, clang);
+        return;
     }
-    type->kind = kind_of(clang.kind);
-    complete(t, type, clang);
-    type->spelling = can_be_spelled(type, spelling) ? spelling : NULL;
-    return type;
+    switch (clang.kind) {
+    case CXType_Complex:
+        fill_complex(type, clang);
+        break;
+    case CXType_Enum:
+        fill_enumeration(c, type, clang);
+        break;
+    case CXType_Pointer:
+        fill_pointer(c, type, clang);
+        break;
+    case CXType_FunctionProto:
+    case CXType_FunctionNoProto:
+        fill_function(c, type, clang);
+        break;
+    case CXType_Record:
+        fill_record(c, type, clang);
+        break;
+    case CXType_Atomic:
+        fill_atomic(c, type, clang);
+        break;
+    default:
+        fill_other(c, type, clang);
+        break;
+    }
+}
+
+const ir_type *pointer_to(converter *c, const ir_type *target) {
+    void **known = map_at(c->pointers, &target, sizeof target);
+    if (*known == NULL) {
+        ir_type *type = ARENA_NEW(c->arena, ir_type);
+        *known = type;
+        *type = (ir_type){.kind = IR_POINTER, .count = -1, .target = target};
+        CXTargetInfo machine = clang_getTranslationUnitTargetInfo(c->clang);
+        type->size = clang_TargetInfo_getPointerWidth(machine) / 8;
+        clang_TargetInfo_dispose(machine);
+        type->spelling = ir_type_default_spelling(c->arena, type);
+    }
+    return *known;
+}
+
+const ir_type *decayed(converter *c, const ir_type *type) {
+    return type->kind == IR_ARRAY ? pointer_to(c, type->target) : type;
+}
+
+bool has_variable_length(const ir_type *type) {
+    for (; type != NULL && (type->kind == IR_ARRAY || type->kind == IR_POINTER);
+         type = type->target)
+        if (type->kind == IR_ARRAY && type->count < 0 && type->spelling == NULL)
+            return true;
+    return false;
+}
+
+static bool has_qualifiers(CXType type) {
+    return clang_isConstQualifiedType(type) || clang_isVolatileQualifiedType(type) ||
+           clang_isRestrictQualifiedType(type);
+}
+
+const ir_type *convert_type(converter *c, CXType type) {
+    CXType canonical = clang_getCanonicalType(type);
+    const void *key[2] = {canonical.data[0], (const void *)(uintptr_t)canonical.kind};
+    const ir_type *known = map_get(c->types, key, sizeof key);
+    if (known != NULL)
+        return known;
+    const ir_type *made;
+    if (has_qualifiers(canonical)) {
+        ir_type *copy =
+            qualified(c, convert_type(c, clang_getUnqualifiedType(canonical)), canonical);
+        if (copy->kind == IR_POINTER && bottom(copy)->kind == IR_FUNCTION_TYPE)
+            copy->spelling = clang_spelling(c, canonical);
+        made = copy;
+    } else {
+        ir_type *one = ARENA_NEW(c->arena, ir_type);
+        fill(c, one, canonical);
+        made = one;
+    }
+    *map_at(c->types, key, sizeof key) = (void *)made;
+    return made;
 }

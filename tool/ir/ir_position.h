@@ -7,8 +7,8 @@
 
 typedef struct ir_position {
     const char *file;
-    unsigned line;    /* from 1 */
-    unsigned column;  /* from 1, in bytes */
+    unsigned line;   /* from 1 */
+    unsigned column; /* from 1, in bytes */
 } ir_position;
 
 /** The file's name is in the unit's arena, or the source's. */

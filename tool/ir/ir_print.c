@@ -101,7 +101,8 @@ static void print_operands(const ir_printer *p, const ir_node *node) {
         ir_print_variable_key(p, node->variable);
         break;
     case IR_FUNCTION:
-        buffer_format(p->out, " %s", node->function->name);
+        buffer_byte(p->out, ' ');
+        ir_print_function_key(p, node->function);
         break;
     case IR_MEMBER:
         print_field(p, node);
@@ -236,7 +237,9 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
 
 static void print_function(const ir_printer *p, const ir_function *f, ir_variable *const *locals) {
     ir_print_line(p, 1);
-    buffer_format(p->out, "(function %s ", f->name);
+    buffer_text(p->out, "(function ");
+    ir_print_function_key(p, f);
+    buffer_byte(p->out, ' ');
     ir_print_type(p, f->type->target);
     if (!ir_type_identical(f->type, ir_function_default_type(p->scratch, f, f->type->target))) {
         buffer_text(p->out, " :");

@@ -114,6 +114,12 @@ void ir_printer_begin(ir_printer *p, buffer *out, arena *scratch, const ir_unit 
         return;
     p->variable_numbers = ARENA_ARRAY(scratch, unsigned, unit->variable_count + 1u);
     p->undeclared = undeclared_locals(p);
+    p->function_numbers = ARENA_ARRAY(scratch, unsigned, unit->function_count + 1u);
+    map *function_names = map_new(scratch);
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const char *name = unit->functions[i]->name;
+        p->function_numbers[i] = count_up(function_names, name, strlen(name));
+    }
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->function == NULL)
             meet_variable(p, unit->variables[i]);
@@ -132,6 +138,11 @@ static void print_key(const ir_printer *p, const char *name, unsigned number) {
 void ir_print_variable_key(const ir_printer *p, const ir_variable *variable) {
     bool is_known = p->unit != NULL && variable->id < p->unit->variable_count;
     print_key(p, variable->name, is_known ? p->variable_numbers[variable->id] : 1);
+}
+
+void ir_print_function_key(const ir_printer *p, const ir_function *function) {
+    bool is_known = p->unit != NULL && function->id < p->unit->function_count;
+    print_key(p, function->name, is_known ? p->function_numbers[function->id] : 1);
 }
 
 void ir_print_record_key(const ir_printer *p, const ir_record *record) {

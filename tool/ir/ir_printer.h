@@ -19,6 +19,7 @@ typedef struct ir_printer {
     map *seen_types;
     map *variable_names;        /* likewise, of the file, and "function's id, name" */
     unsigned *variable_numbers; /* by id: as for records, in the variable's function */
+    unsigned *function_numbers; /* by id: overloaded ones (GNU) share a name */
     ir_variable ***undeclared;  /* by function id: locals without a declarator in its body; each
                                    list ends in NULL */
 } ir_printer;
@@ -26,6 +27,7 @@ typedef struct ir_printer {
 /** Finds and numbers all variables and records of the unit. */
 void ir_printer_begin(ir_printer *p, buffer *out, arena *scratch, const ir_unit *unit);
 void ir_print_variable_key(const ir_printer *p, const ir_variable *variable);
+void ir_print_function_key(const ir_printer *p, const ir_function *function);
 void ir_print_record_key(const ir_printer *p, const ir_record *record);
 void ir_print_type(const ir_printer *p, const ir_type *type);
 

@@ -285,7 +285,7 @@ static bool declare_function(ir_reader *r, const sexp *s) {
         return ir_reader_expected(r, s->items[1], "a function not declared before");
     ir_function *f = ARENA_NEW(r->arena, ir_function);
     *place = f;
-    f->name = s->items[1]->text;
+    f->name = ir_key_name(r->arena, s->items[1]->text);
     f->is_in_main_file = true;
     f->id = r->unit->function_count;
     r->unit->functions[r->unit->function_count++] = f;

@@ -14,7 +14,7 @@ typedef struct ir_reader {
     const char *message; /* of the first failure */
     map *records;        /* key -> ir_record */
     map *file_names;     /* key -> ir_variable */
-    map *functions;      /* name -> ir_function */
+    map *functions;      /* key -> ir_function */
     map *local_names;    /* key -> ir_variable, of the function being read */
     ir_function *function;
     VECTOR(ir_variable *) variables;

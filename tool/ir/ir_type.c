@@ -112,9 +112,15 @@ const char *ir_type_default_spelling(arena *a, const ir_type *type) {
 }
 
 /* The parameters' types as a prototype spells them; false: one cannot be. */
-static bool spell_parameters(buffer *out, const ir_function *function) {
+static bool spell_parameters(arena *a, buffer *out, const ir_function *function) {
     for (unsigned i = 0; i < function->parameter_count; i++) {
-        const char *spelling = function->parameters[i]->type->spelling;
+        const ir_type *type = function->parameters[i]->type;
+        const char *spelling = type->spelling;
+        if (spelling != NULL && (type->is_const || type->is_volatile || type->is_restrict)) {
+            ir_type bare = *type; /* a parameter's own qualifiers are not part of the type */
+            bare.is_const = bare.is_volatile = bare.is_restrict = false;
+            spelling = ir_type_default_spelling(a, &bare);
+        }
         if (spelling == NULL)
             return false;
         buffer_format(out, "%s%s", i > 0 ? ", " : "", spelling);
@@ -131,7 +137,7 @@ const ir_type *ir_function_default_type(arena *a, const ir_function *function,
     ir_type *type = ARENA_NEW(a, ir_type);
     *type = (ir_type){.kind = IR_FUNCTION_TYPE, .size = -1, .count = -1, .target = result};
     buffer parameters = {0};
-    if (result->spelling != NULL && spell_parameters(&parameters, function))
+    if (result->spelling != NULL && spell_parameters(a, &parameters, function))
         type->spelling = arena_format(a, "%s%s(%s)", result->spelling,
                                       result->kind == IR_POINTER ? "" : " ", parameters.data);
     buffer_free(&parameters);

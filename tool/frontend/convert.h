@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Inside the frontend: one conversion of a parsed translation unit to IR. */
+#ifndef FRONTEND_CONVERT_H
+#define FRONTEND_CONVERT_H
+
+#include <clang-c/Index.h>
+
+#include "ir/ir.h"
+#include "support/map.h"
+#include "support/vector.h"
+
+/** Nodes may not be nested deeper; a function in which they are is marked has_errors. */
+enum { DEEPEST_NODE = 2000 };
+
+typedef struct function_body {
+    ir_function *function;
+    CXCursor definition;
+} function_body;
+
+typedef struct converter {
+    arena *arena;
+    arena *scratch; /* for lists of cursors; of the body being converted */
+    ir_unit *unit;
+    CXTranslationUnit clang;
+    CXFile main_file;
+    map *types;                   /* clang's canonical type -> ir_type */
+    map *records;                 /* declaration -> ir_record */
+    map *fields;                  /* declaration -> ir_field */
+    map *variables;               /* canonical declaration -> ir_variable */
+    map *functions;               /* canonical declaration -> ir_function */
+    map *functions_with_errors;   /* canonical declaration -> anything */
+    map *pointers;                /* target's ir_type -> pointer made for it */
+    map *files;                   /* CXFile -> file_text */
+    map *expansion_ends;          /* begin of a macro's expansion in the main file -> its end + 1 */
+    map *expansion_begins;        /* end -> begin + 1 */
+    VECTOR(ir_function *) others; /* functions without a body in the main file */
+    VECTOR(ir_function *) mains;
+    VECTOR(ir_variable *) found;   /* variables in order of discovery */
+    VECTOR(function_body) pending; /* bodies to convert */
+    ir_function *function;         /* being converted */
+    unsigned depth;
+} converter;
+
+typedef VECTOR(CXCursor) cursor_list;
+
+/* ---- places (location.c) ------------------------------------------------------------------- */
+
+typedef struct file_text {
+    const char *text;
+    size_t length;
+} file_text;
+
+/** Fills in the tables of macro expansions. */
+void note_expansion(converter *c, CXCursor expansion);
+bool is_in_main_file(converter *c, CXSourceLocation location);
+/** Bytes of the main file; sets *is_from_macro where an end of it is made by a macro. */
+ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro);
+/** Sets range and IR_FROM_MACRO. */
+void place_node(converter *c, ir_node *node, CXCursor cursor);
+file_text text_of_file(converter *c, CXFile file);
+/** The text from where the location's token is spelled (maybe in a macro's body or a header) to
+ *  the end of its file; length 0 where there is none (pasted tokens, the command line). */
+file_text text_at(converter *c, CXSourceLocation location);
+/** The source text of a cursor without macros, in the arena; NULL where macros are concerned. */
+const char *plain_text(converter *c, CXCursor cursor);
+/** clang's text, kept. */
+const char *take_string(converter *c, CXString string);
+
+/* ---- types and declarations ---------------------------------------------------------------- */
+
+const ir_type *convert_type(converter *c, CXType type);
+const ir_type *pointer_to(converter *c, const ir_type *target);
+/** libclang gives the type of an array parameter as it is written, here and wherever that type is
+ *  handed on: this is what it is, a pointer. Other types as they are. */
+const ir_type *decayed(converter *c, const ir_type *type);
+/** Does the type hold an array whose length is computed at run time? */
+bool has_variable_length(const ir_type *type);
+const ir_record *convert_record(converter *c, CXType canonical);
+/** NULL: no field known for it. */
+const ir_field *convert_field(converter *c, CXCursor field);
+/** Is the text clang's name for something without one? */
+bool is_nameless(const char *spelling);
+ir_variable *convert_variable(converter *c, CXCursor declaration);
+ir_function *convert_function(converter *c, CXCursor declaration);
+/** Adds what the attributes of this declaration say. */
+void read_attributes(converter *c, CXCursor declaration, ir_function *function);
+/** Fills in functions_with_errors and the unit's error_count. */
+void mark_functions_with_errors(converter *c);
+
+/* ---- trees --------------------------------------------------------------------------------- */
+
+/** Expressions and statements among the cursor's children; no references, types or attributes.
+ *  The list lives in the scratch arena. */
+cursor_list children_of(converter *c, CXCursor cursor);
+/** Counts a level; false: too deep, *result is set and the level not to be left. */
+bool enter_level(converter *c, CXCursor cursor, const ir_type *type, ir_node **result);
+
+ir_node *convert_expression(converter *c, CXCursor cursor);
+ir_node *convert_statement(converter *c, CXCursor cursor);
+/** An expression, or a statement as it stands in a for's header or a statement expression. */
+ir_node *convert_any(converter *c, CXCursor cursor);
+ir_node *convert_literal(converter *c, CXCursor cursor);
+/** sizeof and the like. */
+ir_node *convert_sizeof(converter *c, CXCursor cursor);
+/** With all that the cursor mentions as children; type NULL: a statement. */
+ir_node *convert_opaque(converter *c, CXCursor cursor, const ir_type *type, const char *what);
+/** Initialisers in braces. */
+ir_node *convert_braces(converter *c, CXCursor cursor);
+
+/* ---- after all ----------------------------------------------------------------------------- */
+
+/** Takes IR_FROM_MACRO from statements that end (or, but for loops, also begin) in the expansion of
+ *  a macro, where all of the expansion belongs to the statement: their bytes are their own. */
+void find_own_bytes(converter *c, ir_node *body);
+
+/** Orders and numbers functions and variables, finishes bodies, finds address_taken. */
+void finish_unit(converter *c);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Which of a compiler's flags libclang is told, and what is added to them. */
+#ifndef FRONTEND_FLAGS_H
+#define FRONTEND_FLAGS_H
+
+#include <stdbool.h>
+
+#include "support/arena.h"
+#include "support/vector.h"
+
+typedef struct parse_flags {
+    VECTOR(const char *) items;
+    bool strict_aliasing; /* no -fno-strict-aliasing */
+    bool has_headers;     /* no -nostdinc */
+} parse_flags;
+
+parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);
+
+/** Flags of the -m kind but -m32, -m64 and -mx32: libclang may know fewer of them than the user's
+ *  compiler and then parses nothing. */
+void remove_machine_flags(parse_flags *flags);
+
+/** gcc's own headers, for what clang's do not have (omp.h). They come last, and only where a header
+ *  was missing: clang's stdatomic.h, say, passes on to a second one where there is one, and clang
+ *  cannot read gcc's. Returns false where there are none to add. */
+bool add_gcc_headers(arena *a, parse_flags *flags);
+
+#endif

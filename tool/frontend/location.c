@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* From clang's locations to bytes of the main file, macros looked through. */
+#include <string.h>
+
+#include "frontend/convert.h"
+
+typedef struct place {
+    CXFile file;
+    unsigned offset;
+    bool is_from_macro;
+} place;
+
+static bool is_same_file(CXFile a, CXFile b) {
+    return a == b || (a != NULL && b != NULL && clang_File_isEqual(a, b));
+}
+
+/* Where the token stands, or where the macro is expanded that made it. */
+static place place_of(CXSourceLocation location) {
+    place p;
+    CXFile spelled;
+    unsigned spelled_offset;
+    clang_getExpansionLocation(location, &p.file, NULL, NULL, &p.offset);
+    clang_getSpellingLocation(location, &spelled, NULL, NULL, &spelled_offset);
+    p.is_from_macro = p.offset != spelled_offset || !is_same_file(p.file, spelled);
+    return p;
+}
+
+bool is_in_main_file(converter *c, CXSourceLocation location) {
+    CXFile file;
+    clang_getExpansionLocation(location, &file, NULL, NULL, NULL);
+    return is_same_file(file, c->main_file);
+}
+
+/* ---- expansions ---------------------------------------------------------------------------- */
+
+static unsigned end_of_expansion(const converter *c, uint32_t begin) {
+    return (unsigned)(uintptr_t)map_get(c->expansion_ends, &begin, sizeof begin);
+}
+
+void note_expansion(converter *c, CXCursor expansion) {
+    CXSourceRange extent = clang_getCursorExtent(expansion);
+    place begin = place_of(clang_getRangeStart(extent));
+    place end = place_of(clang_getRangeEnd(extent));
+    if (begin.is_from_macro || end.is_from_macro || !is_same_file(begin.file, c->main_file))
+        return;
+    uint32_t from = begin.offset, to = end.offset;
+    *map_at(c->expansion_ends, &from, sizeof from) = (void *)((uintptr_t)to + 1);
+    *map_at(c->expansion_begins, &to, sizeof to) = (void *)((uintptr_t)from + 1);
+}
+
+/* ---- ranges -------------------------------------------------------------------------------- */
+
+/* clang gives the end of a range whose last token is an argument of a macro as a place in the
+ * argument, and whose last token is of a macro's body as the end of the expansion. */
+static void find_end(const converter *c, place *end) {
+    uint32_t offset = end->offset;
+    if (!end->is_from_macro) {
+        end->is_from_macro = map_get(c->expansion_begins, &offset, sizeof offset) != NULL;
+        return;
+    }
+    unsigned known = end_of_expansion(c, offset);
+    if (known > 0)
+        end->offset = known - 1;
+}
+
+ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro) {
+    place begin = place_of(clang_getRangeStart(extent));
+    place end = place_of(clang_getRangeEnd(extent));
+    find_end(c, &end);
+    *is_from_macro = begin.is_from_macro || end.is_from_macro;
+    bool is_main = is_same_file(begin.file, c->main_file) && is_same_file(end.file, c->main_file);
+    if (!is_main || begin.offset > end.offset || end.offset > c->unit->source->length)
+        return (ir_range){0};
+    return (ir_range){.begin = begin.offset, .end = end.offset};
+}
+
+void place_node(converter *c, ir_node *node, CXCursor cursor) {
+    bool is_from_macro;
+    node->range = range_of(c, clang_getCursorExtent(cursor), &is_from_macro);
+    if (is_from_macro)
+        node->flags |= IR_FROM_MACRO;
+}
+
+/* ---- texts --------------------------------------------------------------------------------- */
+
+file_text text_of_file(converter *c, CXFile file) {
+    if (file == NULL)
+        return (file_text){0};
+    if (is_same_file(file, c->main_file))
+        return (file_text){.text = c->unit->source->text, .length = c->unit->source->length};
+    void **known = map_at(c->files, &file, sizeof file);
+    if (*known == NULL) {
+        file_text *read = ARENA_NEW(c->arena, file_text);
+        read->text = clang_getFileContents(c->clang, file, &read->length);
+        *known = read;
+    }
+    return *(file_text *)*known;
+}
+
+file_text text_at(converter *c, CXSourceLocation location) {
+    CXFile file;
+    unsigned offset;
+    clang_getSpellingLocation(location, &file, NULL, NULL, &offset);
+    file_text whole = text_of_file(c, file);
+    if (whole.text == NULL || offset >= whole.length)
+        return (file_text){0};
+    return (file_text){.text = whole.text + offset, .length = whole.length - offset};
+}
+
+const char *plain_text(converter *c, CXCursor cursor) {
+    bool is_from_macro;
+    CXSourceRange extent = clang_getCursorExtent(cursor);
+    ir_range range = range_of(c, extent, &is_from_macro);
+    if (is_from_macro)
+        return NULL;
+    if (range.begin != range.end)
+        return arena_copy(c->arena, c->unit->source->text + range.begin, range.end - range.begin);
+    place begin = place_of(clang_getRangeStart(extent));
+    place end = place_of(clang_getRangeEnd(extent));
+    file_text file = text_of_file(c, begin.file);
+    if (!is_same_file(begin.file, end.file) || file.text == NULL || begin.offset > end.offset ||
+        end.offset > file.length)
+        return NULL;
+    return arena_copy(c->arena, file.text + begin.offset, end.offset - begin.offset);
+}
+
+const char *take_string(converter *c, CXString string) {
+    const char *text = clang_getCString(string);
+    text = arena_string(c->arena, text != NULL ? text : "");
+    clang_disposeString(string);
+    return text;
+}
