@@ -176,6 +176,13 @@ static void walk_statement(access_walk *w, const ir_node *node) {
     }
 }
 
+/* f().x: a part of a value that is in no object the program can reach. */
+static bool is_part_of_value(const ir_node *node) {
+    while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
+        node = node->children[0];
+    return node->kind == IR_CALL;
+}
+
 void access_walk_node(access_walk *w, const ir_node *node) {
     if (expression_is_floating_work(node))
         w->list->has_floating_work = true;
@@ -184,7 +191,7 @@ void access_walk_node(access_walk *w, const ir_node *node) {
     case IR_INDEX:
     case IR_MEMBER:
         walk_address(w, node);
-        if (!is_array(node))
+        if (!is_array(node) && !is_part_of_value(node))
             add_lvalue(w, ACCESS_READ, node, (update_form){0});
         return;
     case IR_UNARY:

@@ -75,13 +75,12 @@ static bool record_fields_part(const location *a, const location *b) {
 /* Can a pointer found at `other` lead into the named object? */
 static bool is_reachable(const alias_rules *rules, const ir_variable *object,
                          const location *other) {
-    /* A static object whose address this file never takes is reached by its name alone. */
+    /* Initialisers at file scope are not in the IR: a static object's address may be anywhere. */
     if (!variable_is_automatic(object))
-        return object->address_taken ||
-               (object->storage != IR_STATIC && object->storage != IR_STATIC_LOCAL);
+        return true;
     /* A pointer whose origin is unknown may be any that was ever taken. */
     if (!other->pointer)
-        return object->address_taken;
+        return variable_is_exposed(rules->facts, object);
     return variable_escapes(rules->facts, object);
 }
 

@@ -12,8 +12,6 @@ bool variable_is_written_in(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
         ir_root_variable(node->children[0]) == variable)
         return true;
-    if (node->kind == IR_OPAQUE && expression_mentions(node, variable))
-        return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (variable_is_written_in(node->children[i], variable))
             return true;

@@ -27,7 +27,8 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
  *  the constant loops around it. */
 bool counted_range(const ir_node *expression, int64_t *low, int64_t *high);
 
-/** Does anything below `node` assign the variable (or take its address by &)? */
+/** Does anything below `node` assign the variable (or take its address by &)? Opaque nodes are the
+ *  caller's to refuse. */
 bool variable_is_written_in(const ir_node *node, const ir_variable *variable);
 
 #endif

@@ -28,6 +28,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
     [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
+    [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
     [REASON_MAY_ALIAS] = "declare the pointers restrict, or give --assume-noalias",
     [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
     [REASON_SCALAR_CARRIED] = "move the scalar's accumulation to a loop of its own",

@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/variation.h"
 
@@ -111,7 +112,9 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     const ir_node *place = slice_place(j, read->access.node);
     plan.source.extent = EXTENT_TOUCHED;
     plan.source.place = place;
-    plan.is_possible = base_is_fixed && slice_can_tell(j, row, read->access.node, place);
+    plan.is_possible = base_is_fixed &&
+                       (!read->access.is_conditional || base_can_be_read_before(j, base)) &&
+                       slice_can_tell(j, row, read->access.node, place);
     return plan;
 }
 

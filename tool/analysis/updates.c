@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Every write of the loop: private to the iteration, an update of a reduction array, or refused. */
 #include "analysis/analyser.h"
+#include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/variation.h"
 
@@ -174,6 +175,8 @@ static bool judge_base(judgement *j, const judged_access *update, const char *na
     if (!(base_is_object ? variation_is_fixed(j->an->facts, j->loop, where->base)
                          : variation_is_invariant(j->an->facts, j->loop, where->base)))
         return judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
+    if (!base_can_be_read_before(j, where->base))
+        return judgement_refuse(j, REASON_BASE_CONDITIONAL, where->base, name);
     const ir_type *type = where->base->type;
     if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
         return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);

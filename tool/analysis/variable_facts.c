@@ -228,6 +228,34 @@ bool variable_escapes(variable_facts *facts, const ir_variable *variable) {
     return fact->escape != ESCAPE_NO;
 }
 
+static bool is_exposing(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (!parent)
+        return true;
+    if (parent->kind == IR_MEMBER && (is_array || !(parent->flags & IR_ARROW)))
+        return is_exposing(parent);
+    if (parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS)
+        return true;
+    if (!is_array)
+        return false;
+    if ((parent->kind == IR_INDEX && parent->children[0] == node) ||
+        (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE))
+        return is_exposing(parent);
+    return true;
+}
+
+bool variable_is_exposed(variable_facts *facts, const ir_variable *variable) {
+    variable_fact *fact = &facts->facts[variable->id];
+    if (fact->exposure == EXPOSURE_NOT_ASKED) {
+        bool is_exposed = variable->address_taken;
+        for (unsigned i = 0; i < fact->occurrences.count && !is_exposed; i++)
+            is_exposed = is_exposing(fact->occurrences.items[i]);
+        fact->exposure = is_exposed ? EXPOSURE_YES : EXPOSURE_NO;
+    }
+    return fact->exposure == EXPOSURE_YES;
+}
+
 bool variable_is_restricted(variable_facts *facts, const ir_variable *variable) {
     const variable_fact *fact = &facts->facts[variable->id];
     unsigned allowed = variable->storage == IR_LOCAL ? 1 : 0;

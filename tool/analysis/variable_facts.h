@@ -15,6 +15,7 @@ typedef struct variable_fact {
     const ir_node *definition;       /* the value of the last one found, where it is a plain `=` */
     const ir_node *definition_place; /* the declarator or IR_ASSIGN of it */
     const ir_node *declarator;
+    enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;
     enum { ESCAPE_NOT_ASKED, ESCAPE_IN_PROGRESS, ESCAPE_YES, ESCAPE_NO } escape;
 } variable_fact;
 
@@ -28,6 +29,10 @@ const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *
 /** May there be, or once have been, a pointer to this local variable or parameter that the analysis
  *  does not see at each of its uses? True for everything that is not local. */
 bool variable_escapes(variable_facts *facts, const ir_variable *variable);
+
+/** Is there any pointer to it or into it at all: by &, or because it is an array used as a pointer
+ *  (under a subscript or * right there it is none), also as an argument? */
+bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 
 /** Does anything below `node` assign the variable or take its address by &? Of variables whose
  *  addresses escape it may be changed without that. */

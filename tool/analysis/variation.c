@@ -107,38 +107,27 @@ typedef struct regularity {
 
 static bool is_varying(regularity *r, const ir_node *node);
 
-static bool only_steps(const regularity *r, const ir_variable *variable) {
-    const variable_fact *fact = variable_fact_of(r->facts, variable);
-    for (unsigned i = 0; i < fact->writes.count; i++) {
-        const ir_node *write = fact->writes.items[i];
-        int64_t step;
-        if (!ir_contains(r->loop, write))
-            continue;
-        if (write->kind == IR_UNARY && write->op != IR_OP_ADDRESS)
-            continue;
-        bool is_step = write->kind == IR_ASSIGN &&
-                       (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT) &&
-                       (expression_constant(write->children[1], &step) ||
-                        variation_is_invariant(r->facts, r->loop, write->children[1]));
-        if (!is_step)
-            return false;
-    }
-    return true;
+/* v++, v += c with a c that stays. */
+static bool is_step(const regularity *r, const ir_node *write) {
+    if (write->kind == IR_UNARY)
+        return write->op != IR_OP_ADDRESS;
+    return write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT) &&
+           variation_is_invariant(r->facts, r->loop, write->children[1]);
 }
 
-/* Is the variable a counter: set at the head of a for loop, otherwise only stepped? */
+static bool is_in_for_header(const ir_node *write) {
+    const ir_node *place = write;
+    while (place->parent && place->parent->kind != IR_FOR && place->parent->kind != IR_BLOCK)
+        place = place->parent;
+    return place->parent && place->parent->kind == IR_FOR && place->parent->children[3] != place;
+}
+
+/* Is the variable a counter: in the loop it is only stepped, or set at the head of a for? */
 static bool is_counter(const regularity *r, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(r->facts, variable);
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
-        const ir_node *place = write;
-        while (place->parent && place->parent->kind != IR_FOR && place->parent->kind != IR_BLOCK)
-            place = place->parent;
-        bool is_head =
-            place->parent && place->parent->kind == IR_FOR && place->parent->children[3] != place;
-        if (ir_contains(r->loop, write) && !is_head &&
-            !(write->kind == IR_UNARY && write->op != IR_OP_ADDRESS) &&
-            !(write->kind == IR_ASSIGN && (write->op == IR_OP_ADD || write->op == IR_OP_SUBTRACT)))
+        if (ir_contains(r->loop, write) && !is_step(r, write) && !is_in_for_header(write))
             return false;
     }
     return true;
@@ -149,7 +138,7 @@ static bool is_irregular_value(regularity *r, const ir_node *node) {
         return false;
     switch (node->kind) {
     case IR_VARIABLE: {
-        if (only_steps(r, node->variable) || is_counter(r, node->variable))
+        if (is_counter(r, node->variable))
             return false;
         const ir_node *value = variable_single_definition(r->facts, node->variable);
         if (!value || r->depth > 8 || !ir_contains(r->loop, value))
@@ -229,7 +218,7 @@ bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir
                 break;
             }
             return has_subscript && node->variable->type->kind == IR_POINTER &&
-                   !only_steps(&r, node->variable);
+                   !is_counter(&r, node->variable);
         }
         case IR_CALL:
             return true;

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* R505: what the compiler does not accept is not judged; the next function is. */
+void errors(int n, const int *s, double *h) {
+    undeclared_type x;
+    for (int i = 0; i < n; i++) // EXPECT: refuse errors
+        h[s[i]] += 1.0;
+}
+
+void fine(int n, const int *s, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+)
+        h[s[i]] += 1.0;
+}
