@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The parallel program gives the very bits of the serial one, at any thread count, in every order of
 # the mesh. Arguments: SERIAL PARALLEL SCENES FOLDER.
+export OMP_WAIT_POLICY=passive # a thread that waits does not take the core of one that works
 export TSAN_OPTIONS=ignore_noninstrumented_modules=1 # the OpenMP runtime is one
 serial=$1 parallel=$2
 shift
