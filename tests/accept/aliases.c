@@ -32,6 +32,11 @@ static void own_subscripts(int *count, const int *s, int n) {
         count[s[t]] += 1;
 }
 
+static void bound_in_memory(int *count, const int *s, const int *n) {
+    for (int t = 0; t < *n; t++) // EXPECT: transformed
+        count[s[t]] += 1;
+}
+
 static void restricted(double *restrict b, const double *restrict x, const int *restrict s, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         b[s[t]] += x[s[t]] * x[t % 100];
@@ -44,9 +49,9 @@ static void show(void) {
 
 int main(void) {
     static int s[N], r[N];
-    case_subscripts(s, N, M);
-    case_subscripts(r, N, M);
     for (int round = 0; round < 3; round++) {
+        case_subscripts(s, N, M);
+        case_subscripts(r, N, M);
         case_values(memory, 3 * M);
         gather_scatter(memory, memory + M, s, r, N); /* apart */
         show();
@@ -73,6 +78,13 @@ int main(void) {
         own_subscripts(index_memory, index_memory, N);
         show();
         own_subscripts(index_memory + 500, index_memory, N);
+        show();
+        index_memory[7] = N / 2;
+        bound_in_memory(index_memory + N, index_memory + 10, &index_memory[7]);
+        show();
+        for (int i = 0; i < N; i++)
+            s[i] %= 30;
+        bound_in_memory(index_memory, s, &index_memory[7]); /* counts its own bound up */
         show();
         restricted(memory, memory + M, s, M);
         show();

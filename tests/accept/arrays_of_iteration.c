@@ -7,7 +7,6 @@
 enum { N = 8000, M = 500 };
 
 struct result {
-    int at;
     double value[2];
 };
 
@@ -16,20 +15,20 @@ static double w[N], h[M], last[8];
 
 static void with_last_values(int n) {
     double f[4];
-    struct result r = {-1, {0.0, 0.0}};
-    int c = -1;
+    struct result r = {{0.0, 0.0}};
+    int c = -1, at = -1;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (c = 0; c < 4; c++)
             f[c] = w[t] * c;
-        r.at = s[t][0];
+        at = s[t][0];
         r.value[0] = f[1] + f[3];
         r.value[1] = f[2];
-        h[r.at] += r.value[0];
+        h[at] += r.value[0];
         h[s[t][1]] -= r.value[1];
     }
     if (n > 0)
         last[0] = f[0] + f[1] + f[2] + f[3];
-    last[1] = r.at;
+    last[1] = at;
     last[2] = r.value[0] + r.value[1];
     last[3] = c;
 }

@@ -28,7 +28,7 @@ static void headers(int n) {
         for (t = 0; t != n; ++t) // EXPECT: transformed
             h[s[t]] -= w[t];
     seen[4] = t;
-    for (u = 0; u < n; u++) // EXPECT: transformed
+    for (u = 0; u < n; u++) // EXPECT: refuse counter-wraps
         h[s[u]] += w[u] * 0.125;
     seen[5] = u;
     for (t = 0; n > t; t = t + 1) // EXPECT: transformed

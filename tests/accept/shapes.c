@@ -36,7 +36,7 @@ static void two_subscripts(int n) {
         square[r[t]][s[t] % 50] += w[t];
 }
 
-static void shifted(double *h, int least, int n) {
+__attribute__((noipa)) static void shifted(double *h, int least, int n) {
     double *one_based = h - 1;
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[s[t] + 1000 - least] += w[t];

@@ -29,11 +29,10 @@ static void branches(int which, int n) {
 
 static void outer(int n) {
     int steps = 0;
-    while (steps < 3) {
+    do {
         for (int t = 0; t < n; t++) // EXPECT: transformed
             h[s[t]] += SCALE(w[t]) * steps;
-        steps++;
-    }
+    } while (++steps < 3);
     switch (steps) {
     case 3:
         for (int t = 0; t < n; t++) // EXPECT: transformed

@@ -7,6 +7,7 @@
 enum { N = 9000, M = 500 };
 static int s[N];
 static double w[N];
+static double complex wave[N];
 static long double sums[M];
 static double complex field[M];
 static double shown[M][3];
@@ -18,11 +19,13 @@ static void wide(int n) {
 
 static void planes(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        field[s[t]] += w[t] + I * (w[t] * 0.5);
+        field[s[t]] += wave[t] * w[t];
 }
 
 int main(void) {
     case_values(w, N);
+    for (int t = 0; t < N; t++)
+        wave[t] = case_value() + I * case_value();
     for (int round = 0; round < 3; round++) {
         case_subscripts(s, N, M);
         if (getenv("CASE_INTEGERS") == NULL)

@@ -6,11 +6,11 @@ struct particle {
 };
 
 /* NPB CG: tested after the update. */
-void tested(int n, const int *k, double *h, int *mark) {
+void tested(int n, const int *k, double *h, int *marks) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         h[k[t]] += 1.0;
         if (h[k[t]] > 3.0)
-            mark[t] = 1;
+            marks[k[t]] += 1;
     }
 }
 
@@ -36,8 +36,8 @@ void in_condition(int n, const int *k, double *h) {
 }
 
 void as_bound(int n, const int *k, int *h) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
-        for (int u = 0; u < h[t]; u++)
+    for (int t = 0; t < n; t++)
+        for (int u = 0; u < h[t]; u++) // EXPECT: nothing
             h[k[u]] += 1;
 }
 

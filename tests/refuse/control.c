@@ -76,11 +76,6 @@ void bound_changed(int n, const int *k, double *h) {
     }
 }
 
-void bound_in_memory(int *n, const int *k, int *h) {
-    for (int t = 0; t < *n; t++) // EXPECT: nothing
-        h[k[t]] += 1;
-}
-
 void step_from_memory(int n, const int *step, const int *k, double *h) {
     for (int t = 0; t < n; t += step[t]) // EXPECT: nothing
         h[k[t]] += 1.0;

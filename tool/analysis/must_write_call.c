@@ -80,8 +80,10 @@ static void access_known(run *r, state *s, const ir_node *node, const known_acce
         const value length =
             access->size_argument < count ? arguments[access->size_argument] : value_other;
         is_exact = is_exact && length.kind == VALUE_INTEGER && length.number >= 0;
-        size = is_exact ? length.number : 0;
+        size = length.number;
     }
+    if (!is_exact)
+        size = 0;
     const int64_t begin = is_exact ? pointer.number : 0;
     if (!is_exact && r->is_open) {
         run_give_up(r, node, "its elements are reached by subscripts that are not constant");
