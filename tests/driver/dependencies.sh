@@ -152,6 +152,22 @@ expect_match messages '^w\.c:2:9: error'
 expect_equal "$case_name: shown once" 1 "$(grep -c 'w\.c:2:9' messages)"
 end
 
+begin "messages are those of the source, translated or not"
+{ echo '#warning of the user'; cat w.c 2>/dev/null; printf '%s' "$source_text"; echo 'static int unused;'; } >w.c
+for options in -c "-Wall -c" "-Wall -O2 -S" "-Wall -o p"; do
+  for compiler in gcc clang-19; do
+    command -v $compiler >/dev/null || continue
+    # shellcheck disable=SC2086
+    { $compiler $options w.c 2>expected; FAKE_WARN=1 "$redcc_cc" $compiler $options w.c 2>messages; } || fail "$case_name: $options"
+    expect_same expected messages
+  done
+done
+printf '%s' "$source_text" >w.c
+FAKE_WARN=1 "$redcc_cc" -Werror w.c -o p 2>messages || fail "$case_name: -Werror"
+expect_empty messages
+expect_equal "$case_name: -Werror" "translated ran" "$(./p | paste -sd' ')"
+end
+
 begin "read-only source folder, nothing written beside the source"
 make_project
 chmod -R a-w src

@@ -129,9 +129,52 @@ static void add_alone(session *s, word_list *list, const translation *t, const c
     words_add(a, list, t->is_input ? "-" : t->text);
 }
 
+/* Compiles the source itself, for nothing but its messages. */
+static attempt compile_for_messages(session *s, const translation *t) {
+    arena *a = s->memory;
+    word_list words = {0};
+    words_add_all(a, &words, &s->real.words);
+    command_add_options(a, &words, &s->command,
+                        OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
+    add_colour(s, &words);
+    words_add(a, &words, "-c");
+    words_add(a, &words, "-o");
+    words_add(a, &words, arena_format(a, "%s.messages", t->text));
+    words_add(a, &words, "-x");
+    words_add(a, &words, "c");
+    words_add(a, &words, t->source->text);
+    return try_command(s, &words, t->is_input ? s->input : NULL);
+}
+
+/* Compiles a translated text. A body stands several times in it, and so would every warning; the
+ * messages shown are therefore the source's own, and where they are no errors, those in the
+ * translated text are none either (-Werror). */
+static attempt compile_text(session *s, const translation *t, word_list *words) {
+    const char *input = t->is_input ? t->text : NULL;
+    attempt made = try_command(s, words, input);
+    if (s->show || s->verbose || was_interrupted(&made) ||
+        (made.status == 0 && file_is_empty(made.error)))
+        return made;
+    attempt plain = compile_for_messages(s, t);
+    if (was_interrupted(&plain))
+        return plain;
+    if (plain.status != 0) {
+        made.status = plain.status;
+        made.error = NULL; /* nothing of ours is wrong */
+        return made;
+    }
+    if (made.status != 0) {
+        words_add(s->memory, words, "-w");
+        made = try_command(s, words, input);
+    }
+    if (made.status == 0)
+        made.error = plain.error;
+    return made;
+}
+
 /* Compiles a translated text; on success its messages are shown, on failure nothing is. */
-static bool compile(session *s, const translation *t, const word_list *words) {
-    attempt made = try_command(s, words, t->is_input ? t->text : NULL);
+static bool compile(session *s, const translation *t, word_list *words) {
+    attempt made = compile_text(s, t, words);
     if (was_interrupted(&made))
         session_end(s, made.status);
     bool same = made.status == 0 && translation_read_same(s, t);
@@ -140,7 +183,7 @@ static bool compile(session *s, const translation *t, const word_list *words) {
     else if (made.status == 0)
         session_explain(s, "%s: compiled as it is: the compiler would find other headers",
                         t->source->text);
-    else
+    else if (made.error)
         words_add(s->memory, &s->regrets, t->source->text);
     translation_keep(s, t, same, made.status == 0 ? NULL : made.error);
     return same;

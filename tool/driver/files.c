@@ -55,6 +55,11 @@ bool file_copy(arena *a, const char *from, const char *to) {
     return true;
 }
 
+bool file_is_empty(const char *path) {
+    struct stat about;
+    return stat(path, &about) != 0 || about.st_size == 0;
+}
+
 void file_show(const char *path, FILE *stream) {
     FILE *file = fopen(path, "rb");
     if (!file)

@@ -19,6 +19,9 @@ bool file_equal(arena *a, const char *left, const char *right);
 /** Copies through a temporary beside `to` and a rename: nobody sees half a file. */
 bool file_copy(arena *a, const char *from, const char *to);
 
+/** Whether a file holds nothing, or is not there. */
+bool file_is_empty(const char *path);
+
 /** Copies a file's bytes to a stream; a file that is not there has none. */
 void file_show(const char *path, FILE *stream);
 
