@@ -102,9 +102,16 @@ static key_form form_of_key(const ir_type *type) {
     }
 }
 
+/** May a plan be kept? Only while it can be told where what it knows of has moved to. */
 static bool is_verifiable(const loop_facts *facts) {
     if (!facts->is_verifiable)
         return false;
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *fact = &facts->sources[i];
+        if (fact->extent == EXTENT_TOUCHED &&
+            (!fact->base || !can_be_read_ahead(facts, fact->base)))
+            return false;
+    }
     for (unsigned i = 0; i < facts->key_count; i++)
         if (form_of_key(facts->key[i]->type) == KEY_UNFIT)
             return false;

@@ -21,7 +21,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i, row);
             writer_line(out, "redcc__known[%u].end = redcc__known[%u].first + sizeof(%s);", i, i,
                         row);
-        } else if (fact->extent == EXTENT_TOUCHED && fact->base) {
+        } else if (fact->extent == EXTENT_TOUCHED && fact->base &&
+                   can_be_read_ahead(loop->facts, fact->base)) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
         }

@@ -19,6 +19,7 @@ typedef struct inspector {
     loop_text *loop;
     bool *update_told;       /* by update */
     bool *source_told;       /* by the facts' source */
+    bool *is_mentioned;      /* by variable: in what was printed */
     VECTOR(told_row) recent; /* told since the slice last did something else */
     size_t recent_end;       /* length of the text when the last of them was */
 } inspector;
@@ -119,35 +120,39 @@ static bool mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-static bool slice_mentions_below(const loop_facts *facts, const ir_node *node,
-                                 const ir_variable *variable) {
-    if (facts->in_slice[node->id] && node->kind != IR_BLOCK && mentions(node, variable))
+/** Is the variable needed by what was printed, or by an address that was told? */
+static bool is_needed(const inspector *self, const ir_variable *variable) {
+    const loop_facts *facts = self->loop->facts;
+    if (self->is_mentioned[variable->id])
         return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (slice_mentions_below(facts, node->children[i], variable))
-            return true;
-    return false;
-}
-
-static bool slice_mentions(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; i < facts->update_count; i++)
         if (mentions(facts->updates[i].row, variable))
             return true;
     for (unsigned i = 0; i < facts->source_count; i++)
-        if (facts->sources[i].extent == EXTENT_TOUCHED && mentions(facts->sources[i].row, variable))
+        if (facts->sources[i].extent == EXTENT_TOUCHED && self->source_told[i] &&
+            mentions(facts->sources[i].row, variable))
             return true;
-    return slice_mentions_below(facts, facts->counted.body, variable);
+    return false;
 }
 
-static void declare_variables(loop_text *loop, writer *out) {
+/** The printer's hook for spellings: changes none, notes the variables. */
+static const char *note_variable(const ir_node *node, void *context) {
+    inspector *self = context;
+    if (node->kind == IR_VARIABLE)
+        self->is_mentioned[node->variable->id] = true;
+    return NULL;
+}
+
+static void declare_variables(const inspector *self, writer *out) {
+    loop_text *loop = self->loop;
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
-    const char *unused = slice_mentions(facts, counter) ? "" : " __attribute__((unused))";
+    const char *unused = is_needed(self, counter) ? "" : " __attribute__((unused))";
     writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
                 unused, loop->counter_type, loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const ir_variable *variable = facts->privates[i].variable;
-        if (!facts->privates[i].is_declared_inside && slice_mentions(facts, variable))
+        if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
             writer_line(out, "__typeof__(%s) %s;", variable->name, variable->name);
     }
 }
@@ -158,7 +163,10 @@ void write_inspected_iteration(loop_text *loop, writer *out) {
         .printer = {.arena = loop->arena, .keep = facts->in_slice, .before = before_statement},
         .loop = loop,
         .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
-        .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1)};
+        .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
+        .is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
+    self.printer.rename = note_variable;
+    self.printer.context = &self;
     writer slice = {.depth = out->depth};
     self.printer.out = &slice;
     print_body(&self.printer, facts->counted.body);
@@ -166,7 +174,7 @@ void write_inspected_iteration(loop_text *loop, writer *out) {
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
-    declare_variables(loop, out);
+    declare_variables(&self, out);
     /* `continue` of the user's loop goes to the end of the slice, not past redcc_iteration_done */
     if (self.printer.continues)
         writer_line(out, "do {");

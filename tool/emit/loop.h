@@ -62,6 +62,12 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node);
 /** setup.c: fills arrays, sources and counter_type, and records what forbids writing the loop. */
 void prepare_loop(loop_text *loop);
 
+/** hoist.c: records an obstacle where something that must be evaluated before the first iteration
+ *  is not certain to be evaluated by the loop itself. */
+void check_what_is_read_ahead(loop_text *loop);
+/** Is this pointer or array valid as soon as the loop is known to iterate? */
+bool can_be_read_ahead(const loop_facts *facts, const ir_node *base);
+
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
  * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
 const char *write_trip_count(loop_text *loop, writer *out);

@@ -147,4 +147,5 @@ void prepare_loop(loop_text *loop) {
     name_arrays(loop);
     name_counter(loop);
     number_sources(loop);
+    check_what_is_read_ahead(loop);
 }

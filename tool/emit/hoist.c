@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What the generated text evaluates before the first iteration - the bases of arrays, first and
+ * last rows, keys - must be something that the loop evaluates anyway once it iterates: in
+ *
+ *     if (s) s->b[k[t]] += 1;
+ *
+ * `s->b` may not be read ahead. An expression can fail where it reads through a pointer or divides;
+ * each such part must be found again in the loop's header, or in its body where every first
+ * iteration passes.
+ */
+#include "emit/loop.h"
+#include "emit/syntax.h"
+
+/* ---- where the loop is certain to pass ----------------------------------------------------- */
+
+typedef struct search {
+    const ir_node *wanted;
+    bool is_found;
+    bool may_have_left; /* a jump may have been taken before what comes next */
+} search;
+
+static void pass(search *s, const ir_node *node);
+
+static bool is_jump(ir_kind kind) {
+    return kind == IR_CONTINUE || kind == IR_BREAK || kind == IR_GOTO || kind == IR_RETURN;
+}
+
+static bool holds_jump(const ir_node *node) {
+    if (is_jump(node->kind))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (holds_jump(node->children[i]))
+            return true;
+    return false;
+}
+
+/** The constant that the loop's own variable starts with; false where it is not one. */
+static bool starts_with_constant(const ir_node *start, const ir_variable *counter, int64_t *value) {
+    const ir_node *first = NULL;
+    if (start->kind == IR_DECLARATION && start->child_count == 1 &&
+        start->children[0]->variable == counter)
+        first = ir_child(start->children[0], 0);
+    else if (start->kind == IR_ASSIGN && start->op == IR_OP_NONE &&
+             start->children[0]->kind == IR_VARIABLE && start->children[0]->variable == counter)
+        first = start->children[1];
+    if (!first || !(first->flags & IR_HAS_VALUE))
+        return false;
+    *value = first->value;
+    return true;
+}
+
+/** for (c = 0; c < 3; ...): the body is executed at least once. */
+static bool iterates(const ir_node *loop) {
+    const ir_node *condition = ir_child(loop, 1);
+    int64_t first;
+    if (condition->kind != IR_BINARY || condition->children[0]->kind != IR_VARIABLE ||
+        !(condition->children[1]->flags & IR_HAS_VALUE) ||
+        !starts_with_constant(ir_child(loop, 0), condition->children[0]->variable, &first))
+        return false;
+    const int64_t bound = condition->children[1]->value;
+    switch (condition->op) {
+    case IR_OP_LESS:
+        return first >= 0 && first < bound;
+    case IR_OP_LESS_EQUAL:
+        return first >= 0 && first <= bound;
+    case IR_OP_GREATER:
+        return bound >= 0 && first > bound;
+    case IR_OP_GREATER_EQUAL:
+        return bound >= 0 && first >= bound;
+    default:
+        return false;
+    }
+}
+
+static void pass_inner_loop(search *s, const ir_node *loop) {
+    const bool may_have_left = s->may_have_left;
+    if (loop->kind == IR_FOR) {
+        pass(s, ir_child(loop, 0));
+        pass(s, ir_child(loop, 1));
+        if (iterates(loop))
+            pass(s, ir_child(loop, 3));
+    } else {
+        pass(s, ir_child(loop, 0)); /* the condition, or the body of a do loop */
+    }
+    s->may_have_left = may_have_left; /* jumps of an inner loop end there: others are refused */
+}
+
+static void pass(search *s, const ir_node *node) {
+    if (s->is_found || s->may_have_left)
+        return;
+    if (ir_is_expression(node) && syntax_same(node, s->wanted)) {
+        s->is_found = true;
+        return;
+    }
+    switch (node->kind) {
+    case IR_IF:
+    case IR_SWITCH:
+        pass(s, ir_child(node, 0));
+        s->may_have_left |= holds_jump(node);
+        return;
+    case IR_FOR:
+    case IR_WHILE:
+    case IR_DO:
+        pass_inner_loop(s, node);
+        return;
+    case IR_CONDITIONAL:
+        pass(s, ir_child(node, 0));
+        return;
+    case IR_BINARY:
+        pass(s, ir_child(node, 0));
+        if (node->op != IR_OP_AND && node->op != IR_OP_OR)
+            pass(s, ir_child(node, 1));
+        return;
+    case IR_UNARY:
+        if (node->op != IR_OP_ADDRESS)
+            pass(s, ir_child(node, 0));
+        return;
+    case IR_OPAQUE:
+        return;
+    default:
+        if (is_jump(node->kind))
+            s->may_have_left = true;
+        for (unsigned i = 0; i < node->child_count; i++)
+            pass(s, node->children[i]);
+        return;
+    }
+}
+
+static bool is_certain(const loop_facts *facts, const ir_node *wanted) {
+    const counted_loop *counted = &facts->counted;
+    search s = {.wanted = wanted};
+    if (counted->lower)
+        pass(&s, counted->lower);
+    pass(&s, counted->bound);
+    pass(&s, counted->body);
+    return s.is_found;
+}
+
+/* ---- what may fail ------------------------------------------------------------------------- */
+
+static bool value_is_safe(const loop_facts *facts, const ir_node *node);
+
+/** Does reading this object go through a pointer, or a subscript that may be out of bounds? */
+static bool may_fail_to_read(const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return false;
+    case IR_MEMBER:
+        return (node->flags & IR_ARROW) || may_fail_to_read(ir_child(node, 0));
+    case IR_INDEX:
+        return ir_child(node, 0)->type->kind != IR_ARRAY ||
+               !(ir_child(node, 1)->flags & IR_HAS_VALUE) || may_fail_to_read(ir_child(node, 0));
+    default:
+        return true;
+    }
+}
+
+static bool children_are_safe(const loop_facts *facts, const ir_node *node) {
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!value_is_safe(facts, node->children[i]))
+            return false;
+    return true;
+}
+
+/** May the address of an lvalue be computed? Of its parts only pointers and subscripts are read. */
+static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
+    const ir_node *first = ir_child(node, 0);
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return true;
+    case IR_MEMBER:
+        return node->flags & IR_ARROW ? value_is_safe(facts, first) : address_is_safe(facts, first);
+    case IR_INDEX:
+        return (first->type->kind == IR_ARRAY ? address_is_safe(facts, first)
+                                              : value_is_safe(facts, first)) &&
+               value_is_safe(facts, ir_child(node, 1));
+    default:
+        return value_is_safe(facts, node);
+    }
+}
+
+static bool value_is_safe(const loop_facts *facts, const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+    case IR_NUMBER:
+    case IR_STRING:
+    case IR_FUNCTION:
+    case IR_SIZEOF:
+        return true;
+    case IR_MEMBER:
+    case IR_INDEX:
+        if (node->type->kind == IR_ARRAY || !may_fail_to_read(node))
+            return address_is_safe(facts, node);
+        return is_certain(facts, node);
+    case IR_UNARY:
+        if (node->op == IR_OP_ADDRESS)
+            return address_is_safe(facts, ir_child(node, 0));
+        if (node->op == IR_OP_DEREFERENCE)
+            return node->type->kind == IR_ARRAY ? value_is_safe(facts, ir_child(node, 0))
+                                                : is_certain(facts, node);
+        return children_are_safe(facts, node);
+    case IR_BINARY:
+        if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER) {
+            const ir_node *divisor = ir_child(node, 1);
+            const bool can_fail =
+                !(divisor->flags & IR_HAS_VALUE) || divisor->value == 0 || divisor->value == -1;
+            if (can_fail && node->type->kind == IR_INTEGER)
+                return is_certain(facts, node);
+        }
+        return children_are_safe(facts, node);
+    case IR_CONDITIONAL:
+    case IR_CAST:
+        return children_are_safe(facts, node);
+    default:
+        return is_certain(facts, node);
+    }
+}
+
+/* ---- the loop's own ------------------------------------------------------------------------ */
+
+/** A pointer is read; of an array only the address is taken. */
+static bool base_is_safe(const loop_facts *facts, const ir_node *base) {
+    return base->type->kind == IR_ARRAY ? address_is_safe(facts, base) : value_is_safe(facts, base);
+}
+
+bool can_be_read_ahead(const loop_facts *facts, const ir_node *base) {
+    return base_is_safe(facts, base);
+}
+
+void check_what_is_read_ahead(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (!base_is_safe(facts, facts->arrays[i].base))
+            loop_obstacle(loop, facts->arrays[i].base->range,
+                          "'%s' is read in some iterations only, and may not be valid before",
+                          facts->arrays[i].name);
+    for (unsigned i = 0; i < loop->source_count; i++) {
+        const loop_source *fact = loop->sources[i].fact;
+        if (fact->extent != EXTENT_TOUCHED && !address_is_safe(facts, fact->row))
+            loop_obstacle(loop, fact->row->range,
+                          "'%s' is read in some iterations only, and may not be valid before",
+                          fact->name);
+    }
+    for (unsigned i = 0; i < facts->key_count; i++)
+        if (!base_is_safe(facts, facts->key[i]))
+            loop_obstacle(loop, facts->key[i]->range,
+                          "what the subscripts depend on is read in some iterations only, and may "
+                          "not be valid before");
+}
