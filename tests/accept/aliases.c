@@ -26,6 +26,25 @@ static void two_targets(double *a, double *b, const int *s, const int *r, int n)
     }
 }
 
+static void two_operators(double *a, double *b, const int *s, int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        a[s[t]] += 3.0;
+        b[s[t]] *= 0.5;
+    }
+}
+
+/* Bytes may be part of anything, the pointers themselves too. */
+struct image {
+    unsigned char *pixel;
+    const int *at;
+    int count;
+};
+
+static void bytes(struct image *i) {
+    for (int t = 0; t < i->count; t++) // EXPECT: transformed
+        i->pixel[i->at[t]] += 3;
+}
+
 /* The counts and the subscripts are both int: the loop may change what it will read. */
 static void own_subscripts(int *count, const int *s, int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -71,6 +90,23 @@ int main(void) {
         show();
         two_targets(memory, memory + 12, s, r, N);
         show();
+        two_operators(memory, memory + M, s, N);
+        show();
+        two_operators(memory, memory + 1, s, N);
+        show();
+        case_values(memory, 3 * M);
+        struct image picture = {(unsigned char *)memory, s, M};
+        bytes(&picture);
+        show();
+        picture.pixel = (unsigned char *)&picture.count;
+        for (int t = 0; t < M; t++)
+            r[t] = 1; /* the second byte of its own trip count */
+        picture.at = r;
+        picture.count = 100;
+        bytes(&picture);
+        case_print("count", &picture.count, sizeof picture.count);
+        case_subscripts(r, N, M);
+        case_values(memory, 3 * M);
         for (int i = 0; i < 2 * N; i++)
             index_memory[i] = case_below(1000);
         own_subscripts(index_memory + N, index_memory, N);

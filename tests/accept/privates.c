@@ -63,10 +63,20 @@ static void control(int n) {
             sum += 0.5;
         }
         h[i] += sum;
-        if (sum > 0.0)
-            h[s[t][1]] += x[i];
-        else if (sum < -1.0)
-            h[s[t][1]] -= x[i];
+    }
+}
+
+static void values_decide(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = s[t][0], j = s[t][1];
+        const double d = x[i] - 0.25 * x[j];
+        if (d < -0.75)
+            continue;
+        h[i] += d;
+        if (d > 0.0)
+            h[j] += x[i];
+        else if (d < -0.5)
+            h[j] -= x[i];
     }
 }
 
@@ -80,6 +90,7 @@ int main(void) {
                 h[i] = 0.0; /* square roots are no integers */
         arrays(N);
         control(N);
+        values_decide(N);
         CASE_PRINT(kept);
         CASE_PRINT(h);
     }
