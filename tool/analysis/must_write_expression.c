@@ -320,6 +320,12 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
     run_check_hidden(r, s, declarator, variable->type);
     if (variable->storage != IR_LOCAL)
         return; /* what initialises a static variable is constant */
+    if (initial != NULL && initial->kind == IR_OPAQUE && variable->type->kind == IR_ARRAY &&
+        variable->type->size < 0) { /* the lengths of a variable length array */
+        for (unsigned i = 0; i < initial->child_count; i++)
+            run_evaluate_closed(r, s, initial->children[i]);
+        return;
+    }
     if (initial != NULL) {
         if (initial->kind == IR_INITIALIZERS && (initial->flags & IR_COMPOUND_LITERAL) == 0)
             evaluate_initialisers(r, s, initial);
