@@ -322,9 +322,11 @@ static bool is_braces(CXCursor cursor) {
 
 static ir_node *convert_compound_literal(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
-    if (parts.count != 1 || !is_braces(parts.items[0]))
+    unsigned last = parts.count - 1; /* what stands in the type comes before */
+    if (parts.count == 0 || !is_braces(parts.items[last]) ||
+        has_variable_length(type_of(c, cursor)))
         return opaque_expression(c, cursor, "compound literal");
-    ir_node *node = convert_braces(c, parts.items[0]);
+    ir_node *node = convert_braces(c, parts.items[last]);
     node->type = type_of(c, cursor);
     node->flags |= IR_COMPOUND_LITERAL;
     place_node(c, node, cursor);

@@ -43,6 +43,12 @@ static const struct {
     {"-trigraphs", EXACT},
 };
 
+/* What these are followed by is no flag. */
+static const char *const dropped_with_argument[] = {
+    "-A",        "-L", "-MF", "-MQ", "-MT", "-T", "-Xassembler", "-Xlinker", "-Xpreprocessor",
+    "-aux-info", "-l", "-o",  "-u",  "-x",  "-z",
+};
+
 static bool starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
@@ -72,6 +78,10 @@ static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
             VECTOR_PUSH(a, &chosen->items, flags[++i]);
         return i;
     }
+    for (unsigned row = 0; row < sizeof dropped_with_argument / sizeof *dropped_with_argument;
+         row++)
+        if (strcmp(flags[i], dropped_with_argument[row]) == 0)
+            return i + 1;
     return i;
 }
 
@@ -102,7 +112,7 @@ static void add_leniency(arena *a, parse_flags *chosen) {
     static const char *const flags[] = {
         "-xc",
         "-ferror-limit=0",
-        "-fbracket-depth=100000",
+        "-fbracket-depth=10000",
         "-w",
         "-Wno-error=implicit-function-declaration",
         "-Wno-error=implicit-int",

@@ -1,26 +1,36 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "frontend/frontend.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "frontend/flags.h"
 
-/* Trees are converted by recursion, DEEPEST_NODE levels at most. */
-enum { STACK_SIZE = 64 << 20 };
+/* clang parses by recursion, about 10 KB a level; only what is used is taken from the system. */
+enum { STACK_SIZE = 256 << 20 };
 
 /* ---- parsing ------------------------------------------------------------------------------- */
 
-static bool is_incomplete(CXTranslationUnit clang) {
-    bool has_fatal_error = false;
+typedef bool (*diagnostic_test)(CXDiagnostic diagnostic);
+
+static bool any_diagnostic(CXTranslationUnit clang, diagnostic_test test) {
+    bool is_found = false;
     unsigned count = clang_getNumDiagnostics(clang);
-    for (unsigned i = 0; i < count && !has_fatal_error; i++) {
+    for (unsigned i = 0; i < count && !is_found; i++) {
         CXDiagnostic diagnostic = clang_getDiagnostic(clang, i);
-        has_fatal_error = clang_getDiagnosticSeverity(diagnostic) == CXDiagnostic_Fatal;
+        is_found = test(diagnostic);
         clang_disposeDiagnostic(diagnostic);
     }
-    return has_fatal_error;
+    return is_found;
+}
+
+/* An error that lies in no file is about the flags. */
+static bool is_about_flags(CXDiagnostic diagnostic) {
+    CXFile file;
+    clang_getExpansionLocation(clang_getDiagnosticLocation(diagnostic), &file, NULL, NULL, NULL);
+    return file == NULL && clang_getDiagnosticSeverity(diagnostic) >= CXDiagnostic_Error;
 }
 
 static CXTranslationUnit parse(CXIndex index, const source *src, const char *name,
@@ -31,6 +41,13 @@ static CXTranslationUnit parse(CXIndex index, const source *src, const char *nam
         index, name, flags->items.items, (int)flags->items.count, &file, 1,
         CXTranslationUnit_KeepGoing | CXTranslationUnit_DetailedPreprocessingRecord, &clang);
     return status == CXError_Success ? clang : NULL;
+}
+
+static CXTranslationUnit parse_again(CXTranslationUnit before, CXIndex index, const source *src,
+                                     const char *name, const parse_flags *flags) {
+    if (before != NULL)
+        clang_disposeTranslationUnit(before);
+    return parse(index, src, name, flags);
 }
 
 static frontend_diagnostic convert_diagnostic(arena *a, CXDiagnostic diagnostic) {
@@ -98,9 +115,7 @@ static void convert_body(converter *c, const function_body *pending) {
     c->function = NULL;
 }
 
-/* Runs on a thread of its own, for its stack. */
-static void convert_unit(void *data) {
-    converter *c = data;
+static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
     clang_visitChildren(unit, visit_expansion, c);
     mark_functions_with_errors(c);
@@ -133,33 +148,57 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
         .expansion_ends = map_new(a),
         .expansion_begins = map_new(a),
     };
-    clang_executeOnThread(convert_unit, &c, STACK_SIZE);
+    convert_unit(&c);
     return unit;
+}
+
+/* ---- all ----------------------------------------------------------------------------------- */
+
+typedef struct task {
+    arena *arena;
+    const source *source;
+    unsigned flag_count;
+    const char *const *flags;
+    frontend_result result;
+} task;
+
+static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char *name,
+                                              parse_flags *chosen) {
+    CXTranslationUnit clang = parse(index, t->source, name, chosen);
+    if (clang == NULL || any_diagnostic(clang, is_about_flags)) {
+        /* a machine flag that only the user's compiler knows? */
+        remove_machine_flags(chosen);
+        clang = parse_again(clang, index, t->source, name, chosen);
+    }
+    if (clang != NULL && any_diagnostic(clang, is_missing_header) &&
+        add_gcc_headers(t->arena, chosen))
+        clang = parse_again(clang, index, t->source, name, chosen);
+    return clang;
+}
+
+static void run(void *data) {
+    task *t = data;
+    const char *name = strcmp(t->source->path, "-") == 0 ? "<stdin>" : t->source->path;
+    parse_flags chosen = choose_flags(t->arena, t->flag_count, t->flags);
+    CXIndex index = clang_createIndex(0, 0);
+    CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
+    if (clang != NULL) {
+        convert_diagnostics(t->arena, clang, &t->result);
+        t->result.unit = convert(t->arena, t->source, name, clang);
+        t->result.unit->strict_aliasing = chosen.strict_aliasing;
+        clang_disposeTranslationUnit(clang);
+    }
+    clang_disposeIndex(index);
 }
 
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags) {
-    frontend_result result = {0};
-    const char *name = strcmp(src->path, "-") == 0 ? "<stdin>" : src->path;
-    parse_flags chosen = choose_flags(a, flag_count, flags);
-    CXIndex index = clang_createIndex(0, 0);
-    CXTranslationUnit clang = parse(index, src, name, &chosen);
-    if (clang == NULL) { /* a machine flag that only the user's compiler knows? */
-        remove_machine_flags(&chosen);
-        clang = parse(index, src, name, &chosen);
-    }
-    if (clang != NULL && is_incomplete(clang) && add_gcc_headers(a, &chosen)) {
-        clang_disposeTranslationUnit(clang);
-        clang = parse(index, src, name, &chosen);
-    }
-    if (clang != NULL) {
-        convert_diagnostics(a, clang, &result);
-        result.unit = convert(a, src, name, clang);
-        result.unit->strict_aliasing = chosen.strict_aliasing;
-        clang_disposeTranslationUnit(clang);
-    }
-    clang_disposeIndex(index);
-    return result;
+    task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
+    /* libclang would parse on a thread of its own with 8 MB of stack, which some hundred nested
+     * parentheses use up, and that ends the process. */
+    setenv("LIBCLANG_NOTHREADS", "1", 0);
+    clang_executeOnThread(run, &t, STACK_SIZE);
+    return t.result;
 }
 
 const char *frontend_version(arena *a) {

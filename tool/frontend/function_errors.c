@@ -1,7 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Which functions did the compiler complain about? Ill-formed statements are missing from clang's
  * tree without a trace, so nothing in such a function may be judged. */
+#include <string.h>
+
 #include "frontend/convert.h"
+
+bool is_missing_header(CXDiagnostic diagnostic) {
+    CXString spelling = clang_getDiagnosticSpelling(diagnostic);
+    const char *text = clang_getCString(spelling);
+    bool is_missing = clang_getDiagnosticSeverity(diagnostic) >= CXDiagnostic_Error &&
+                      text != NULL && strstr(text, "file not found") != NULL;
+    clang_disposeString(spelling);
+    return is_missing;
+}
 
 /* Places where errors are, and where files with errors in them are included. */
 typedef struct error_place {
@@ -12,8 +23,8 @@ typedef struct error_place {
 typedef struct error_list {
     converter *converter;
     VECTOR(error_place) places;
-    CXFile wanted; /* a file with an error: who includes it? */
-    bool is_fatal; /* a header is missing: any name could have been a macro of it */
+    CXFile wanted;      /* a file with an error: who includes it? */
+    bool is_incomplete; /* a header is missing: any name could have been a macro of it */
 } error_list;
 
 static bool is_same(CXFile a, CXFile b) {
@@ -38,8 +49,7 @@ static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned lengt
 static void add_error(error_list *list, CXDiagnostic diagnostic) {
     converter *c = list->converter;
     c->unit->error_count++;
-    if (clang_getDiagnosticSeverity(diagnostic) == CXDiagnostic_Fatal)
-        list->is_fatal = true;
+    list->is_incomplete = list->is_incomplete || is_missing_header(diagnostic);
     add_place(list, clang_getDiagnosticLocation(diagnostic));
     list->wanted = list->places.items[list->places.count - 1].file;
     if (list->wanted != NULL && !is_same(list->wanted, c->main_file))
@@ -63,7 +73,7 @@ static bool has_error(const error_list *list, CXCursor definition) {
         if (place->offset >= begin && place->offset <= end && is_same(place->file, file))
             return true;
     }
-    return list->is_fatal;
+    return list->is_incomplete;
 }
 
 static enum CXChildVisitResult visit_declaration(CXCursor cursor, CXCursor parent,

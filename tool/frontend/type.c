@@ -101,6 +101,24 @@ static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
 
 /* ---- derived types ------------------------------------------------------------------------- */
 
+static const ir_type *bottom(const ir_type *type) {
+    while (type->kind == IR_POINTER || type->kind == IR_ARRAY)
+        type = type->target;
+    return type;
+}
+
+/* "int (*)(int)" becomes "int (*const)(int)". */
+static const char *qualified_function_pointer(converter *c, const ir_type *type,
+                                              const char *spelling) {
+    const char *star = strstr(spelling, "(*");
+    const char *close = star != NULL ? strchr(star, ')') : NULL;
+    if (close == NULL || close[-1] != '*')
+        return NULL;
+    return arena_format(
+        c->arena, "%.*s%s%s%s", (int)(close - spelling), spelling, type->is_const ? "const" : "",
+        type->is_volatile ? (type->is_const ? " volatile" : "volatile") : "", close);
+}
+
 static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
     ir_type *copy = ARENA_NEW(c->arena, ir_type);
     *copy = *type;
@@ -115,11 +133,13 @@ static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
     copy->is_restrict |= clang_isRestrictQualifiedType(quals) != 0;
     if (type->spelling == NULL)
         return copy;
+    if (type->kind == IR_POINTER && bottom(type)->kind == IR_FUNCTION_TYPE) {
+        copy->spelling = qualified_function_pointer(c, copy, type->spelling);
+        return copy;
+    }
     const char *usual = ir_type_default_spelling(c->arena, type);
     if (usual != NULL && strcmp(usual, type->spelling) == 0)
         copy->spelling = ir_type_default_spelling(c->arena, copy);
-    else if (type->kind == IR_POINTER)
-        copy->spelling = NULL; /* to a function: the caller asks clang */
     else
         copy->spelling = arena_format(c->arena, "%s%s%s", copy->is_const ? "const " : "",
                                       copy->is_volatile ? "volatile " : "", type->spelling);
@@ -138,12 +158,6 @@ static void fill_array(converter *c, ir_type *type, CXType clang) {
     type->size = clang.kind == CXType_ConstantArray ? ir_type_default_size(type) : -1;
     if (clang.kind != CXType_VariableArray)
         type->spelling = ir_type_default_spelling(c->arena, type);
-}
-
-static const ir_type *bottom(const ir_type *type) {
-    while (type->kind == IR_POINTER || type->kind == IR_ARRAY)
-        type = type->target;
-    return type;
 }
 
 static void fill_pointer(converter *c, ir_type *type, CXType clang) {
@@ -273,11 +287,7 @@ const ir_type *convert_type(converter *c, CXType type) {
         return known;
     const ir_type *made;
     if (has_qualifiers(canonical)) {
-        ir_type *copy =
-            qualified(c, convert_type(c, clang_getUnqualifiedType(canonical)), canonical);
-        if (copy->kind == IR_POINTER && bottom(copy)->kind == IR_FUNCTION_TYPE)
-            copy->spelling = clang_spelling(c, canonical);
-        made = copy;
+        made = qualified(c, convert_type(c, clang_getUnqualifiedType(canonical)), canonical);
     } else {
         ir_type *one = ARENA_NEW(c->arena, ir_type);
         fill(c, one, canonical);

@@ -1,0 +1,1 @@
+n = also_undeclared;

@@ -1,0 +1,2 @@
+#include "is-not-there.h"
+int after(int n) { return n; }
