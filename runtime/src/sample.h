@@ -20,8 +20,8 @@ struct sample {
     struct sampled *item;
     size_t count;
     size_t capacity;
-    uint32_t keep_each; /* touches that one kept item stands for */
-    uint32_t passed;    /* touches since the last one kept */
+    uint64_t keep_each; /* touches that one kept item stands for; a power of two */
+    uint64_t random;
     uint32_t iterations;
 };
 
@@ -31,8 +31,10 @@ bool redcc_sample_begin(struct sample *sample, size_t capacity);
 /** Gives back its memory. */
 void redcc_sample_end(struct sample *sample);
 
-/** Takes a touch in. When full, every other item is dropped and half as many are kept from then
- *  on, so that loops with thousands of touches an iteration are sampled evenly as well. */
+/** Takes a touch in. When full, about half of the items are dropped and half as many are kept from
+ *  then on, so that loops with thousands of touches an iteration are sampled evenly as well. Which
+ *  ones is left to chance (the same in every run): loops touch their arrays in turn, and every
+ *  fourth touch might be of one array only. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
 
 /** What follows belongs to the next iteration. */

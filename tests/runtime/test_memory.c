@@ -45,8 +45,8 @@ static void fail_everywhere(int number, int threads) {
 static void failing_memory(void **unused) {
     (void)unused;
     fail_everywhere(3, 2);
-    fail_everywhere(9, 5);
-    fail_everywhere(11, 3);
+    fail_everywhere(9, 3);
+    fail_everywhere(11, 2);
 }
 
 static void a_limit_is_kept(void **unused) {

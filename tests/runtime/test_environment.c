@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What REDCC_METHOD, REDCC_ORDER, REDCC_MEMORY_LIMIT and REDCC_REPORT do to a program: the example
+ * of docs/generated-code.md. Arguments: the same program without OpenMP, then with it, by each
+ * compiler. */
+#include <jansson.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { LONGEST = 4096 };
+
+static const char *plain;
+static char **programs; /* NULL at the end */
+static char folder[64] = "/tmp/redcc-environment-XXXXXX";
+
+struct outcome {
+    int status;
+    char text[LONGEST];   /* standard output */
+    char errors[LONGEST]; /* standard error */
+};
+
+static void read_text(const char *name, char *text) {
+    FILE *in = fopen(name, "r");
+    assert_non_null(in);
+    text[fread(text, 1, LONGEST - 1, in)] = '\0';
+    fclose(in);
+}
+
+static struct outcome run(const char *variables, const char *program, const char *arguments) {
+    struct outcome outcome;
+    char command[LONGEST], out[128], err[128];
+    snprintf(out, sizeof out, "%s/out", folder);
+    snprintf(err, sizeof err, "%s/err", folder);
+    snprintf(command, sizeof command, "%s '%s' %s >%s 2>%s", variables, program, arguments, out,
+             err);
+    const int status = system(command);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    read_text(out, outcome.text);
+    read_text(err, outcome.errors);
+    return outcome;
+}
+
+static const char *const methods[] = {"auto",        "serial",      "localwrite",       "expansion",
+                                      "expansion:a", "expansion:b", "pseudo-expansion", "dwa-lip",
+                                      "pe-dwa-lip",  "pe-dwa-lip:3"};
+enum { METHODS = sizeof methods / sizeof *methods };
+
+static void the_bits_are_those_of_the_plain_program(void **unused) {
+    (void)unused;
+    static const char *const exact[] = {"auto", "serial", "localwrite"};
+    const struct outcome expected = run("", plain, "5000 9");
+    for (char **program = programs; *program; program++)
+        for (int threads = 1; threads <= 5; threads += 2)
+            for (int m = 0; m < 3; m++) {
+                char variables[128];
+                snprintf(variables, sizeof variables, "OMP_NUM_THREADS=%d REDCC_METHOD=%s", threads,
+                         exact[m]);
+                const struct outcome found = run(variables, *program, "5000 9");
+                assert_int_equal(found.status, 0);
+                assert_string_equal(found.text, expected.text);
+                assert_string_equal(found.errors, "");
+            }
+}
+
+static void every_method_by_name(void **unused) {
+    (void)unused;
+    for (char **program = programs; *program; program++)
+        for (int m = 0; m < METHODS; m++) {
+            char variables[128];
+            snprintf(variables, sizeof variables, "OMP_NUM_THREADS=4 REDCC_METHOD=%s", methods[m]);
+            const struct outcome found = run(variables, *program, "300 2");
+            assert_int_equal(found.status, 0);
+            assert_string_equal(found.errors, "");
+        }
+}
+
+static void expect_stop(const char *variables, const char *const *words) {
+    const struct outcome found = run(variables, programs[0], "10 1");
+    assert_int_equal(found.status, 2);
+    for (; *words; words++)
+        if (!strstr(found.errors, *words))
+            fail_msg("%s: '%s' is not in: %s", variables, *words, found.errors);
+}
+
+static void unknown_names_stop_the_program(void **unused) {
+    (void)unused;
+    expect_stop("REDCC_METHOD=localwrit",
+                (const char *[]){"REDCC_METHOD=localwrit", "did you mean localwrite?", "dwa-lip",
+                                 "expansion[:a|b]", "serial", "auto", NULL});
+    expect_stop("REDCC_METHOD=expansion:c", (const char *[]){"expansion[:a|b]", NULL});
+    expect_stop("REDCC_METHOD=pe-dwa-lip:0", (const char *[]){"pe-dwa-lip[:N]", NULL});
+    expect_stop("REDCC_METHOD=serial:2", (const char *[]){"serial", NULL});
+    expect_stop("REDCC_ORDER=seriel", (const char *[]){"REDCC_ORDER=seriel", "did you mean serial?",
+                                                       "fixed", "any", NULL});
+    expect_stop("REDCC_MEMORY_LIMIT=much", (const char *[]){"REDCC_MEMORY_LIMIT=much", NULL});
+}
+
+static void an_order_and_a_method_that_cannot_keep_it(void **unused) {
+    (void)unused;
+    const char *const words[] = {"REDCC_METHOD=dwa-lip", "springs.c:4", "order", NULL};
+    expect_stop("REDCC_METHOD=dwa-lip REDCC_ORDER=serial", words);
+    expect_stop("REDCC_METHOD=dwa-lip REDCC_ORDER=fixed", words);
+    assert_int_equal(run("REDCC_METHOD=dwa-lip REDCC_ORDER=any", programs[0], "10 1").status, 0);
+    assert_int_equal(run("REDCC_METHOD=localwrite REDCC_ORDER=fixed", programs[0], "10 1").status,
+                     0);
+}
+
+static json_t *report_of(const char *variables, const char *arguments) {
+    char all[512], name[128];
+    snprintf(name, sizeof name, "%s/report \"x\".json", folder);
+    snprintf(all, sizeof all, "%s REDCC_REPORT='%s'", variables, name);
+    const struct outcome found = run(all, programs[0], arguments);
+    assert_int_equal(found.status, 0);
+    json_error_t error;
+    json_t *report = json_load_file(name, 0, &error);
+    if (!report)
+        fail_msg("the report is no JSON: line %d: %s", error.line, error.text);
+    assert_int_equal(unlink(name), 0);
+    return report;
+}
+
+static long number(const json_t *loop, const char *key) {
+    const json_t *value = json_object_get(loop, key);
+    assert_true(json_is_number(value));
+    return (long)json_number_value(value);
+}
+
+static void the_report_says_what_was_done(void **unused) {
+    (void)unused;
+    json_t *report = report_of("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", "2000 5");
+    const json_t *loops = json_object_get(report, "loops");
+    assert_int_equal(json_array_size(loops), 1);
+    const json_t *loop = json_array_get(loops, 0);
+    assert_string_equal(json_string_value(json_object_get(loop, "file")), "springs.c");
+    assert_string_equal(json_string_value(json_object_get(loop, "function")), "springs");
+    assert_string_equal(json_string_value(json_object_get(loop, "method")), "localwrite");
+    assert_string_equal(json_string_value(json_object_get(loop, "order")), "serial");
+    assert_int_equal(number(loop, "line"), 4);
+    assert_int_equal(number(loop, "threads"), 3);
+    assert_int_equal(number(loop, "calls"), 5);
+    assert_int_equal(number(loop, "plans_built"), 1);
+    assert_int_equal(number(loop, "plans_reused"), 4);
+    assert_int_equal(number(loop, "stages"), 1);
+    assert_in_range(number(loop, "iterations"), 5 * 6000, 5 * 6600);
+    assert_true(number(loop, "extra_bytes") > 0);
+    assert_true(json_is_real(json_object_get(loop, "inspect_seconds")));
+    assert_true(json_is_real(json_object_get(loop, "execute_seconds")));
+    assert_true(json_number_value(json_object_get(loop, "replication")) >= 1.0);
+    assert_int_equal(json_array_size(json_object_get(loop, "fallbacks")), 0);
+    json_decref(report);
+}
+
+static void expect_fallback(const char *variables, const char *reason, long count) {
+    json_t *report = report_of(variables, "2000 5");
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    const json_t *fallbacks = json_object_get(loop, "fallbacks");
+    assert_int_equal(json_array_size(fallbacks), 1);
+    const json_t *fallback = json_array_get(fallbacks, 0);
+    assert_non_null(strstr(json_string_value(json_object_get(fallback, "reason")), reason));
+    assert_int_equal(number(fallback, "count"), count);
+    assert_string_equal(json_string_value(json_object_get(loop, "method")), "serial");
+    json_decref(report);
+}
+
+static void the_report_says_why_not(void **unused) {
+    (void)unused;
+    expect_fallback("OMP_NUM_THREADS=1 REDCC_METHOD=localwrite", "one thread", 5);
+    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=20K",
+                    "REDCC_MEMORY_LIMIT", 5);
+}
+
+static void the_report_names_the_method_with_its_parameter(void **unused) {
+    (void)unused;
+    for (int m = 2; m < METHODS; m++) {
+        char variables[128];
+        snprintf(variables, sizeof variables, "OMP_NUM_THREADS=4 REDCC_METHOD=%s", methods[m]);
+        json_t *report = report_of(variables, "300 2");
+        const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+        const char *name = json_string_value(json_object_get(loop, "method"));
+        const char *expected = strcmp(methods[m], "expansion:b") == 0  ? "expansion"
+                               : strcmp(methods[m], "pe-dwa-lip") == 0 ? "pe-dwa-lip:2"
+                                                                       : methods[m];
+        assert_string_equal(name, expected);
+        assert_string_equal(json_string_value(json_object_get(loop, "order")),
+                            m == 2 ? "serial" : "any");
+        json_decref(report);
+    }
+}
+
+int main(int count, char **arguments) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_bits_are_those_of_the_plain_program),
+        cmocka_unit_test(every_method_by_name),
+        cmocka_unit_test(unknown_names_stop_the_program),
+        cmocka_unit_test(an_order_and_a_method_that_cannot_keep_it),
+        cmocka_unit_test(the_report_says_what_was_done),
+        cmocka_unit_test(the_report_says_why_not),
+        cmocka_unit_test(the_report_names_the_method_with_its_parameter),
+    };
+    if (count < 3 || !mkdtemp(folder))
+        return 1;
+    plain = arguments[1];
+    programs = arguments + 2;
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    char command[128];
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    return system(command) != 0 || failed;
+}

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The runtime's parts by themselves. */
+#include "barrier.h"
+#include "choose.h"
+#include "cuts.h"
+#include "fingerprint.h"
+#include "memory.h"
+#include "plan.h"
+#include "problem.h"
+#include "sample.h"
+#include "settings.h"
+#include "sweep.h"
+
+#include <omp.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void a_fingerprint_sees_every_bit(void **unused) {
+    (void)unused;
+    char data[300] = {0};
+    for (size_t bytes = 0; bytes <= sizeof data; bytes += 37) {
+        const struct fingerprint before = redcc_fingerprint(data, bytes);
+        for (size_t bit = 0; bit < 8 * bytes; bit++) {
+            data[bit / 8] = (char)(data[bit / 8] ^ (1 << bit % 8));
+            const struct fingerprint after = redcc_fingerprint(data, bytes);
+            assert_int_not_equal(before.word[0], after.word[0]);
+            assert_int_not_equal(before.word[1], after.word[1]);
+            data[bit / 8] = (char)(data[bit / 8] ^ (1 << bit % 8));
+        }
+    }
+}
+
+/* The same bit flipped in two words: a multiplication alone would lose the highest one. */
+static void a_fingerprint_sees_two_changes(void **unused) {
+    (void)unused;
+    enum { WORDS = 48 };
+    unsigned long data[WORDS] = {0};
+    const struct fingerprint before = redcc_fingerprint((char *)data, sizeof data);
+    for (int bit = 0; bit < 64; bit += 9)
+        for (int first = 0; first < WORDS; first++)
+            for (int second = 0; second < first; second++) {
+                data[first] ^= 1ul << bit;
+                data[second] ^= 1ul << bit;
+                assert_false(
+                    redcc_fingerprint_equal(before, redcc_fingerprint((char *)data, sizeof data)));
+                data[first] = data[second] = 0;
+            }
+}
+
+static void a_fingerprint_knows_lengths_and_places(void **unused) {
+    (void)unused;
+    char data[256] = {0};
+    assert_false(
+        redcc_fingerprint_equal(redcc_fingerprint(data, 64), redcc_fingerprint(data, 128)));
+    assert_false(redcc_fingerprint_equal(redcc_fingerprint(data, 1), redcc_fingerprint(data, 2)));
+    struct fingerprint parts[2] = {redcc_fingerprint("ab", 2), redcc_fingerprint("cd", 2)};
+    const struct fingerprint whole = redcc_fingerprint_join(parts, 2);
+    const struct fingerprint swap = parts[0];
+    parts[0] = parts[1];
+    parts[1] = swap;
+    assert_false(redcc_fingerprint_equal(whole, redcc_fingerprint_join(parts, 2)));
+}
+
+static void nobody_passes_a_barrier_early(void **unused) {
+    (void)unused;
+    enum { THREADS = 33, ROUNDS = 50 };
+    static struct barrier barrier;
+    static int at[THREADS];
+    int wrong = 0, alone = 0;
+#pragma omp parallel num_threads(THREADS) reduction(+ : wrong, alone)
+    {
+        const int thread = omp_get_thread_num();
+        for (int round = 1; round <= ROUNDS; round++) {
+            at[thread] = round;
+            if (redcc_barrier_arrive(&barrier, THREADS)) {
+                alone++;
+                redcc_barrier_release(&barrier);
+            }
+            for (int other = 0; other < THREADS; other++)
+                wrong += at[other] != round;
+            redcc_barrier_wait(&barrier, THREADS);
+        }
+    }
+    assert_int_equal(wrong, 0);
+    assert_int_equal(alone, ROUNDS);
+}
+
+static void sets_are_kept_once(void **unused) {
+    (void)unused;
+    struct sets sets;
+    assert_true(redcc_sets_begin(&sets, 40));
+    uint32_t number[780], again;
+    for (uint32_t round = 0; round < 2; round++) {
+        uint32_t count = 0;
+        for (uint32_t a = 0; a < 40; a++)
+            for (uint32_t b = a + 1; b < 40; b++, count++) {
+                const uint32_t members[] = {a, b};
+                assert_true(redcc_sets_intern(&sets, members, 2, &again));
+                if (round == 0)
+                    number[count] = again;
+                assert_int_equal(number[count], again);
+                assert_int_equal(redcc_set_minimum(&sets, again), a);
+                assert_int_equal(redcc_set_maximum(&sets, again), b);
+            }
+    }
+    assert_int_equal(sets.count, 1 + 40 + 780);
+    redcc_sets_end(&sets);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+/* Touches of two arrays in turn: both are sampled, from the beginning to the end. */
+static void a_full_sample_stays_even(void **unused) {
+    (void)unused;
+    struct sample sample;
+    size_t count[2][4] = {{0}};
+    assert_true(redcc_sample_begin(&sample, 256));
+    for (uintptr_t i = 0; i < 20000; i++) {
+        redcc_sample_add(&sample, i, i % 2);
+        redcc_sample_next_iteration(&sample);
+    }
+    assert_in_range(sample.count, 96, 256);
+    for (size_t i = 0; i < sample.count; i++)
+        count[sample.item[i].array][sample.item[i].address / 5000]++;
+    for (int array = 0; array < 2; array++)
+        for (int quarter = 0; quarter < 4; quarter++)
+            assert_in_range(count[array][quarter], sample.count / 16, sample.count / 4);
+    redcc_sample_end(&sample);
+}
+
+/* Two arrays of a mesh: the cuts lie at the same rows, on whole rows. */
+static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
+    (void)unused;
+    enum { ROWS = 1000, OWNERS = 7 };
+    static char b[ROWS * 24], a[ROWS * 72];
+    const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 24},
+                                  {"a", REDCC_SUM, REDCC_DOUBLE, 8, 72}};
+    const redcc_loop loop = {.arrays = arrays, .array_count = 2};
+    void *const bases[] = {b, a};
+    struct partition partition;
+    struct sample sample;
+    assert_true(redcc_partition_begin(&partition, &loop, bases, OWNERS));
+    assert_true(redcc_sample_begin(&sample, 32768));
+    unsigned long random = 7;
+    for (long t = 0; t < 3000; t++) {
+        for (int node = 0; node < 3; node++) {
+            const long row = (t / 3 + (long)(next_random(&random) % 5)) % ROWS;
+            redcc_sample_add(&sample, (uintptr_t)&b[row * 24], 0);
+            /* the matrix is kept by halves: few touches in low rows, many in high ones */
+            for (long block = 0; block < 1 + row / 100; block++)
+                redcc_sample_add(&sample, (uintptr_t)&a[row * 72], 1);
+        }
+        redcc_sample_next_iteration(&sample);
+    }
+    const struct sample *samples[] = {&sample};
+    assert_true(redcc_choose_cuts(&partition, samples, 1));
+    for (int owner = 1; owner < OWNERS; owner++) {
+        const long at_b = (long)(redcc_cuts(&partition, 0)[owner] - (uintptr_t)b);
+        const long at_a = (long)(redcc_cuts(&partition, 1)[owner] - (uintptr_t)a);
+        assert_int_equal(at_b % 24, 0);
+        assert_int_equal(at_a % 72, 0);
+        assert_in_range(at_b / 24, owner * ROWS / OWNERS - 20, owner * ROWS / OWNERS + 20);
+        assert_in_range(at_a / 72 - at_b / 24 + 3, 0, 6);
+    }
+    redcc_sample_end(&sample);
+    redcc_partition_end(&partition);
+}
+
+static void tell(struct sweep *sweep, const char *address, uint32_t bytes) {
+    const redcc_entry entry = {address, 0, bytes};
+    redcc_sweep_take(sweep, &entry, &entry + 1);
+}
+
+static void tell_end(struct sweep *sweep) {
+    const redcc_entry entry = {0, REDCC_END_OF_ITERATION, 0};
+    redcc_sweep_take(sweep, &entry, &entry + 1);
+}
+
+/* Entries of an iteration one by one, touches over several owners, repeated owners, none. */
+static void a_sweep_lists_each_owner_once(void **unused) {
+    (void)unused;
+    enum { OWNERS = 40 };
+    static char b[OWNERS * 10];
+    const redcc_array array = {"b", REDCC_SUM, REDCC_INT8, 1, 1};
+    const redcc_loop loop = {.arrays = &array, .array_count = 1};
+    void *const bases[] = {b};
+    struct partition partition;
+    struct sweep sweep;
+    struct range seen[] = {redcc_nowhere};
+    assert_true(redcc_partition_begin(&partition, &loop, bases, OWNERS));
+    for (uint32_t owner = 1; owner < OWNERS; owner++)
+        redcc_cuts(&partition, 0)[owner] = (uintptr_t)&b[10 * owner];
+    redcc_cuts(&partition, 0)[OWNERS] = UINTPTR_MAX;
+    assert_true(redcc_sweep_begin(&sweep, &partition, seen));
+    redcc_sweep_open_block(&sweep, 100);
+    tell_end(&sweep);             /* 0: nothing */
+    for (int i = 0; i < 3; i++) { /* 1 to 3: owners 5, 7 and 2 */
+        tell(&sweep, &b[51], 1);
+        tell(&sweep, &b[77], 2);
+        tell(&sweep, &b[20 + i], 1);
+        tell(&sweep, &b[50], 1);
+        tell_end(&sweep);
+    }
+    tell(&sweep, &b[59], 2); /* 4: owners 5 and 6 by one touch */
+    tell_end(&sweep);
+    tell(&sweep, &b[60], 1); /* 5: owner 6 */
+    tell_end(&sweep);
+    tell(&sweep, b, sizeof b); /* 6: all */
+    tell_end(&sweep);
+    assert_true(redcc_sweep_close_block(&sweep, 7));
+    const struct summary *summary = &sweep.summary;
+    const struct sets *sets = &summary->sets;
+    static const uint32_t first[] = {0, 2, 5, 6, 0}, size[] = {0, 3, 2, 1, OWNERS};
+    static const uint32_t begin[] = {0, 1, 4, 5, 6};
+    assert_int_equal(summary->span_count, 5);
+    for (int s = 0; s < 5; s++) {
+        const struct span span = summary->span[s];
+        assert_int_equal(span.begin, begin[s]);
+        assert_int_equal(redcc_set_size(sets, span.set), size[s]);
+        if (size[s])
+            assert_int_equal(redcc_set_minimum(sets, span.set), first[s]);
+    }
+    assert_int_equal(seen[0].first, (uintptr_t)b);
+    assert_int_equal(seen[0].end, (uintptr_t)(b + sizeof b));
+    redcc_sweep_end(&sweep);
+    redcc_partition_end(&partition);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+/* A loop of 5 * 2^30 + 12 iterations, of which a third touches owner 0, the middle both, the rest
+ * owner 1; no memory for each of them. */
+static void more_iterations_than_32_bits_count(void **unused) {
+    (void)unused;
+    const redcc_int third = (5ll << 30) / 3 + 4, trip = 3 * third;
+    static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
+    const redcc_loop loop = {.arrays = &array, .array_count = 1};
+    double b[4];
+    void *bases[] = {b};
+    const struct request request = {.loop = &loop, .trip = trip, .bases = bases};
+    struct partition partition;
+    struct summary summary[2];
+    const struct summary *summaries[] = {&summary[0], &summary[1]};
+    const struct range touched[] = {{(uintptr_t)b, (uintptr_t)(b + 4)}};
+    const struct range *seen[] = {touched, touched};
+    assert_true(redcc_partition_begin(&partition, &loop, bases, 2));
+    redcc_cuts(&partition, 0)[1] = (uintptr_t)(b + 2);
+    redcc_cuts(&partition, 0)[2] = UINTPTR_MAX;
+    for (int thread = 0; thread < 2; thread++) {
+        const uint32_t members[] = {0, 1};
+        uint32_t both;
+        assert_true(redcc_summary_begin(&summary[thread], 2));
+        assert_true(redcc_sets_intern(&summary[thread].sets, members, 2, &both));
+        redcc_int t = redcc_share(trip, 2, thread);
+        const redcc_int end = redcc_share(trip, 2, thread + 1);
+        while (t < end) {
+            const redcc_int stop = end - t < REDCC_BLOCK ? end : t + REDCC_BLOCK;
+            assert_true(redcc_summary_open_block(&summary[thread], t));
+            while (t < stop) {
+                const redcc_int limit = t < third ? third : t < 2 * third ? 2 * third : trip;
+                const redcc_int next = limit < stop ? limit : stop;
+                const uint32_t set = t < third ? 1 : t < 2 * third ? both : 2;
+                assert_true(redcc_summary_add(&summary[thread], set, next - t));
+                t = next;
+            }
+        }
+    }
+    const struct evidence evidence = {&partition, summaries, seen, 2, trip};
+    static const struct method *const methods[] = {&redcc_method_localwrite,
+                                                   &redcc_method_expansion, &redcc_method_dwa_lip};
+    for (int m = 0; m < 3; m++) {
+        struct plan *plan = redcc_plan_new(methods[m], 'b', 2, &request, &partition, touched, NULL);
+        assert_non_null(plan);
+        redcc_int visited = 0, highest = 0;
+        for (int thread = 0; thread < 2; thread++) {
+            assert_true(methods[m]->prepare(plan, &evidence, thread));
+            const struct schedule *schedule = &plan->schedule[thread];
+            assert_true(schedule->run_count <= 8);
+            redcc_int before = 0;
+            for (size_t c = 0; c < schedule->chunk_count; c++)
+                for (size_t r = schedule->chunk[c].run_begin; r < schedule->chunk[c].run_end; r++) {
+                    const redcc_run run = schedule->run[r];
+                    const redcc_int begin = schedule->chunk[c].origin + run.begin;
+                    const redcc_int count = run.count_and_guard / 2;
+                    assert_true(begin >= before);
+                    before = begin + count;
+                    visited += count;
+                    if (m == 0) {
+                        assert_true(begin >= thread * third && before <= (thread + 2) * third);
+                        assert_int_equal(run.count_and_guard & 1,
+                                         begin >= third && before <= 2 * third);
+                    }
+                }
+            highest = before > highest ? before : highest;
+        }
+        assert_true(visited == (m == 0 ? 4 * third : trip));
+        assert_true(highest == trip);
+        redcc_plan_finish(plan);
+        assert_true(plan->executed == visited);
+        assert_int_equal(redcc_plan_stages(plan), m == 2 ? 2 : 1);
+        redcc_plan_free(plan);
+    }
+    for (int thread = 0; thread < 2; thread++)
+        redcc_summary_end(&summary[thread]);
+    redcc_partition_end(&partition);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+static void sizes(void **unused) {
+    (void)unused;
+    size_t bytes;
+    assert_true(redcc_parse_bytes("17", &bytes) && bytes == 17);
+    assert_true(redcc_parse_bytes("3K", &bytes) && bytes == 3 << 10);
+    assert_true(redcc_parse_bytes("2M", &bytes) && bytes == 2 << 20);
+    assert_true(redcc_parse_bytes("5G", &bytes) && bytes == 5ul << 30);
+    static const char *const wrong[] = {
+        "", "K", "-1", "1KB", "1k", "1 K", "99999999999999999999", "99999999999G"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(redcc_parse_bytes(wrong[i], &bytes));
+}
+
+static enum course course_of(struct chooser *chooser, redcc_int trip) {
+    enum reason reason;
+    return redcc_choose_course(chooser, trip, 2, &reason);
+}
+
+/* Executions as auto plans them, each taking what is said; returns how many ran in parallel. */
+static int simulate(struct chooser *chooser, redcc_int trip, int calls, double serial,
+                    double parallel) {
+    int count = 0;
+    for (int call = 0; call < calls; call++) {
+        const enum course course = course_of(chooser, trip);
+        if (course == COURSE_SOLO)
+            redcc_choose_learn(chooser, trip, course, serial);
+        if (course == COURSE_PARALLEL) {
+            redcc_choose_learn(chooser, trip, course, parallel);
+            count++;
+        }
+    }
+    return count;
+}
+
+static void the_faster_course_is_kept(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    assert_int_equal(course_of(&chooser, 10), COURSE_SERIAL);        /* a small loop's first call */
+    assert_in_range(simulate(&chooser, 10, 1000, 2e-6, 9e-6), 0, 0); /* too little work */
+    assert_int_equal(course_of(&chooser, 100000), COURSE_PARALLEL);
+    assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 1e-3) >= 998);
+    assert_true(simulate(&chooser, 5000, 1000, 1e-4, 2e-4) <= 3 * 3);
+    assert_true(simulate(&chooser, 1000, 1000, 1e-3, 6e-4) >= 996);
+    /* it was faster once and is no longer */
+    assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 3e-3) <= 16 + 3 * 3);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_fingerprint_sees_every_bit),
+        cmocka_unit_test(a_fingerprint_sees_two_changes),
+        cmocka_unit_test(a_fingerprint_knows_lengths_and_places),
+        cmocka_unit_test(nobody_passes_a_barrier_early),
+        cmocka_unit_test(sets_are_kept_once),
+        cmocka_unit_test(a_full_sample_stays_even),
+        cmocka_unit_test(cuts_of_several_arrays_lie_at_the_same_rows),
+        cmocka_unit_test(a_sweep_lists_each_owner_once),
+        cmocka_unit_test(more_iterations_than_32_bits_count),
+        cmocka_unit_test(sizes),
+        cmocka_unit_test(the_faster_course_is_kept),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
