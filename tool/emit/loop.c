@@ -130,7 +130,9 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     out->depth--;
     writer_line(out, "}");
     buffer_text(&out->out, "#pragma GCC diagnostic pop\n");
-    writer_line(out, "if (!redcc__done)");
+    /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
+    writer_line(out, "if (redcc__done) {");
+    writer_line(out, "} else");
     buffer_text(&out->out, "#endif\n");
 }
 
