@@ -7,6 +7,7 @@
 
 #include "analysis/analyser.h"
 #include "analysis/expression.h"
+#include "analysis/variation.h"
 
 /* ---- the source text --------------------------------------------------------------------------
  */
@@ -152,9 +153,24 @@ static bool reads_errno(const ir_node *node) {
     return false;
 }
 
+/* An update whose value is used: what is done with it hardly matters. */
+static bool judge_values(judgement *j) {
+    for (unsigned i = 0; i < j->found.items.count; i++) {
+        const access *a = &j->found.items.items[i];
+        if (a->kind == ACCESS_UPDATE && !a->callee && a->form.has_operator &&
+            ir_value_is_used(a->lvalue->parent) &&
+            variation_is_irregular(j->an->facts, j->loop, a->lvalue))
+            return judgement_refuse(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
+                                    judgement_name(j, a->lvalue));
+    }
+    return true;
+}
+
 bool judge_accesses(judgement *j) {
     access_collect(j->an->effects, j->counted.bound, &j->found);
     access_collect(j->an->effects, j->counted.body, &j->found);
+    if (!judge_values(j))
+        return false;
     if (j->found.problems.count) {
         const access_problem *p = &j->found.problems.items[0];
         return judgement_refuse(j, p->why, p->node, p->name);

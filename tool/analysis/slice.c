@@ -12,10 +12,16 @@
 
 #include "analysis/expression.h"
 
+/* A variable, or one field of a variable that is a record. */
+typedef struct needed_part {
+    const ir_variable *variable;
+    const ir_field *field; /* NULL: all of it */
+} needed_part;
+
 typedef struct slicer {
     const judgement *j;
     bool *keep;
-    VECTOR(const ir_variable *) needed;
+    VECTOR(needed_part) needed;
     const ir_node *obstacle;
 } slicer;
 
@@ -132,23 +138,55 @@ static bool is_in_memory(const ir_variable *variable) {
     return variable->address_taken || !ir_type_is_scalar(variable->type);
 }
 
-static void need_variable(slicer *s, const ir_variable *variable) {
-    if (!is_of_iteration(s, variable))
-        return;
+/* The field of the variable that an occurrence is about: v.f, v.f[1]; NULL: all of it. */
+static const ir_field *part_of(const ir_node *use) {
+    const ir_node *parent = use->parent;
+    if (parent && parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW) && use->type &&
+        use->type->kind == IR_RECORD && use->type->record && !use->type->record->is_union)
+        return parent->field;
+    return NULL;
+}
+
+/* Where in a write the variable itself stands: the bottom of its target's path. */
+static const ir_node *bottom_of(const ir_node *write) {
+    const ir_node *node = expression_written(write);
+    if (write->kind == IR_UNARY && write->op == IR_OP_ADDRESS)
+        node = write->children[0];
+    while (node && node->kind != IR_VARIABLE)
+        node = node->child_count ? node->children[0] : NULL;
+    return node;
+}
+
+static bool concerns(const ir_field *needed, const ir_field *written) {
+    return !needed || !written || needed == written;
+}
+
+static bool is_noted(slicer *s, needed_part part) {
     for (unsigned i = 0; i < s->needed.count; i++)
-        if (s->needed.items[i] == variable)
-            return;
-    VECTOR_PUSH(s->j->an->memory, &s->needed, variable);
+        if (s->needed.items[i].variable == part.variable &&
+            (!s->needed.items[i].field || s->needed.items[i].field == part.field))
+            return true;
+    VECTOR_PUSH(s->j->an->memory, &s->needed, part);
+    return false;
+}
+
+static void need_part(slicer *s, needed_part part) {
+    const ir_variable *variable = part.variable;
+    if (!is_of_iteration(s, variable) || is_noted(s, part))
+        return;
     const ir_node *loop = s->j->loop;
     const variable_fact *fact = variable_fact_of(s->j->an->facts, variable);
     if (fact->declarator && ir_contains(loop, fact->declarator))
         keep_statement(s, fact->declarator);
-    for (unsigned i = 0; i < fact->writes.count; i++)
-        if (ir_contains(loop, fact->writes.items[i]))
-            keep_statement(s, expression_place(fact->writes.items[i]));
+    for (unsigned i = 0; i < fact->writes.count; i++) {
+        const ir_node *write = fact->writes.items[i];
+        const ir_node *bottom = bottom_of(write);
+        if (ir_contains(loop, write) && concerns(part.field, bottom ? part_of(bottom) : NULL))
+            keep_statement(s, expression_place(write));
+    }
     for (unsigned i = 0; is_in_memory(variable) && i < fact->occurrences.count; i++) {
         const ir_node *use = fact->occurrences.items[i];
-        if (!ir_contains(loop, use))
+        if (!ir_contains(loop, use) || !concerns(part.field, part_of(use)))
             continue;
         if (!is_followed(use))
             fail(s, use);
@@ -167,7 +205,7 @@ static void need_expression(slicer *s, const ir_node *node) {
     if (expression_is_floating_work(node) || (node->kind == IR_CALL && call_is_dear(s, node)))
         fail(s, node);
     if (node->kind == IR_VARIABLE)
-        need_variable(s, node->variable);
+        need_part(s, (needed_part){node->variable, part_of(node)});
     for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
         need_expression(s, node->children[i]);
 }
@@ -195,10 +233,6 @@ static void keep_statement(slicer *s, const ir_node *statement) {
     } else if (is_new) {
         keep_control(s, statement);
     }
-    /* A declared variable is needed as soon as its declaration is: a store through a pointer may
-     * set it, and other statements kept may read it. */
-    if (is_new && statement->kind == IR_DECLARATOR)
-        need_variable(s, statement->variable);
     if (is_new)
         keep_around(s, statement);
 }
@@ -218,6 +252,53 @@ static bool has_hazard(const ir_node *node) {
 
 bool slice_is_safe_anywhere(const ir_node *row) {
     return !expression_has_load(row, true) && !has_hazard(row);
+}
+
+/* Is this load made in each iteration whatever the conditions, with the same address? */
+static bool is_made_anyway(const judgement *j, const ir_node *load) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const access *a = &j->accesses[i].access;
+        if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee && a->lvalue != load &&
+            expression_same(a->lvalue, load))
+            return true;
+    }
+    return false;
+}
+
+/* Nothing in it changes in the course of an iteration. */
+static bool is_steady(const judgement *j, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
+        variable_written_in(j->an->facts, j->loop, node->variable))
+        return false;
+    if (node->kind == IR_VARIABLE) {
+        const ir_node *declarator = variable_fact_of(j->an->facts, node->variable)->declarator;
+        return node->variable == j->counted.counter || !declarator ||
+               !ir_contains(j->loop, declarator);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_steady(j, node->children[i]))
+            return false;
+    return true;
+}
+
+/* As slice_is_safe_anywhere; loads are allowed that each iteration makes in any case. */
+static bool is_safe_here(const judgement *j, const ir_node *node, bool as_address) {
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (!as_address && !is_array && node->kind != IR_VARIABLE && expression_is_lvalue(node) &&
+        expression_has_load(node, false))
+        return is_steady(j, node) && is_made_anyway(j, node);
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+        (node->kind == IR_BINARY && (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        bool child_as_address = (child->type && child->type->kind == IR_ARRAY) ||
+                                (node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) ||
+                                (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
+        if (!is_safe_here(j, child, child_as_address))
+            return false;
+    }
+    return true;
 }
 
 typedef struct snapshot {
@@ -253,7 +334,7 @@ static bool has_own_condition(const ir_node *node) {
 }
 
 static void keep_for_touch(slicer *s, const slice_touch *touch) {
-    bool is_safe = slice_is_safe_anywhere(touch->row);
+    bool is_safe = is_safe_here(s->j, touch->row, true);
     const ir_variable *counter;
     int64_t first, last;
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop && !s->obstacle;
@@ -285,7 +366,7 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *j
         if (has_own_condition(node))
             return false;
         for (unsigned i = 0; is_simple && i < node->child_count; i++)
-            if (expression_has_load(node->children[i], false) || has_hazard(node->children[i]))
+            if (!is_safe_here(s->j, node->children[i], false))
                 return false;
     }
     if (is_simple)
@@ -301,7 +382,7 @@ static void keep_continues(slicer *s, const ir_node *node, unsigned touch_count,
     if (node->kind == IR_CONTINUE && !try_to_keep(s, node)) {
         bool is_safe = is_safe_after(s, s->j->counted.body, node);
         for (unsigned i = 0; i < touch_count; i++)
-            if (touches[i].place->id > node->id && !slice_is_safe_anywhere(touches[i].row))
+            if (touches[i].place->id > node->id && !is_safe_here(s->j, touches[i].row, true))
                 is_safe = false;
         if (!is_safe)
             fail(s, node);

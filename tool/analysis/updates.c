@@ -257,6 +257,10 @@ static bool judge_update(judgement *j, judged_access *update) {
     return true;
 }
 
+static bool is_own_scalar(const judgement *j, const location *where) {
+    return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
+}
+
 static bool is_element(const ir_node *lvalue) {
     return lvalue->kind != IR_VARIABLE;
 }
@@ -282,9 +286,24 @@ static bool judge_write(judgement *j, judged_access *write) {
     return is_update ? judge_update(j, write) : refuse_store(j, write);
 }
 
+/* A read of what is updated says more than a store beside it. */
+static bool judge_plain_reads(judgement *j) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        for (unsigned k = 0;
+             read->access.kind == ACCESS_READ && !read->access.callee && k < j->arrays.count; k++)
+            if (!is_own_scalar(j, &read->where) &&
+                locations_overlap(&j->an->rules, &read->where, &j->arrays.items[k].where) ==
+                    OVERLAP_SAME)
+                return judgement_refuse(j, REASON_ARRAY_READ, read->access.node,
+                                        j->arrays.items[k].array.name);
+    }
+    return true;
+}
+
 bool judge_updates(judgement *j) {
     /* Updates first: what is wrong with them says more than a store beside them. */
-    for (unsigned pass = 0; pass < 2; pass++)
+    for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             judged_access *a = &j->accesses[i];
             bool is_irregular_update =
@@ -295,5 +314,8 @@ bool judge_updates(judgement *j) {
                 !judge_write(j, a))
                 return false;
         }
+        if (pass == 0 && !judge_plain_reads(j))
+            return false;
+    }
     return true;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/analyser.h"
+#include "analysis/candidate.h"
 #include "analysis/expression.h"
 #include "analysis/reason.h"
 #include "analysis/variation.h"
@@ -166,17 +167,37 @@ static const ir_node *updated_target(const ir_node *node) {
     return extremum && extremum->kind != IR_VARIABLE ? extremum : NULL;
 }
 
+/* Does the call update, through a pointer given to it, an element that is irregular in `loop`? */
+static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call) {
+    access_list list = {0};
+    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
+        return false;
+    access_collect(an->effects, call, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
+            variation_is_irregular(an->facts, loop, a->lvalue))
+            return true;
+    }
+    return false;
+}
+
+static bool is_irregular_update(const analyser *an, const ir_node *loop, const ir_node *node) {
+    if (node->kind == IR_CALL)
+        return call_updates(an, loop, node);
+    const ir_node *target = updated_target(node);
+    return target && variation_is_irregular(an->facts, loop, target);
+}
+
 /* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
  * inside of it. */
 static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
                           bool innermost) {
-    const ir_node *target = updated_target(node);
-    if (target && variation_is_irregular(an->facts, loop, target)) {
+    if (is_irregular_update(an, loop, node)) {
         if (!innermost)
             return true;
         const ir_node *inner = node->parent;
-        while (inner != loop &&
-               !(ir_is_loop(inner) && variation_is_irregular(an->facts, inner, target)))
+        while (inner != loop && !(ir_is_loop(inner) && is_irregular_update(an, inner, node)))
             inner = inner->parent;
         if (inner == loop)
             return true;
@@ -187,17 +208,32 @@ static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node
     return false;
 }
 
-/* Loops of a few iterations inside others are not worth a parallel region. */
-static bool is_tiny_part(const ir_node *loop) {
-    enum { TINY = 16 };
-    const ir_variable *counter;
-    int64_t first, last;
-    if (!counted_constant(loop, &counter, &first, &last) || last - first >= TINY)
-        return false;
+static bool is_inside_loop(const ir_node *loop) {
     for (const ir_node *outer = loop->parent; outer; outer = outer->parent)
         if (ir_is_loop(outer))
             return true;
     return false;
+}
+
+static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        if ((ir_is_loop(child) && !candidate_is_tiny(child) &&
+             has_irregular(an, child, child, false)) ||
+            has_irregular_loop_inside(an, child))
+            return true;
+    }
+    return false;
+}
+
+/* Loops of a few iterations around or inside others are not worth a parallel region, and loops that
+ * only repeat what is inside have nothing to share out. */
+static bool is_candidate(const analyser *an, const ir_node *loop) {
+    if (candidate_is_tiny(loop) && is_inside_loop(loop))
+        return false;
+    if (!has_irregular_loop_inside(an, loop))
+        return true;
+    return !candidate_is_tiny(loop) && candidate_varies(an, loop);
 }
 
 static bool has_accepted_inside(const loop_search *s, unsigned from, const ir_node *loop) {
@@ -230,7 +266,7 @@ static void search(loop_search *s, ir_node *node) {
     unsigned from = s->verdicts.count;
     if (!is_irregular) {
         add_not_a_reduction(s, node);
-    } else if (!is_tiny_part(node)) {
+    } else if (is_candidate(s->an, node)) {
         verdict = judge(s->an, s->function, node);
         if (verdict.kind == VERDICT_TRANSFORM) {
             VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
@@ -243,7 +279,7 @@ static void search(loop_search *s, ir_node *node) {
         return;
     /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
      * loop leaves that to the loop around it.) */
-    if (!is_tiny_part(node) &&
+    if (verdict.loop &&
         (has_irregular(s->an, node, node, true) || !has_accepted_inside(s, from, node)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }

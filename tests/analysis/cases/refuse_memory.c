@@ -153,7 +153,7 @@ void escapes(int n, const int *s, double *h) {
 void through_pointer(int n, const int *s) {
     double f[3] = {0};
     double *b = f;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse array-stored
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         f[0] = s[i];
         b[s[i]] += f[0];
     }

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Which loop of a nest is judged. Covers: row 7 of the construct table. */
+static void add(double *d, double v) {
+    *d += v;
+}
+
+void repeated(int n, int times, const int *s, double *restrict h) {
+    for (int r = 0; r < times; r++)
+        for (int t = 0; t < n; t++) // EXPECT: transform h(+)
+            h[s[t]] += r;
+}
+
+void few_around(int n, const int *s, double *restrict h) {
+    for (int r = 0; r < 3; r++)
+        for (int t = 0; t < n; t++) // EXPECT: transform h(+)
+            h[s[t] + r] += 1.0;
+}
+
+void few_alone(const int *s, double *restrict h) {
+    for (int r = 0; r < 8; r++) // EXPECT: transform h(+)
+        h[s[r]] += 1.0;
+}
+
+void halves(int n, const int *s, double *restrict h) {
+    for (int half = 0; half < 100; half++) // EXPECT: transform h(+)
+        for (int t = 0; t < n; t++)
+            if (s[t] % 100 == half)
+                h[s[t]] += 1.0;
+}
+
+void by_callee_alone(int n, const int *s, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add(&h[s[t]], 1.0);
+}
+
+void regular(int n, double *h) {
+    for (int t = 0; t < n; t++)
+        h[t] += 1.0;
+    for (int t = 0; t < n; t++)
+        for (int c = 0; c < 3; c++)
+            h[3 * t + c] += 1.0;
+    for (int t = 0, k = 0; t < n; t++) {
+        h[k] += 1.0;
+        k += 2;
+    }
+}
+
+void inner_only(int n, const int *start, const int *col, double *restrict y) {
+    for (int i = 0; i < n; i++) {
+        y[i] = 0;
+        for (int p = start[i]; p < start[i + 1]; p++) // EXPECT: transform y(+)
+            y[col[p]] += 1.0;
+    }
+}
+
+struct result {
+    int at;
+    double value[2];
+};
+
+void fields(int n, const int *s, const double *w, double *restrict h) {
+    struct result r = {0, {0}};
+    for (int t = 0; t < n; t++) { // EXPECT: transform h(+) verifiable
+        r.at = s[t];
+        r.value[0] = w[t] * 2.0;
+        h[r.at] += r.value[0];
+    }
+}
+
+void loaded_anyway(int n, const int *s, const double *x, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform h(+) verifiable
+        double d = x[s[t]] * 0.5;
+        if (d < 1.0)
+            continue;
+        h[s[t]] += d;
+    }
+}
