@@ -138,8 +138,11 @@ static outcome translate(arena *a, const options *o, const source *file, const s
     const analysis_result final = after_writing(a, &judged, &written);
     const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
     wrong = show_report(a, o, &input);
-    if (!wrong && o->verify)
+    if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
+        if (!wrong)
+            fprintf(stderr, "redcc: verified: %s prints the same in both forms\n", file->path);
+    }
     if (!wrong && o->output)
         wrong = output_write(a, o->output, written.text, written.length);
     if (wrong)
@@ -171,7 +174,7 @@ static outcome process(arena *a, const options *o, const char *path) {
     }
     if (o->dump_ir)
         dump(parsed.unit);
-    if (!o->analyze && !o->output)
+    if (!o->analyze && !o->output && !o->verify)
         return (outcome){0};
     return translate(a, o, file, &flags, parsed.unit);
 }

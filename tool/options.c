@@ -299,7 +299,7 @@ static const char *check_together(arena *a, const options *o) {
         return "--analyze writes no source: -o does not go with it";
     if (o->analyze && o->verify)
         return "--analyze writes no source: --verify does not go with it";
-    if (!o->analyze && !o->output && !o->dump_ir)
+    if (!o->analyze && !o->output && !o->dump_ir && !o->verify)
         return "where shall the result go? -o FILE, or --analyze";
     if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
         return "a report that is not text needs --report-file=FILE, or --analyze";

@@ -62,6 +62,7 @@ installation installation_find(arena *a) {
     const char *folder = path_folder(a, found.self);
     look_below(a, arena_format(a, "%s/..", folder), &layouts[0], &found);
     look_below(a, arena_format(a, "%s/..", folder), &layouts[1], &found);
-    look_below(a, arena_format(a, "%s/../..", folder), &layouts[2], &found);
+    look_below(a, arena_format(a, "%s/../..", folder), &layouts[2], &found); /* redcc-cc */
+    look_below(a, arena_format(a, "%s/..", folder), &layouts[2], &found);    /* redcc */
     return found;
 }
