@@ -1,0 +1,246 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Updates, private variables and subscripts that nearly fit.
+// covers: row 22, row 24, row 31, row 59
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+double g;
+extern double eg;
+int gi;
+static int gs[100];
+double table[100];
+typedef struct {
+    double f[3];
+    int n;
+} S;
+double last_cond(int n, const int *k, double *h, const double *w) {
+    double d = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse last-value
+        if (w[t] > 0) {
+            d = w[t];
+            h[k[t]] += d;
+        }
+    }
+    return d;
+}
+
+double last_inner(int n, const int *k, double *h) {
+    double d = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse last-value
+        for (int c = 0; c < k[t]; c++) {
+            d = c;
+            h[k[t]] += d;
+        }
+    }
+    return d;
+}
+
+void sub_private_escape(int n, const int *k, double *h, int **out) {
+    int i = 0;
+    *out = &i;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse escapes
+        i = k[t];
+        h[i] += 1;
+    }
+}
+
+void nested_update_in_private(int n, const int *k, double *h) {
+    double a[4] = {0};
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        a[k[t]] += 1;
+        h[k[t]] += a[0];
+    }
+}
+
+void static_local(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        static int calls;
+        calls++;
+        h[k[t]] += calls;
+    }
+}
+
+static double mem(double v) {
+    static double old;
+    double r = old;
+    old = v;
+    return r;
+}
+
+void callee_static(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+        h[k[t]] += mem(t);
+}
+
+static int *ptr_to(int *a, int i) {
+    return a + i;
+}
+
+void via_returned(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse base-varies
+        *ptr_to(h, k[t]) += 1;
+}
+
+void store_via_returned(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
+        h[k[t]] += 1;
+        *ptr_to(h, t) = 0;
+    }
+}
+
+void struct_copy(int n, const int *k, S *s) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        S c = s[t];
+        s[k[t]].f[0] += c.f[1];
+    }
+}
+
+void struct_assign(int n, const int *k, S *s) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
+        s[k[t]].f[0] += 1;
+        s[t] = s[t + 1];
+    }
+}
+
+void swapped(int n, int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
+        int x = k[t];
+        k[t] = k[n - 1 - t];
+        k[n - 1 - t] = x;
+        h[k[t]] += 1;
+    }
+}
+
+void count_then_use(int n, const int *k, int *c, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
+        c[k[t]]++;
+        h[c[t]] += 1;
+    }
+}
+
+void ptr_walk(int n, const int *k, double *h) {
+    const int *p = k;
+    for (int t = 0; t < n; t++, p++) // EXPECT: refuse trip-count
+        h[*p] += 1;
+}
+
+void ptr_walk2(int n, const int *k, double *h) {
+    const int *p = k;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        h[*p] += 1;
+        if (*p == 3)
+            p++;
+    }
+}
+
+void cond_pub(int n, const int *k, double *h, int *flag) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
+        if (k[t] == 7)
+            *flag = 1;
+        if (!*flag)
+            h[k[t]] += 1;
+    }
+}
+
+void gwrite(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
+        g = k[t];
+        h[k[t]] += g;
+    }
+}
+
+static void upd(double *p, int i, double v) {
+    p[i] += v;
+}
+
+void by_callee(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse callee-updates
+        upd(h, k[t], 1.0);
+        h[k[t]] += 2;
+    }
+}
+
+static void gupd(int i) {
+    table[i] *= 2;
+}
+
+void by_callee_global(int n, const int *k) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse impure-call
+        table[k[t]] += 1;
+        gupd(t);
+    }
+}
+
+void cancelled(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += h[k[t]] - h[k[t]] + 1;
+}
+
+void minus_reversed(int n, const int *k, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse operator
+        h[k[t]] = 1 - h[k[t]];
+}
+
+void prod_sum(int n, const int *k, double *h, const double *w) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse operator
+        h[k[t]] = h[k[t]] * w[t] + 1;
+}
+
+void tern(int n, const int *k, double *h, const double *w) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[k[t]] += w[t] > 0 ? h[k[t]] : 1;
+}
+
+void andand(int n, const int *k, int *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse update-in-expression
+        k[t] && h[k[t]]++;
+}
+
+void commaw(int n, const int *k, double *h) {
+    int x = 0;
+    for (int t = 0; t < n; t++) // EXPECT: refuse update-in-expression
+        x = k[t], h[x] += 1;
+    h[0] = x;
+}
+
+void linked(int n, const int *k, double *h, int *next) {
+    for (int t = 0; t < n; t++) {
+        int i = k[t];
+        while (i > 0) { // EXPECT: refuse trip-count
+            h[i] += 1;
+            next[i]++;
+            i = next[i];
+        }
+    }
+}
+
+void char_float(int n, const int *k, char *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse mixed-types
+        h[k[t]] += 1.5;
+}
+
+void boolor(int n, const int *k, _Bool *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]] |= 1;
+}
+
+void boolsum(int n, const int *k, _Bool *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]] += 1;
+}
+
+void boolinc(int n, const int *k, _Bool *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse element-type
+        h[k[t]]--;
+}
+
+void rint_(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        h[(int)(x[t] * 10)] += 1;
+}
+
+void lrint_(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
+        h[lrint(x[t])] += 1;
+}
