@@ -54,15 +54,32 @@ static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
     }
 }
 
+static bool is_pointer(const ir_variable *variable) {
+    return variable->type->kind == IR_POINTER;
+}
+
+/* Does which element this lvalue is depend on the counter? */
+static bool address_depends(const dependence *d, const ir_node *lvalue) {
+    if (lvalue->type && lvalue->type->kind == IR_ARRAY && lvalue->kind == IR_VARIABLE)
+        return false;
+    if (lvalue->kind == IR_INDEX)
+        return depends(d, lvalue->children[1]) || address_depends(d, lvalue->children[0]);
+    if (lvalue->kind == IR_MEMBER)
+        return address_depends(d, lvalue->children[0]);
+    return depends(d, lvalue);
+}
+
 /* `is_dependent`: whether this is executed depends on the counter. */
 static void visit(dependence *d, const ir_node *node, bool is_dependent) {
     const ir_node *target = expression_written(node);
     if (target) {
-        bool value_depends = is_dependent || depends(d, target) ||
+        bool value_depends = is_dependent || address_depends(d, target) ||
                              (node->kind == IR_ASSIGN && depends(d, node->children[1]));
-        if (value_depends)
-            add(d, ir_root_variable(target));
-        if (target->kind != IR_VARIABLE && (is_dependent || depends(d, target)))
+        /* What is stored behind a pointer does not change the pointer. */
+        ir_variable *root = ir_root_variable(target);
+        if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
+            add(d, root);
+        if (target->kind != IR_VARIABLE && (is_dependent || address_depends(d, target)))
             d->has_update = true;
     }
     if (node->kind == IR_DECLARATOR && node->child_count &&

@@ -10,7 +10,7 @@ bool variable_is_written_in(const ir_node *node, const ir_variable *variable) {
     if (target && target->kind == IR_VARIABLE && target->variable == variable)
         return true;
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
-        ir_root_variable(node->children[0]) == variable)
+        expression_object(node->children[0]) == variable)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (variable_is_written_in(node->children[i], variable))

@@ -110,6 +110,19 @@ bool expression_is_lvalue(const ir_node *node) {
            (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
 }
 
+ir_variable *expression_object(const ir_node *lvalue) {
+    while (lvalue->kind == IR_INDEX || lvalue->kind == IR_MEMBER) {
+        const ir_node *child = lvalue->children[0];
+        bool child_is_pointer = lvalue->kind == IR_INDEX
+                                    ? !is_array(child)
+                                    : (lvalue->flags & IR_ARROW) != 0 && !is_array(child);
+        if (child_is_pointer)
+            return NULL;
+        lvalue = child;
+    }
+    return lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
+}
+
 const char *expression_text(arena *a, const ir_node *node) {
     buffer text = {0};
     const char *result = "...";

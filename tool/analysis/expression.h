@@ -24,6 +24,10 @@ bool expression_has_load(const ir_node *node, bool as_address);
 /** Is it an lvalue of memory (a[i], *p, s->x, s.x, v), casts not counted? */
 bool expression_is_lvalue(const ir_node *node);
 
+/** The variable in whose own storage the lvalue lies: of v, v.f, v[1].f, but not behind a pointer;
+ *  or NULL. */
+ir_variable *expression_object(const ir_node *lvalue);
+
 /** Its text as C, for messages and names; "..." where it cannot be spelled. In the arena. */
 const char *expression_text(arena *a, const ir_node *node);
 

@@ -17,14 +17,7 @@ static ir_variable *changed_variable(const ir_node *node) {
     const ir_node *lvalue = expression_written(node);
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)
         lvalue = node->children[0];
-    while (lvalue && (lvalue->kind == IR_INDEX ||
-                      (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW)))) {
-        if (lvalue->kind == IR_INDEX && lvalue->children[0]->type &&
-            lvalue->children[0]->type->kind != IR_ARRAY)
-            return NULL;
-        lvalue = lvalue->children[0];
-    }
-    return lvalue && lvalue->kind == IR_VARIABLE ? lvalue->variable : NULL;
+    return lvalue ? expression_object(lvalue) : NULL;
 }
 
 /* An array, or a part of one, handed to a function: that may fill it. */

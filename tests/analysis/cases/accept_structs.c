@@ -127,3 +127,21 @@ void vla(int n, int m, const int *s, double a[n][m]) {
         for (int c = 0; c < m; c++)
             a[s[t]][c] += 1.0;
 }
+
+struct element {
+    double area;
+};
+struct effect {
+    int count;
+    const int (*vertex)[3];
+    const struct element *element;
+};
+
+static double area_of(const struct element *e) {
+    return e->area;
+}
+
+void address_of_element(struct effect *e, double *restrict h) {
+    for (int t = 0; t < e->count; t++) // EXPECT: transform h(+) verifiable
+        h[e->vertex[t][0]] += area_of(&e->element[t]);
+}
