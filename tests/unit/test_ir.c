@@ -11,7 +11,7 @@ static ir_node *expression(arena *a, const char *text) {
                         "(unit \"a.c\" (struct s (field b ptr(double)) (field n int))"
                         " (function add void (parameter d ptr(double)) (parameter v float)"
                         "   (block (+= (* d) v)))"
-                        " (function t void (parameter R ptr(double)) (parameter A array(4,double))"
+                        " (function t void (parameter R ptr(double)) (local A array(4,double))"
                         "   (parameter i int) (parameter p ptr(struct(s))) (parameter w float)"
                         "   (block %s)))",
                         text));

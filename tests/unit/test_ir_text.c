@@ -371,6 +371,12 @@ static void test_check(void **state) {
     u->variables[1]->function = NULL;
     expect_problem(a, u, "local, but of no function");
     u = small(a);
+    u->variables[1]->type =
+        ir_read(a, "(unit \"\" (global a array(3,double)))", 36, &(const char *){0})
+            ->variables[0]
+            ->type;
+    expect_problem(a, u, "parameter 0 is an array or a function");
+    u = small(a);
     u->variables[0]->id = 1;
     expect_problem(a, u, "its id is not its place");
     u = small(a);

@@ -70,8 +70,9 @@ const char *take_string(converter *c, CXString string);
 
 const ir_type *convert_type(converter *c, CXType type);
 const ir_type *pointer_to(converter *c, const ir_type *target);
-/** libclang gives the type of an array parameter as it is written, here and wherever that type is
- *  handed on: this is what it is, a pointer. Other types as they are. */
+/** libclang gives the type of a parameter that is written as an array or a function as it is
+ *  written, there and wherever that type is handed on: this is what it is, a pointer. Other types
+ *  as they are. */
 const ir_type *decayed(converter *c, const ir_type *type);
 /** Does the type hold an array whose length is computed at run time? */
 bool has_variable_length(const ir_type *type);

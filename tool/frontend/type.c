@@ -248,6 +248,14 @@ static void fill(converter *c, ir_type *type, CXType clang) {
     }
 }
 
+/* "int (int)" becomes "int (*)(int)". */
+static const char *function_pointer(converter *c, const char *function) {
+    const char *open = function != NULL ? strchr(function, '(') : NULL;
+    if (open == NULL || open[1] == '*') /* it gives a pointer to a function: too seldom */
+        return NULL;
+    return arena_format(c->arena, "%.*s(*)%s", (int)(open - function), function, open);
+}
+
 const ir_type *pointer_to(converter *c, const ir_type *target) {
     void **known = map_at(c->pointers, &target, sizeof target);
     if (*known == NULL) {
@@ -257,12 +265,16 @@ const ir_type *pointer_to(converter *c, const ir_type *target) {
         CXTargetInfo machine = clang_getTranslationUnitTargetInfo(c->clang);
         type->size = clang_TargetInfo_getPointerWidth(machine) / 8;
         clang_TargetInfo_dispose(machine);
-        type->spelling = ir_type_default_spelling(c->arena, type);
+        type->spelling = target->kind == IR_FUNCTION_TYPE
+                             ? function_pointer(c, target->spelling)
+                             : ir_type_default_spelling(c->arena, type);
     }
     return *known;
 }
 
 const ir_type *decayed(converter *c, const ir_type *type) {
+    if (type->kind == IR_FUNCTION_TYPE)
+        return pointer_to(c, type);
     return type->kind == IR_ARRAY ? pointer_to(c, type->target) : type;
 }
 

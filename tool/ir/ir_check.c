@@ -160,6 +160,13 @@ static const char *check_one_function(arena *a, const ir_unit *unit, unsigned in
     for (unsigned i = 0; i < f->parameter_count; i++)
         if (f->parameters[i]->storage != IR_PARAMETER || f->parameters[i]->function != f)
             return arena_format(a, "function %s: parameter %u is none of its own", f->name, i);
+    for (unsigned i = 0; i < f->parameter_count; i++)
+        if (f->parameters[i]->type->kind == IR_ARRAY ||
+            f->parameters[i]->type->kind == IR_FUNCTION_TYPE)
+            return arena_format(a,
+                                "function %s: parameter %u is an array or a function, which C "
+                                "makes a pointer",
+                                f->name, i);
     return f->body != NULL ? check_body(a, unit, f) : NULL;
 }
 
