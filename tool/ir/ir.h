@@ -200,7 +200,9 @@ enum {
     IR_ARROW = 1,
     IR_DESIGNATED = 2,
     IR_FROM_MACRO = 4, /* some of its tokens stand in a macro's body: its bytes cannot be edited.
-                          (An argument of a macro is the user's text, but counts here as well.) */
+                          (An argument of a macro is the user's text, but counts here as well.)
+                          Not set on a statement to which all of the expansion at its end (or, but
+                          for loops, at its beginning) belongs: it may be replaced as a whole. */
     IR_HAS_VALUE = 8,  /* `value` is the integer constant it is */
     IR_COMPOUND_LITERAL = 16 /* of IR_INITIALIZERS */
 };
