@@ -243,14 +243,19 @@ static bool is_selected(const ir_node *lvalue) {
     return lvalue->kind == IR_INDEX || lvalue->kind == IR_UNARY;
 }
 
-const ir_node *access_row(const ir_node *lvalue) {
+static const ir_node *without_proved(const ir_node *lvalue, bool may_be_whole) {
     const ir_node *row = lvalue;
     while (row->kind == IR_INDEX && is_array(row->children[0]) &&
-           is_inside(row->children[1], row->children[0]->type)) {
-        const ir_node *outer = row->children[0];
-        if (!is_selected(outer))
-            break;
-        row = outer;
-    }
+           is_inside(row->children[1], row->children[0]->type) &&
+           (may_be_whole || is_selected(row->children[0])))
+        row = row->children[0];
     return row;
+}
+
+const ir_node *access_row(const ir_node *lvalue) {
+    return without_proved(lvalue, false);
+}
+
+const ir_node *access_extent(const ir_node *lvalue) {
+    return without_proved(lvalue, true);
 }

@@ -54,4 +54,8 @@ const access_list *effects_of(effects *all, const ir_function *function);
  *  proved to stay inside their array types are left off. */
 const ir_node *access_row(const ir_node *lvalue);
 
+/** The same for what is only read, where it may be all of an array: the bytes that are read lie in
+ *  it, whatever the values of the subscripts left off. */
+const ir_node *access_extent(const ir_node *lvalue);
+
 #endif

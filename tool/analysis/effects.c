@@ -157,7 +157,7 @@ static ir_node *widened(rewriting *r, const ir_node *lvalue, int64_t high) {
 }
 
 static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
-    const ir_node *row = access_row(lvalue);
+    const ir_node *row = access_extent(lvalue);
     int64_t low, high, constant;
     if (row->kind == IR_INDEX && row->children[0]->type->kind == IR_POINTER &&
         !expression_constant(row->children[1], &constant) &&

@@ -88,7 +88,7 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     source_plan plan = {0};
     if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
         return plan;
-    const ir_node *row = access_row(read->access.lvalue);
+    const ir_node *row = access_extent(read->access.lvalue);
     if (!can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
         return plan;
     const ir_node *base = read->where.base;
@@ -152,10 +152,18 @@ static overlap overlap_with_array(const judgement *j, const judged_access *read,
     return worst;
 }
 
+static bool refuse_callee(judgement *j, const judged_access *read) {
+    const char *what = read->access.lvalue ? judgement_name(j, read->access.lvalue) : NULL;
+    const char *name = what ? arena_format(j->an->memory, "'%s', by its read of '%s',",
+                                           read->access.callee->name, what)
+                            : arena_format(j->an->memory, "'%s', by a pointer not followed,",
+                                           read->access.callee->name);
+    return judgement_refuse(j, REASON_CALLEE_READS, read->access.node, name);
+}
+
 static bool refuse_overlap(judgement *j, const judged_access *read, const judged_array *array) {
     if (read->access.callee)
-        return judgement_refuse(j, REASON_CALLEE_READS, read->access.node,
-                                read->access.callee->name);
+        return refuse_callee(j, read);
     return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
 }
 
@@ -166,8 +174,7 @@ static bool judge_guard(judgement *j, judged_access *read) {
         return true;
     }
     if (read->access.callee)
-        return judgement_refuse(j, REASON_CALLEE_READS, read->access.node,
-                                read->access.callee->name);
+        return refuse_callee(j, read);
     return judgement_refuse(j, REASON_MAY_ALIAS, read->access.node,
                             judgement_name(j, read->access.lvalue));
 }
