@@ -14,14 +14,35 @@ static inline uint64_t rotate(uint64_t value, int bits) {
     return value << bits | value >> (64 - bits);
 }
 
+static inline uint64_t load(const char *data, int word) {
+    uint64_t value;
+    memcpy(&value, data + 8 * word, 8);
+    return value;
+}
+
 /* Independent lanes keep the multiplier busy. Each word enters its own lane through a
  * multiplication and a rotation (a bijection, so that no single change is lost), and its neighbour
  * by addition, so that a change shows in two lanes of 64 bits. */
-static inline void take_in(uint64_t lane[LANES], const char *data) {
-    uint64_t word[LANES];
-    memcpy(word, data, STRIPE);
-    for (int i = 0; i < LANES; i++)
-        lane[i] = rotate((lane[i] ^ word[i]) * FIRST, 32) + word[i ^ 1];
+#define TAKE_IN(lane, data, i)                                                                     \
+    lane = rotate((lane ^ load(data, i)) * FIRST, 32) + load(data, (i) ^ 1)
+
+/* Takes `stripes` stripes at `data` in. The lanes are variables of their own, not an array: only
+ * then do compilers keep them in registers at -O2, which is three times as fast. */
+static void take_in(uint64_t lane[LANES], const char *data, size_t stripes) {
+    uint64_t a = lane[0], b = lane[1], c = lane[2], d = lane[3];
+    uint64_t e = lane[4], f = lane[5], g = lane[6], h = lane[7];
+    for (size_t stripe = 0; stripe < stripes; stripe++, data += STRIPE) {
+        TAKE_IN(a, data, 0);
+        TAKE_IN(b, data, 1);
+        TAKE_IN(c, data, 2);
+        TAKE_IN(d, data, 3);
+        TAKE_IN(e, data, 4);
+        TAKE_IN(f, data, 5);
+        TAKE_IN(g, data, 6);
+        TAKE_IN(h, data, 7);
+    }
+    const uint64_t taken[LANES] = {a, b, c, d, e, f, g, h};
+    memcpy(lane, taken, sizeof taken);
 }
 
 static uint64_t mix(uint64_t value) {
@@ -34,13 +55,12 @@ struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
     uint64_t lane[LANES];
     for (int i = 0; i < LANES; i++)
         lane[i] = mix(FIRST * (uint64_t)(i + 1));
-    size_t at = 0;
-    for (; bytes - at >= STRIPE; at += STRIPE)
-        take_in(lane, data + at);
+    const size_t whole = bytes / STRIPE * STRIPE;
+    take_in(lane, data, bytes / STRIPE);
     char rest[STRIPE] = {0};
-    if (bytes > at)
-        memcpy(rest, data + at, bytes - at);
-    take_in(lane, rest);
+    if (bytes > whole)
+        memcpy(rest, data + whole, bytes - whole);
+    take_in(lane, rest, 1);
     struct fingerprint result = {{mix(bytes ^ FIRST), mix(bytes ^ SECOND)}};
     for (int i = 0; i < LANES; i++) {
         result.word[0] = mix(result.word[0] ^ lane[i]) + SECOND;

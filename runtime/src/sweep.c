@@ -111,6 +111,11 @@ static void end_iteration(struct sweep *sweep) {
     sweep->touched = sweep->mixed = false;
 }
 
+/* Does the iteration at hand touch one owner only, the same as the iteration before? */
+static inline bool as_the_last(const struct sweep *sweep) {
+    return sweep->touched && !sweep->mixed && sweep->last_set == 1 + sweep->current;
+}
+
 void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
     sweep->done = sweep->in_last_set = 0;
     sweep->touched = sweep->mixed = false;
@@ -122,14 +127,20 @@ void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
 void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
     if (sweep->failed)
         return;
-    const uint32_t *group_of = sweep->partition->group_of;
+    const uint32_t *const group_of = sweep->partition->group_of;
+    const redcc_owner *const windows = sweep->window;
     for (const redcc_entry *entry = first; entry != end; entry++) {
         if (entry->array == REDCC_END_OF_ITERATION) {
-            end_iteration(sweep);
+            if (as_the_last(sweep)) {
+                sweep->in_last_set++;
+                sweep->done++;
+                sweep->touched = false;
+            } else
+                end_iteration(sweep);
             continue;
         }
         const uint32_t group = group_of[entry->array];
-        const redcc_owner window = sweep->window[group];
+        const redcc_owner window = windows[group];
         const redcc_size into = (uintptr_t)entry->address - (uintptr_t)window.first;
         if (into < window.size && entry->bytes <= window.size - into && entry->bytes)
             sweep->touched = true;
