@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Functions in the loop: results, and results through pointers.
 // covers: row 15, row 17
+// COMPILERS: gcc clang-19
 // INTEGERS: no
 #include "case.h"
 #include <math.h>

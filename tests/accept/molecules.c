@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // A pair list as in molecular dynamics; finite elements with a loop over an element's nodes.
 // covers: row 45, row 58
+// COMPILERS: clang-19
 #include "case.h"
 #include <math.h>
 

@@ -2,6 +2,7 @@
 // A plan must not outlive the subscripts it was made from: the same pointers with other contents,
 // other bounds, other memory, a change in the middle, a change back.
 // covers: row 71, row 53
+// THREADS: 1 2 3 7 16 33
 #include "case.h"
 #include <string.h>
 

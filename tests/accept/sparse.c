@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Sparse matrices: coordinates, transposed products, symmetric products, chains of subscripts.
 // covers: row 26, row 7
+// CFLAGS: -march=native
 #include "case.h"
 
 enum { ROWS = 1500, NONZEROS = 12000 };

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Every way to write one update.
 // covers: row 20, row 21, row 39, row 27
+// COMPILERS: gcc clang-19
+// CFLAGS: -march=native
 #include "case.h"
 
 enum { N = 20000, M = 1500 };

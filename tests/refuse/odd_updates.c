@@ -97,7 +97,7 @@ void struct_copy(int n, const int *k, S *s) {
 }
 
 void struct_assign(int n, const int *k, S *s) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
+    for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         s[k[t]].f[0] += 1;
         s[t] = s[t + 1];
     }
