@@ -108,7 +108,9 @@ typedef struct redcc_loop {
 } redcc_loop;
 
 /** Bytes [first, end). In `known`, end == 0 says: not known before the inspection, redcc_read tells
- *  it; first is then the pointer that its addresses move with when a plan is used again (0: none). */
+ *  it; first is then the pointer that its addresses move with when a plan is used again. 0: none, also
+ *  where they lie in several objects: of a plan that is kept, all bytes between the first and the
+ *  last one read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
