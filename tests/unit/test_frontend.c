@@ -265,6 +265,31 @@ static void test_empty_and_odd_sources(void **state) {
     arena_free(a);
 }
 
+/* The function of a cleanup attribute is called where the scope ends, with the variable's address.
+ */
+static void test_cleanup_attribute_is_opaque(void **state) {
+    (void)state;
+    static const char *const spellings[] = {"cleanup", "__cleanup__"};
+    for (unsigned i = 0; i < 2; i++) {
+        arena *a = arena_new();
+        const char *text = arena_format(a,
+                                        "#define GUARD __attribute__((%s(unlock)))\n"
+                                        "void unlock(int *p);\n"
+                                        "void f(void) { int z __attribute__((%s(unlock))) = 1;"
+                                        " GUARD int w; int plain __attribute__((unused)) = 2; }",
+                                        spellings[i], spellings[i]);
+        ir_node *const *statements = parse(a, text)->functions[0]->body->children;
+        for (unsigned k = 0; k < 2; k++) {
+            const ir_node *declarator = statements[k]->children[0];
+            assert_int_equal(declarator->child_count, 1);
+            assert_int_equal(declarator->children[0]->kind, IR_OPAQUE);
+            assert_true(declarator->variable->address_taken);
+        }
+        assert_int_equal(statements[2]->children[0]->children[0]->kind, IR_NUMBER);
+        arena_free(a);
+    }
+}
+
 /* ---- depth and size ------------------------------------------------------------------------ */
 
 static const char *nested(arena *a, unsigned depth, const char *open, const char *middle,
@@ -404,6 +429,7 @@ int main(void) {
         cmocka_unit_test(test_missing_header_taints_all),
         cmocka_unit_test(test_old_c),
         cmocka_unit_test(test_empty_and_odd_sources),
+        cmocka_unit_test(test_cleanup_attribute_is_opaque),
         cmocka_unit_test(test_depth),
         cmocka_unit_test(test_many_functions),
         cmocka_unit_test(test_c_round_trip),

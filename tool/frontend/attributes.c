@@ -10,17 +10,41 @@ typedef struct reading {
     ir_function *function;
 } reading;
 
-/* clang has no cursor of its own for noreturn: the attribute's first word tells. */
-static bool is_noreturn(converter *c, CXCursor attribute) {
-    static const char *const words[] = {"noreturn", "__noreturn__", "_Noreturn"};
+/* clang has no cursors of their own for many attributes: the first word tells. */
+static bool has_word(converter *c, CXCursor attribute, const char *const *words, unsigned count) {
     file_text at = text_at(c, clang_getRangeStart(clang_getCursorExtent(attribute)));
-    for (unsigned i = 0; i < sizeof words / sizeof words[0]; i++) {
+    for (unsigned i = 0; i < count; i++) {
         size_t length = strlen(words[i]);
         if (at.length > length && strncmp(at.text, words[i], length) == 0 &&
             !isalnum((unsigned char)at.text[length]) && at.text[length] != '_')
             return true;
     }
     return false;
+}
+
+static bool is_noreturn(converter *c, CXCursor attribute) {
+    static const char *const words[] = {"noreturn", "__noreturn__", "_Noreturn"};
+    return has_word(c, attribute, words, 3);
+}
+
+typedef struct cleanup_search {
+    converter *converter;
+    bool is_found;
+} cleanup_search;
+
+static enum CXChildVisitResult find_cleanup(CXCursor child, CXCursor parent, CXClientData data) {
+    (void)parent;
+    static const char *const words[] = {"cleanup", "__cleanup__"};
+    cleanup_search *search = data;
+    search->is_found = clang_getCursorKind(child) == CXCursor_UnexposedAttr &&
+                       has_word(search->converter, child, words, 2);
+    return search->is_found ? CXChildVisit_Break : CXChildVisit_Continue;
+}
+
+bool has_cleanup(converter *c, CXCursor declaration) {
+    cleanup_search search = {.converter = c};
+    clang_visitChildren(declaration, find_cleanup, &search);
+    return search.is_found;
 }
 
 static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientData data) {

@@ -85,6 +85,8 @@ ir_variable *convert_variable(converter *c, CXCursor declaration);
 ir_function *convert_function(converter *c, CXCursor declaration);
 /** Adds what the attributes of this declaration say. */
 void read_attributes(converter *c, CXCursor declaration, ir_function *function);
+/** Does a function get the variable's address where its scope ends (GNU's cleanup attribute)? */
+bool has_cleanup(converter *c, CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */
 bool is_missing_header(CXDiagnostic diagnostic);
 /** Fills in functions_with_errors and the unit's error_count. */

@@ -49,18 +49,21 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     return CXChildVisit_Continue;
 }
 
-/* The expressions in a declarator's type of variable length are evaluated there: they become an
- * opaque initialiser together with the one that is written. */
-static ir_node *lengths(converter *c, CXCursor declaration) {
+/* What a declarator does besides being initialised: the lengths in its type are evaluated, or a
+ * function is called in the end. An opaque initialiser stands for it, with the one written in it.
+ */
+static ir_node *opaque_initialiser(converter *c, CXCursor declaration, const char *what) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
-    return convert_opaque(c, declaration, type, "variable length");
+    return convert_opaque(c, declaration, type, what);
 }
 
 static ir_node *initialiser_of(converter *c, CXCursor declaration) {
     const ir_type *type = convert_type(c, clang_getCursorType(declaration));
     if (has_variable_length(type) && children_of(c, declaration).count > 0 &&
         clang_Cursor_hasVarDeclExternalStorage(declaration) != 1)
-        return lengths(c, declaration);
+        return opaque_initialiser(c, declaration, "variable length");
+    if (has_cleanup(c, declaration))
+        return opaque_initialiser(c, declaration, "cleanup attribute");
     CXCursor initialiser = clang_Cursor_getVarDeclInitializer(declaration);
     if (clang_Cursor_isNull(initialiser) || !clang_isExpression(clang_getCursorKind(initialiser)))
         return NULL;
@@ -76,6 +79,7 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     if (is_from_macro)
         node->flags |= IR_FROM_MACRO;
     node->variable = convert_variable(c, declaration);
+    node->variable->address_taken |= has_cleanup(c, declaration);
     ir_node *initialiser = initialiser_of(c, declaration);
     if (initialiser == NULL)
         return node;
@@ -83,7 +87,7 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     node->children = ARENA_ARRAY(c->arena, ir_node *, 1);
     node->children[0] = initialiser;
     if (initialiser->kind == IR_OPAQUE && initialiser->range.begin < node->range.begin)
-        initialiser->range = node->range; /* lengths: an extent with the type before the name */
+        initialiser->range = node->range; /* opaque: an extent with the type before the name */
     return node;
 }
 
