@@ -86,6 +86,32 @@ static void pass_inner_loop(search *s, const ir_node *loop) {
     s->may_have_left = may_have_left; /* jumps of an inner loop end there: others are refused */
 }
 
+/** &e->rest[t] reads the pointer e->rest, and t, but not the element. */
+static void pass_address(search *s, const ir_node *object) {
+    const ir_node *first = ir_child(object, 0);
+    switch (object->kind) {
+    case IR_VARIABLE:
+        return;
+    case IR_MEMBER:
+        if (object->flags & IR_ARROW)
+            pass(s, first);
+        else
+            pass_address(s, first);
+        return;
+    case IR_INDEX:
+        if (first->type->kind == IR_ARRAY)
+            pass_address(s, first);
+        else
+            pass(s, first);
+        pass(s, ir_child(object, 1));
+        return;
+    default: /* *p */
+        for (unsigned i = 0; i < object->child_count; i++)
+            pass(s, object->children[i]);
+        return;
+    }
+}
+
 static void pass(search *s, const ir_node *node) {
     if (s->is_found || s->may_have_left)
         return;
@@ -113,7 +139,9 @@ static void pass(search *s, const ir_node *node) {
             pass(s, ir_child(node, 1));
         return;
     case IR_UNARY:
-        if (node->op != IR_OP_ADDRESS)
+        if (node->op == IR_OP_ADDRESS)
+            pass_address(s, ir_child(node, 0));
+        else
             pass(s, ir_child(node, 0));
         return;
     case IR_OPAQUE:
