@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One summary a function, bottom-up: what it accesses that is not its own. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "analysis/access.h"
@@ -19,21 +20,12 @@ struct effects {
     const ir_unit *unit;
     const analysis_options *options;
     variable_facts *facts;
-    summary *summaries; /* by function id */
+    summary *summaries;       /* by function id */
+    const char **local_names; /* of all automatic variables, sorted */
+    unsigned local_name_count;
 };
 
 enum { SUMMARY_LIMIT = 4000 }; /* accesses; larger functions are not followed */
-
-effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
-                     variable_facts *facts) {
-    effects *all = ARENA_NEW(a, effects);
-    unsigned highest = 0;
-    for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->id > highest)
-            highest = unit->functions[i]->id;
-    *all = (effects){a, unit, options, facts, ARENA_ARRAY(a, summary, highest + 1)};
-    return all;
-}
 
 /* ---- an lvalue of a function's text in terms of its parameters ------------------------------- */
 
@@ -53,14 +45,39 @@ static ir_node *unknown_part(rewriting *r, const ir_node *node) {
     return unknown;
 }
 
+static int compare_names(const void *a, const void *b) {
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Could a local variable somewhere stand in front of the global one? */
 static bool is_shadowed(const effects *all, const ir_variable *global) {
-    for (unsigned i = 0; i < all->unit->variable_count; i++) {
-        const ir_variable *other = all->unit->variables[i];
-        if (other != global && other->name && variable_is_automatic(other) &&
-            strcmp(other->name, global->name) == 0)
-            return true;
-    }
-    return false;
+    return bsearch(&global->name, all->local_names, all->local_name_count,
+                   sizeof all->local_names[0], compare_names) != NULL;
+}
+
+static void collect_local_names(effects *all) {
+    const ir_unit *unit = all->unit;
+    all->local_names = ARENA_ARRAY(all->memory, const char *, unit->variable_count + 1);
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->name && variable_is_automatic(unit->variables[i]))
+            all->local_names[all->local_name_count++] = unit->variables[i]->name;
+    qsort(all->local_names, all->local_name_count, sizeof all->local_names[0], compare_names);
+}
+
+effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
+                     variable_facts *facts) {
+    effects *all = ARENA_NEW(a, effects);
+    unsigned highest = 0;
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->id > highest)
+            highest = unit->functions[i]->id;
+    *all = (effects){.memory = a,
+                     .unit = unit,
+                     .options = options,
+                     .facts = facts,
+                     .summaries = ARENA_ARRAY(a, summary, highest + 1)};
+    collect_local_names(all);
+    return all;
 }
 
 static ir_node *rewrite(rewriting *r, const ir_node *node);

@@ -166,7 +166,20 @@ static bool judge_values(judgement *j) {
     return true;
 }
 
+/* The counter's first value is computed once more by the original loop, if that is to run. */
+static bool judge_lower(judgement *j) {
+    access_list list = {0};
+    if (j->counted.lower)
+        access_collect(j->an->effects, j->counted.lower, &list);
+    if (!list.problems.count)
+        return true;
+    const access_problem *p = &list.problems.items[0];
+    return judgement_refuse(j, p->why, p->node, p->name);
+}
+
 bool judge_accesses(judgement *j) {
+    if (!judge_lower(j))
+        return false;
     access_collect(j->an->effects, j->counted.bound, &j->found);
     access_collect(j->an->effects, j->counted.body, &j->found);
     if (!judge_values(j))

@@ -249,8 +249,9 @@ static bool judge_update(judgement *j, judged_access *update) {
             locations_overlap(&j->an->rules, &other->where, &update->where) != OVERLAP_NO)
             return judgement_refuse(j, REASON_SEVERAL_OPERATORS, target, array->array.name);
     }
-    if (item.row->type->size > array->array.unit)
-        array->array.unit = item.row->type->size;
+    int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
+    if (unit > array->array.unit)
+        array->array.unit = unit;
     VECTOR_PUSH(j->an->memory, &j->updates, item);
     update->class = CLASS_REDUCTION;
     update->array = number;

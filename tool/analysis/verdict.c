@@ -134,8 +134,12 @@ static loop_verdict judge(const analyser *an, ir_function *function, ir_node *lo
     j->an = an;
     j->function = function;
     j->loop = loop;
-    bool is_fine = judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) &&
-                   judge_updates(j) && judge_privates(j) && judge_sources(j) && judge_slice(j);
+    bool is_fine =
+        judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) && judge_updates(j);
+    /* What looked like a shared array may be private to each iteration. */
+    if (is_fine && j->arrays.count == 0)
+        return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
+    is_fine = is_fine && judge_privates(j) && judge_sources(j) && judge_slice(j);
     if (!is_fine) {
         j->arrays.count = 0;
         note_irregular_arrays(j);
@@ -186,7 +190,11 @@ static bool is_irregular_update(const analyser *an, const ir_node *loop, const i
     if (node->kind == IR_CALL)
         return call_updates(an, loop, node);
     const ir_node *target = updated_target(node);
-    return target && variation_is_irregular(an->facts, loop, target);
+    if (!target || !variation_is_irregular(an->facts, loop, target))
+        return false;
+    const ir_variable *object = location_of(an->facts, target, loop).object;
+    const ir_node *declarator = object ? variable_fact_of(an->facts, object)->declarator : NULL;
+    return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
 /* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
@@ -277,6 +285,10 @@ static void search(loop_search *s, ir_node *node) {
         search(s, node->children[i]);
     if (!is_irregular)
         return;
+    if (verdict.loop && verdict.kind == VERDICT_NOT_A_REDUCTION) {
+        add_not_a_reduction(s, node);
+        return;
+    }
     /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
      * loop leaves that to the loop around it.) */
     if (verdict.loop &&

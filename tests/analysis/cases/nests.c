@@ -75,3 +75,24 @@ void loaded_anyway(int n, const int *s, const double *x, double *restrict h) {
         h[s[t]] += d;
     }
 }
+
+int scratch(int n, const int *s) {
+    int last = 0, outside[4];
+    for (int t = 0; t < n; t++) {
+        int inside[4] = {0};
+        inside[s[t] & 3]++;
+        last = inside[0];
+    }
+    for (int t = 0; t < n; t++) {
+        for (int c = 0; c < 4; c++)
+            outside[c] = 0;
+        outside[s[t] & 3]++;
+        last = outside[0];
+    }
+    return last;
+}
+
+void volatile_start(int n, const int *s, double *h, volatile int *from) {
+    for (int t = *from; t < n; t++) // EXPECT: refuse trip-count
+        h[s[t]] += 1.0;
+}
