@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What the inspector does: the slice of rows and touched sources, the sources in the order of
  * reading, the key, and whether all of that tells when a plan may be used again. */
+#include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/slice.h"
 #include "analysis/sources.h"
@@ -61,7 +62,8 @@ static bool add_key(judgement *j, const judged_access *read) {
         (lvalue->type->kind != IR_INTEGER && lvalue->type->kind != IR_POINTER &&
          lvalue->type->kind != IR_BOOLEAN) ||
         !variation_is_invariant(j->an->facts, j->loop, lvalue) ||
-        (read->access.is_conditional && expression_has_load(lvalue, false)))
+        (read->access.is_conditional && expression_has_load(lvalue, false) &&
+         !base_can_be_read_before(j, lvalue)))
         return false;
     for (unsigned i = 0; i < j->key.count; i++)
         if (expression_same(j->key.items[i], lvalue))

@@ -112,10 +112,20 @@ static void pass_address(search *s, const ir_node *object) {
     }
 }
 
+/** The expression itself, or another member of the structure it is a member of: where p->a is read,
+ *  p points to the whole of it, and p->b may be read. */
+static bool answers(const ir_node *node, const ir_node *wanted) {
+    if (!ir_is_expression(node))
+        return false;
+    return syntax_same(node, wanted) ||
+           (node->kind == IR_MEMBER && wanted->kind == IR_MEMBER && (node->flags & IR_ARROW) &&
+            (wanted->flags & IR_ARROW) && syntax_same(ir_child(node, 0), ir_child(wanted, 0)));
+}
+
 static void pass(search *s, const ir_node *node) {
     if (s->is_found || s->may_have_left)
         return;
-    if (ir_is_expression(node) && syntax_same(node, s->wanted)) {
+    if (answers(node, s->wanted)) {
         s->is_found = true;
         return;
     }
