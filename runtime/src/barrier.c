@@ -2,13 +2,19 @@
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "barrier.h"
 
+#include <limits.h>
 #include <sched.h>
 #include <time.h>
 #include <unistd.h>
 
+#ifdef __linux__
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#endif
+
 enum {
     SPINS = 4000, /* some 20 to 100 microseconds: longer than a balanced loop's threads differ */
-    YIELDS = 200  /* then leave the core to whom we wait for, then sleep */
+    YIELDS = 4    /* then leave the core to whom we wait for, then sleep */
 };
 
 static int cores(void) {
@@ -33,21 +39,38 @@ static inline void relax(void) {
 #endif
 }
 
+static bool passed(struct barrier *barrier, unsigned phase) {
+    return atomic_load_explicit(&barrier->phase, memory_order_acquire) != phase;
+}
+
+/* Sleeps until the phase is another. Either we are counted as asleep before the phase changes and
+ * are woken, or the kernel finds the phase changed and does not let us sleep. */
+static void sleep_in_phase(struct barrier *barrier, unsigned phase) {
+    atomic_fetch_add(&barrier->asleep, 1);
+    while (atomic_load(&barrier->phase) == phase) {
+#ifdef __linux__
+        syscall(SYS_futex, &barrier->phase, FUTEX_WAIT_PRIVATE, phase, NULL, NULL, 0);
+#else
+        const struct timespec nap = {0, 50 * 1000};
+        nanosleep(&nap, NULL);
+#endif
+    }
+    atomic_fetch_sub(&barrier->asleep, 1);
+}
+
 static void wait_for_phase_after(struct barrier *barrier, unsigned phase, int threads) {
     if (threads <= cores())
         for (int spin = 0; spin < SPINS; spin++) {
-            if (atomic_load_explicit(&barrier->phase, memory_order_acquire) != phase)
+            if (passed(barrier, phase))
                 return;
             relax();
         }
     for (int yield = 0; yield < YIELDS; yield++) {
-        if (atomic_load_explicit(&barrier->phase, memory_order_acquire) != phase)
+        if (passed(barrier, phase))
             return;
         sched_yield();
     }
-    const struct timespec nap = {0, 50 * 1000};
-    while (atomic_load_explicit(&barrier->phase, memory_order_acquire) == phase)
-        nanosleep(&nap, NULL);
+    sleep_in_phase(barrier, phase);
 }
 
 bool redcc_barrier_arrive(struct barrier *barrier, int threads) {
@@ -61,7 +84,11 @@ bool redcc_barrier_arrive(struct barrier *barrier, int threads) {
 
 void redcc_barrier_release(struct barrier *barrier) {
     atomic_store_explicit(&barrier->arrived, 0, memory_order_relaxed);
-    atomic_fetch_add_explicit(&barrier->phase, 1, memory_order_release);
+    atomic_fetch_add(&barrier->phase, 1);
+#ifdef __linux__
+    if (atomic_load(&barrier->asleep) > 0)
+        syscall(SYS_futex, &barrier->phase, FUTEX_WAKE_PRIVATE, INT_MAX, NULL, NULL, 0);
+#endif
 }
 
 void redcc_barrier_wait(struct barrier *barrier, int threads) {

@@ -14,6 +14,7 @@
 struct barrier {
     alignas(64) atomic_uint arrived;
     alignas(64) atomic_uint phase; /* goes up when all have arrived */
+    atomic_int asleep;             /* how many have to be woken then */
 };
 
 /** Of `threads` callers, the last one gets true at once and must call redcc_barrier_release; the

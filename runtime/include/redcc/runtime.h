@@ -22,8 +22,10 @@
 
 /** Generated text states the version it was written for; any other does not compile. */
 #define REDCC_REQUIRE_VERSION(version)                                                             \
-    typedef char redcc_version_of_header_and_translator_differ                                     \
-        [(REDCC_RUNTIME_VERSION == (version)) ? 1 : -1] __attribute__((unused))
+    typedef char                                                                                   \
+        redcc_version_of_header_and_translator_differ[(REDCC_RUNTIME_VERSION == (version)) ? 1     \
+                                                                                           : -1]   \
+        __attribute__((unused))
 
 __extension__ typedef long long redcc_int;           /**< counts of iterations */
 __extension__ typedef unsigned long long redcc_word; /**< keys */
@@ -74,7 +76,8 @@ typedef struct redcc_array {
                             b[i], or the element where there are no rows */
 } redcc_array;
 
-/** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel. */
+/** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel.
+ */
 typedef struct redcc_source {
     const char *name;
     int is_subscript; /**< what it holds decides which elements are touched: a plan may be used
@@ -108,9 +111,9 @@ typedef struct redcc_loop {
 } redcc_loop;
 
 /** Bytes [first, end). In `known`, end == 0 says: not known before the inspection, redcc_read tells
- *  it; first is then the pointer that its addresses move with when a plan is used again. 0: none, also
- *  where they lie in several objects: of a plan that is kept, all bytes between the first and the
- *  last one read are compared. */
+ *  it; first is then the pointer that its addresses move with when a plan is used again. 0: none,
+ * also where they lie in several objects: of a plan that is kept, all bytes between the first and
+ * the last one read are compared. */
 typedef struct redcc_extent {
     const char *first;
     const char *end;
@@ -137,7 +140,8 @@ typedef struct redcc_owner {
     redcc_size size;
 } redcc_owner;
 
-/** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration. */
+/** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration.
+ */
 typedef struct redcc_entry {
     const char *address;
     redcc_u32 array;
@@ -196,7 +200,8 @@ typedef struct redcc_worker {
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
-/** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads(). */
+/** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads().
+ */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
 
 /** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */
@@ -233,7 +238,8 @@ static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const 
         redcc_flush(worker);
 }
 
-/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`. */
+/** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`.
+ */
 static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const void *address,
                                   redcc_size bytes) {
     redcc_extent *extent = &worker->sources[source];
