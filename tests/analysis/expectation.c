@@ -30,6 +30,7 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
         for (unsigned i = 0; i < facts->private_count; i++)
             if (facts->privates[i].is_live_after)
                 buffer_format(&out, " last=%s", facts->privates[i].variable->name);
+        buffer_format(&out, " keys=%u", facts->key_count);
         if (facts->counter_is_live_after)
             buffer_text(&out, " counter-live");
         for (unsigned i = 0; i < facts->array_count; i++)

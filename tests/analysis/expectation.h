@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Verdicts against what a source's comments say. A comment on the line of a loop's keyword:
- *     // EXPECT: transform h(+) b(+) [guards=2] [verifiable | not-verifiable] [privates=1]
+ *     // EXPECT: transform h(+) b(+) [guards=2] [verifiable | not-verifiable] [privates=1] [keys=0]
  *     // EXPECT: refuse other-store
  * Loops without a comment must have no verdict. Anywhere in the file:
  *     // PURE: f, g         as --pure=f,g

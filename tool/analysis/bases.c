@@ -65,7 +65,30 @@ static bool dereferenced_on_the_way(const judgement *j, const ir_node *pointer) 
     return false;
 }
 
+static bool has_subscript(const ir_node *node) {
+    if (node->kind == IR_INDEX)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_subscript(node->children[i]))
+            return true;
+    return false;
+}
+
+/* Is this very object read in each iteration? */
+static bool is_read_anyway(const judgement *j, const ir_node *lvalue) {
+    for (unsigned i = 0; i < j->found.items.count; i++) {
+        const access *a = &j->found.items.items[i];
+        if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee &&
+            expression_same(a->lvalue, lvalue))
+            return true;
+    }
+    return false;
+}
+
 bool base_can_be_read_before(const judgement *j, const ir_node *base) {
+    /* Another element of the array being there does not say that this one is. */
+    if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)
+        return is_read_anyway(j, base);
     const ir_node *pointer = dereferenced(base);
     if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))
         return true; /* of p->b with an array b only an address is computed */

@@ -294,3 +294,22 @@ void comma_definition(int n, const int *s, double *h) {
         h[k] += 1.0;
     }
 }
+
+static int short_table[4];
+
+/* Neither short_table[m] nor a[5] may be read before the loop: their conditions protect them. The
+ * keys are s and m, and a and a[0]. */
+void protected_elements(int n, int m, const int *s, const int *a, double *restrict h) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) verifiable keys=2
+        int k = s[i];
+        if (m < 4)
+            k = short_table[m];
+        h[k] += 1.0;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) verifiable keys=4
+        int k = a[0];
+        if (m > 5)
+            k = a[5];
+        h[k + s[i]] += 1.0;
+    }
+}
