@@ -12,6 +12,7 @@
 #include <string.h>
 
 static struct settings settings;
+static char complaint[1024]; /* what the environment says that is unknown; "": nothing */
 
 void redcc_stop(const char *format, ...) {
     va_list arguments;
@@ -56,8 +57,8 @@ static void append(char *text, size_t size, const char *more) {
     snprintf(text + used, size - used, "%s", more);
 }
 
-static _Noreturn void stop_at_unknown(const char *variable, const char *value,
-                                      const char *const *names, size_t count) {
+static void complain_of_unknown(const char *variable, const char *value, const char *const *names,
+                                size_t count) {
     char known[512] = "";
     const char *nearest = names[0];
     for (size_t i = 0; i < count; i++) {
@@ -66,11 +67,11 @@ static _Noreturn void stop_at_unknown(const char *variable, const char *value,
         if (distance(value, names[i]) < distance(value, nearest))
             nearest = names[i];
     }
-    redcc_stop("%s=%s is not known; did you mean %s? Known are: %s", variable, value, nearest,
-               known);
+    snprintf(complaint, sizeof complaint, "%s=%s is not known; did you mean %s? Known are: %s",
+             variable, value, nearest, known);
 }
 
-static _Noreturn void stop_at_unknown_method(const char *value) {
+static void complain_of_unknown_method(const char *value) {
     enum { MOST = 32, LONGEST = 64 };
     static char spelled[MOST][LONGEST];
     const char *names[MOST] = {"auto"};
@@ -81,7 +82,7 @@ static _Noreturn void stop_at_unknown_method(const char *value) {
         names[count] = spelled[count];
         count++;
     }
-    stop_at_unknown("REDCC_METHOD", value, names, count);
+    complain_of_unknown("REDCC_METHOD", value, names, count);
 }
 
 static void read_method(const char *value) {
@@ -97,11 +98,11 @@ static void read_method(const char *value) {
         if (value[length] == ':') {
             settings.parameter = method->parse ? method->parse(value + length + 1) : 0;
             if (!settings.parameter)
-                stop_at_unknown_method(value);
+                complain_of_unknown_method(value);
         }
         return;
     }
-    stop_at_unknown_method(value);
+    complain_of_unknown_method(value);
 }
 
 static void read_order(const char *value) {
@@ -113,7 +114,7 @@ static void read_order(const char *value) {
             settings.order = (redcc_order)order;
             return;
         }
-    stop_at_unknown("REDCC_ORDER", value, order_names, 3);
+    complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
 bool redcc_parse_bytes(const char *text, size_t *bytes) {
@@ -139,7 +140,8 @@ static void read_memory_limit(const char *value) {
     if (!value || !*value)
         return;
     if (!redcc_parse_bytes(value, &settings.memory_limit))
-        redcc_stop("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
+        snprintf(complaint, sizeof complaint,
+                 "REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
         settings.memory_limit = 1; /* nothing at all, not: no limit */
     redcc_memory_limit(settings.memory_limit);
@@ -157,5 +159,7 @@ static void read_environment(void) {
 const struct settings *redcc_settings(void) {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, read_environment);
+    if (complaint[0]) /* only now: nobody leaves from within pthread_once */
+        redcc_stop("%s", complaint);
     return &settings;
 }
