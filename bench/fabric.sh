@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The cloth simulator against its serial build (same sources, same optimisation): force loops of the
+# large mesh, and the paper's scenes as a whole. Rounds are interleaved; ratios are of one round.
+#   ROUNDS=5
+. bench/common.sh
+rounds=${ROUNDS:-5}
+export FABRIC_SCENES=$PWD/examples/fabric/scenes
+threads=$(nproc)
+serial=$build/examples/fabric/fabric-serial
+parallel=$build/examples/fabric/fabric
+csv=$results/fabric.csv
+echo "experiment,variant,round,seconds" >"$csv"
+load_note
+
+force_seconds='[.effects[] | select(.name == "stretch" or .name == "shear" or .name == "bend" or .name == "drag") | .seconds] | add'
+
+# run EXPERIMENT VARIANT ROUND JQ-FILTER COMMAND... : one run, one line of the table
+run() {
+  local experiment=$1 variant=$2 round=$3 filter=$4
+  shift 4
+  "$@" -o "$work/$variant" --progress none >/dev/null
+  echo "$experiment,$variant,$round,$(jq "$filter" "$work/$variant/summary.json")" >>"$csv"
+}
+
+# ratios EXPERIMENT VARIANT: serial's seconds over the variant's, round by round
+ratios() {
+  awk -F, -v e="$1" -v v="$2" '$1 == e && $2 == "serial" {s[$3] = $4} $1 == e && $2 == v {p[$3] = $4}
+    END {for (r in p) if (p[r] > 0) print s[r] / p[r]}' "$csv"
+}
+seconds() { awk -F, -v e="$1" -v v="$2" '$1 == e && $2 == v {print $4}' "$csv"; }
+line() {
+  printf '%-34s %-12s %9.4f s   ratio %.3f  (%.3f to %.3f)\n' "$1" "$2" "$(seconds "$1" "$2" | median)" \
+    "$(ratios "$1" "$2" | median)" "$(ratios "$1" "$2" | minimum)" "$(ratios "$1" "$2" | maximum)"
+}
+
+# The force loops need no long solve: a short step keeps the conjugate gradient out of the way.
+large=(run sheet218k --steps 4 --set time.step=0.0002)
+for round in $(seq "$rounds"); do
+  run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"
+  run forces-218k threads-1 "$round" "$force_seconds" env OMP_NUM_THREADS=1 "$parallel" "${large[@]}"
+  REDCC_REPORT=$work/report.json run forces-218k "threads-$threads" "$round" "$force_seconds" \
+    env OMP_NUM_THREADS="$threads" "$parallel" "${large[@]}"
+  jq -r --arg r "$round" '.loops[] | select(.function | test("evaluate")) | select(.plans_built > 0) |
+    "inspector,\(.function),\($r),\((.inspect_seconds / .plans_built) / (.execute_seconds / .calls))"' \
+    "$work/report.json" >>"$csv"
+done
+for scene in tablecloth hanging; do
+  for round in $(seq "$rounds"); do
+    run "$scene" serial "$round" .step_seconds "$serial" run "$scene"
+    run "$scene" threads-1 "$round" .step_seconds env OMP_NUM_THREADS=1 "$parallel" run "$scene"
+    run "$scene" "threads-$threads" "$round" .step_seconds env OMP_NUM_THREADS="$threads" "$parallel" run "$scene"
+  done
+done
+for round in $(seq "$rounds"); do
+  run tablecloth-1e-2 serial "$round" .step_seconds "$serial" run tablecloth --set solution.tolerance=1e-2
+done
+
+echo "seconds (median) and serial over variant, round by round (median, least to greatest)"
+for experiment in forces-218k tablecloth hanging; do
+  for variant in serial threads-1 "threads-$threads"; do line "$experiment" "$variant"; done
+done
+echo "inspector, as a share of one execution of its loop:"
+awk -F, '$1 == "inspector" {print $2}' "$csv" | sort -u | while read -r loop; do
+  printf '  %-32s %.4f\n' "$loop" "$(seconds inspector "$loop" | median)"
+done
+printf 'tablecloth at tolerance 1e-2, one core: %.3f s (Blender 3.4, a simpler model: 0.95 s)\n' \
+  "$(seconds tablecloth-1e-2 serial | median)"
+echo "kept: $csv"
