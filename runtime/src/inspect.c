@@ -72,8 +72,10 @@ static bool begin_member(struct member *member) {
     if (!redcc_sample_begin(&member->sample, even > least ? even : least) || !member->entries ||
         !member->seen || !member->executed)
         return false;
-    for (uint32_t array = 0; array < partition->array_count; array++)
+    for (uint32_t array = 0; array < partition->array_count; array++) {
         member->seen[array] = redcc_nowhere;
+        member->owner[array] = (redcc_owner){0, 0}; /* of a sample, all touches are entered */
+    }
     for (uint32_t s = 0; s < member->execution->request.loop->source_count; s++)
         member->sources[s] = (redcc_extent){0, 0};
     return true;
@@ -85,6 +87,9 @@ static int hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc
     worker->last = last;
     worker->stride = stride;
     worker->sources = member->sources;
+    worker->window = member->phase == PHASE_SAMPLED ? member->owner : member->sweep.window;
+    worker->inside = worker->outside = 0;
+    worker->alike = 0;
     worker->entry = member->entries;
     worker->entry_end = member->entries + REDCC_ENTRIES;
     return 1;
@@ -392,7 +397,11 @@ void redcc_flush(redcc_worker *worker) {
     struct member *member = worker->execution;
     if (member->phase == PHASE_SAMPLED)
         take_sample(member, worker->entry);
-    else
+    else {
+        redcc_sweep_take_window(&member->sweep, worker->alike, worker->inside);
         redcc_sweep_take(&member->sweep, member->entries, worker->entry);
+    }
+    worker->alike = 0;
+    worker->inside = 0;
     worker->entry = member->entries;
 }

@@ -24,15 +24,14 @@ void redcc_sweep_end(struct sweep *sweep) {
 static void look_at_owner(struct sweep *sweep, uint32_t owner) {
     const struct partition *partition = sweep->partition;
     sweep->current = owner;
-    for (uint32_t group = 0; group < partition->array_count; group++) {
-        if (!redcc_leads_group(partition, group))
-            continue;
+    for (uint32_t array = 0; array < partition->array_count; array++) {
+        const uint32_t group = partition->group_of[array];
         const uintptr_t *cut = redcc_cuts(partition, group);
         const struct range seen = sweep->seen[group];
         const uintptr_t first = cut[owner] > seen.first ? cut[owner] : seen.first;
         const uintptr_t end = cut[owner + 1] < seen.end ? cut[owner + 1] : seen.end;
-        sweep->window[group].first = (const char *)first;
-        sweep->window[group].size = end > first ? end - first : 0;
+        sweep->window[array].first = (const char *)first;
+        sweep->window[array].size = end > first ? end - first : 0;
     }
 }
 
@@ -95,6 +94,15 @@ static void add_last_set(struct sweep *sweep) {
     sweep->in_last_set = 0;
 }
 
+static void add_iterations(struct sweep *sweep, uint32_t set, redcc_int count) {
+    if (set != sweep->last_set) {
+        add_last_set(sweep);
+        sweep->last_set = set;
+    }
+    sweep->in_last_set += count;
+    sweep->done += count;
+}
+
 static void end_iteration(struct sweep *sweep) {
     uint32_t set = sweep->touched ? 1 + sweep->current : 0;
     if (sweep->mixed) {
@@ -102,18 +110,8 @@ static void end_iteration(struct sweep *sweep) {
         if (!redcc_sets_intern(&sweep->summary.sets, sweep->list, sweep->listed, &set))
             sweep->failed = true;
     }
-    if (set != sweep->last_set) {
-        add_last_set(sweep);
-        sweep->last_set = set;
-    }
-    sweep->in_last_set++;
-    sweep->done++;
+    add_iterations(sweep, set, 1);
     sweep->touched = sweep->mixed = false;
-}
-
-/* Does the iteration at hand touch one owner only, the same as the iteration before? */
-static inline bool as_the_last(const struct sweep *sweep) {
-    return sweep->touched && !sweep->mixed && sweep->last_set == 1 + sweep->current;
 }
 
 void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
@@ -124,28 +122,28 @@ void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin) {
         sweep->failed = true;
 }
 
-void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
+void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside) {
     if (sweep->failed)
         return;
-    const uint32_t *const group_of = sweep->partition->group_of;
-    const redcc_owner *const windows = sweep->window;
-    for (const redcc_entry *entry = first; entry != end; entry++) {
+    if (alike > 0)
+        add_iterations(sweep, 1 + sweep->current, alike);
+    if (inside)
+        sweep->touched = true;
+}
+
+void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
+    for (const redcc_entry *entry = first; entry != end && !sweep->failed; entry++) {
         if (entry->array == REDCC_END_OF_ITERATION) {
-            if (as_the_last(sweep)) {
-                sweep->in_last_set++;
-                sweep->done++;
-                sweep->touched = false;
-            } else
-                end_iteration(sweep);
+            end_iteration(sweep);
             continue;
         }
-        const uint32_t group = group_of[entry->array];
-        const redcc_owner window = windows[group];
+        const redcc_owner window = sweep->window[entry->array];
         const redcc_size into = (uintptr_t)entry->address - (uintptr_t)window.first;
         if (into < window.size && entry->bytes <= window.size - into && entry->bytes)
             sweep->touched = true;
         else if (entry->bytes)
-            take_stray(sweep, group, (uintptr_t)entry->address, entry->bytes);
+            take_stray(sweep, sweep->partition->group_of[entry->array], (uintptr_t)entry->address,
+                       entry->bytes);
     }
 }
 

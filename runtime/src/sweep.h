@@ -2,9 +2,9 @@
 /**
  * Turns the addresses that an inspector tells into an access summary. One for each thread.
  *
- * The usual case, a touch by the owner of the touch before, costs one subtraction and one
- * comparison: `window` is what the current owner owns of a group, within what this thread has
- * seen touched of it so far, so that what is inside widens nothing and brings no new owner.
+ * The usual case, a touch by the owner of the touch before, makes no entry (redcc_touch): `window`
+ * is what the current owner owns of an array, within what this thread has seen touched of it so
+ * far, so that what is inside widens nothing and brings no new owner.
  */
 #ifndef REDCC_SWEEP_H
 #define REDCC_SWEEP_H
@@ -13,11 +13,11 @@
 
 struct sweep {
     const struct partition *partition;
-    struct range *seen; /* [array_count] touched range of each group, by this thread */
-    redcc_owner *window;
-    uint32_t current; /* an owner that the iteration at hand touches, or the last one's */
-    bool touched;     /* the iteration at hand touches something ... */
-    bool mixed;       /* ... of several owners: those in `list` */
+    struct range *seen;  /* [array_count] touched range of each group, by this thread */
+    redcc_owner *window; /* [array_count] of each array */
+    uint32_t current;    /* an owner that the iteration at hand touches, or the last one's */
+    bool touched;        /* the iteration at hand touches something ... */
+    bool mixed;          /* ... of several owners: those in `list` */
     uint32_t last_set;
     redcc_int in_last_set; /* iterations not yet added to the summary */
     uint64_t iteration;    /* stamp */
@@ -38,6 +38,10 @@ void redcc_sweep_end(struct sweep *sweep);
 
 /** What follows lies in iterations origin, origin + 1, ... */
 void redcc_sweep_open_block(struct sweep *sweep, redcc_int origin);
+
+/** Takes in `alike` whole iterations that touch nothing but the window, and then, where `inside`,
+ * that the iteration at hand touches it. */
+void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside);
 
 /** Takes entries [first, end) in; an iteration's may come in several calls. */
 void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end);

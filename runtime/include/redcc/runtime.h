@@ -167,7 +167,12 @@ typedef struct redcc_worker {
     redcc_int stride;
     redcc_entry *entry; /* the next free one */
     redcc_entry *entry_end;
-    redcc_extent *sources; /* of this thread; indexed as redcc_loop.sources */
+    const redcc_owner *window; /* what one owner owns; indexed as arrays. A touch within it makes
+                                  no entry, */
+    int inside;                /* it only sets this, */
+    int outside;               /* and one that makes an entry sets that; of this iteration */
+    redcc_int alike;           /* whole iterations within the window since the last flush */
+    redcc_extent *sources;     /* of this thread; indexed as redcc_loop.sources */
     /* set by redcc_next: the chunk */
     redcc_int origin;
     const redcc_run *run;
@@ -207,7 +212,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
 /** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */
 int redcc_inspect(redcc_worker *worker);
 
-/** Takes in the entries so far; called by redcc_touch and redcc_iteration_done when full. */
+/** Takes in what was told so far; called by redcc_touch and redcc_iteration_done. */
 void redcc_flush(redcc_worker *worker);
 
 /** The next chunk to execute, as set in *worker; 0: there is none left (or none at all). Every
@@ -229,7 +234,15 @@ int redcc_leave(redcc_call *call);
 /** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
 static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
                                    redcc_size bytes) {
-    redcc_entry *entry = worker->entry;
+    const redcc_owner *window = &worker->window[array];
+    const redcc_size into = (redcc_size)address - (redcc_size)window->first;
+    redcc_entry *entry;
+    if (into < window->size && bytes <= window->size - into) {
+        worker->inside = 1;
+        return;
+    }
+    worker->outside = 1;
+    entry = worker->entry;
     entry->address = (const char *)address;
     entry->array = array;
     entry->bytes = (redcc_u32)bytes;
@@ -252,7 +265,17 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
 
 /** Inspector: the addresses of one iteration are told. */
 static __inline__ void redcc_iteration_done(redcc_worker *worker) {
-    redcc_touch(worker, REDCC_END_OF_ITERATION, 0, 0);
+    if (worker->inside && !worker->outside) {
+        worker->inside = 0;
+        worker->alike++;
+        return;
+    }
+    worker->entry->address = 0;
+    worker->entry->array = REDCC_END_OF_ITERATION;
+    worker->entry->bytes = 0;
+    worker->entry++;
+    worker->outside = 0;
+    redcc_flush(worker); /* the window may be another one for the next iteration */
 }
 
 /** Executor, guarded form: may this thread write at `address`? */
