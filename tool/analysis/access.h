@@ -22,6 +22,8 @@ typedef struct access {
     const ir_node *node;       /* the expression: access, or call */
     const ir_function *callee; /* the access is the callee's; NULL: in the text itself */
     update_form form;          /* ACCESS_UPDATE in the text itself */
+    const ir_node *from; /* a search through a[from], a[from + 1], ... up to the element whose */
+    const ir_node *to;   /* subscript is the call's result: the first and the last one read */
 } access;
 
 /** Something met on the way of which nothing may be assumed. */

@@ -9,6 +9,7 @@
 #include "analysis/counted.h"
 #include "analysis/expression.h"
 #include "analysis/library.h"
+#include "analysis/search.h"
 
 typedef struct summary {
     enum { SUMMARY_NONE, SUMMARY_IN_PROGRESS, SUMMARY_DONE } state;
@@ -186,6 +187,30 @@ static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
     return rewrite(r, row);
 }
 
+/* A search's element at another subscript, in the terms of the parameters; NULL: cannot be told. */
+static const ir_node *search_element(rewriting *r, const access *item) {
+    const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
+                               ? search_start(r->function, item->lvalue)
+                               : NULL;
+    if (!start || item->lvalue->children[0]->type->kind != IR_POINTER)
+        return NULL;
+    ir_node *element = ir_new(r->all->memory, IR_INDEX, item->lvalue->type, 2);
+    element->range = item->lvalue->range;
+    element->children[0] = item->lvalue->children[0];
+    element->children[1] = (ir_node *)start;
+    r->is_exact = true;
+    const ir_node *result = rewrite(r, element);
+    return r->is_exact ? result : NULL;
+}
+
+/* a[from] to a[call]: the last element that a search reads is the one it finds. */
+static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
+    ir_node *element = ir_substitute(a, from, NULL, NULL);
+    element->children[1] = ir_substitute(a, call, NULL, NULL);
+    element->children[1]->parent = element;
+    return element;
+}
+
 /* ---- summaries --------------------------------------------------------------------------------
  */
 
@@ -215,6 +240,9 @@ static void summarise_access(effects *all, const ir_function *function, const ac
     rewriting r = {all, function, raw, item->is_exact, 0};
     kept.lvalue = rewrite_lvalue(&r, item->lvalue);
     kept.is_exact = r.is_exact;
+    kept.from = kept.to = NULL;
+    if (!kept.is_exact)
+        kept.from = search_element(&r, item);
     if (where.is_string)
         return;
     if (!where.object && !where.pointer)
@@ -326,6 +354,10 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         if (item.lvalue) {
             item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
             item.is_exact = item.is_exact && expression_is_plain(item.lvalue);
+        }
+        if (item.from) {
+            item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
+            item.to = found_element(all->memory, item.from, call);
         }
         access_add(w, item);
     }

@@ -112,6 +112,47 @@ static void add_source(judgement *j, const loop_source *item) {
     VECTOR_PUSH(j->an->memory, &j->sources, *item);
 }
 
+/* What a callee's search reads lies between two elements that can be told. */
+static bool add_search(judgement *j, const judged_access *read) {
+    source_plan first, last;
+    if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
+        return false;
+    add_source(j, &first.source);
+    add_source(j, &last.source);
+    return true;
+}
+
+static void add_read(judgement *j, const judged_access *read, bool is_subscript);
+
+static bool is_load(const ir_node *node) {
+    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
+           ir_type_is_scalar(node->type);
+}
+
+static const judged_access *read_of(const judgement *j, const ir_node *lvalue) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const access *a = &j->accesses[i].access;
+        if (a->kind == ACCESS_READ && a->lvalue && a->is_exact &&
+            expression_same(a->lvalue, lvalue))
+            return &j->accesses[i];
+    }
+    return NULL;
+}
+
+/* What a callee reads on its way to an address decides where that address is: while a plan is kept,
+ * it must stay. */
+static void add_loads_below(judgement *j, const ir_node *row) {
+    for (unsigned i = 0; i < row->child_count; i++) {
+        const ir_node *child = row->children[i];
+        const judged_access *load = is_load(child) ? read_of(j, child) : NULL;
+        if (load)
+            add_read(j, load, true);
+        else if (is_load(child))
+            j->is_verifiable = false;
+        add_loads_below(j, child);
+    }
+}
+
 static void add_read(judgement *j, const judged_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;
@@ -120,7 +161,7 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
             read->access.lvalue && (is_array_base(j, read->access.lvalue) || add_key(j, read));
         if (!is_keyed)
             contents = source_plan_of(j, read, true);
-        if (!is_keyed && !contents.is_possible)
+        if (!is_keyed && !contents.is_possible && !add_search(j, read))
             j->is_verifiable = false;
     }
     if (contents.is_possible) {
@@ -130,10 +171,8 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
     } else if (read->needs_guard) {
         source_plan plan = source_plan_of(j, read, false);
         plan.source.needs_guard = true;
-        /* What the callee reads on the way to this address is not among the sources. */
-        if (read->access.callee && plan.source.extent == EXTENT_TOUCHED &&
-            expression_has_load(plan.source.row, true))
-            j->is_verifiable = false;
+        if (read->access.callee && plan.source.extent == EXTENT_TOUCHED)
+            add_loads_below(j, plan.source.row);
         add_source(j, &plan.source);
     }
 }

@@ -118,6 +118,35 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     return plan;
 }
 
+static bool plan_search_end(const judgement *j, const judged_access *read, const ir_node *row,
+                            source_plan *plan) {
+    const ir_node *base = read->where.base;
+    const ir_node *place = slice_place(j, read->access.node);
+    plan->source = (loop_source){.name = expression_text(j->an->memory, base),
+                                 .base = base,
+                                 .row = row,
+                                 .extent = EXTENT_TOUCHED,
+                                 .place = place,
+                                 .is_subscript = true,
+                                 .needs_guard = read->needs_guard};
+    plan->is_possible = slice_can_tell(j, row, read->access.node, place);
+    return plan->is_possible;
+}
+
+bool source_plans_of_search(const judgement *j, const judged_access *read, source_plan *first,
+                            source_plan *last) {
+    const ir_node *base = read->where.base;
+    const ir_node *call = read->access.node;
+    if (!base || !is_fixed_base(j, base) || !can_be_spelled(j, base) ||
+        !base_can_be_read_before(j, base) || !can_be_spelled(j, read->access.from))
+        return false;
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (!expression_is_plain(call->children[i]))
+            return false;
+    return plan_search_end(j, read, read->access.from, first) &&
+           plan_search_end(j, read, read->access.to, last);
+}
+
 /* ---- reads against arrays ---------------------------------------------------------------------
  */
 

@@ -14,4 +14,9 @@ typedef struct source_plan {
  *  not be in it either, since they will be compared. */
 source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents);
 
+/** The first and the last element that a look-up reads of a row, where access.to is set: all
+ *  between is read as well. */
+bool source_plans_of_search(const judgement *j, const judged_access *read, source_plan *first,
+                            source_plan *last);
+
 #endif

@@ -112,14 +112,21 @@ static void pass_address(search *s, const ir_node *object) {
     }
 }
 
+/** Of p->a.b the pointer p; NULL for what is no member behind a pointer. */
+static const ir_node *structure_of(const ir_node *node) {
+    while (node->kind == IR_MEMBER && !(node->flags & IR_ARROW))
+        node = ir_child(node, 0);
+    return node->kind == IR_MEMBER ? ir_child(node, 0) : NULL;
+}
+
 /** The expression itself, or another member of the structure it is a member of: where p->a is read,
  *  p points to the whole of it, and p->b may be read. */
 static bool answers(const ir_node *node, const ir_node *wanted) {
     if (!ir_is_expression(node))
         return false;
-    return syntax_same(node, wanted) ||
-           (node->kind == IR_MEMBER && wanted->kind == IR_MEMBER && (node->flags & IR_ARROW) &&
-            (wanted->flags & IR_ARROW) && syntax_same(ir_child(node, 0), ir_child(wanted, 0)));
+    const ir_node *structure = structure_of(wanted);
+    const ir_node *other = structure ? structure_of(node) : NULL;
+    return syntax_same(node, wanted) || (other && syntax_same(other, structure));
 }
 
 static void pass(search *s, const ir_node *node) {

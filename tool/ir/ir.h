@@ -281,9 +281,9 @@ ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_coun
 /** Sets parents, ids and node_count of a finished function. */
 void ir_finish_function(ir_function *function);
 /** A copy of an expression with each parameter of `function` replaced by a copy of the argument
- *  given (NULL: left as it is). An argument of another scalar type than the parameter's is wrapped
- *  in an IR_CAST to it, as the call would convert it. The copy's nodes have no ids and belong to no
- *  function; its root has no parent. */
+ *  given (NULL: left as it is); p->m with &x for p becomes x.m. An argument of another scalar type
+ * than the parameter's is wrapped in an IR_CAST to it, as the call would convert it. The copy's
+ * nodes have no ids and belong to no function; its root has no parent. */
 ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
                        ir_node *const *arguments);
 

@@ -72,6 +72,17 @@ static ir_node *argument_for(const ir_node *node, const ir_function *function,
     return NULL;
 }
 
+/* (&x)->m is x.m */
+static void look_through_address(ir_node *node) {
+    ir_node *pointer = node->kind == IR_MEMBER ? node->children[0] : NULL;
+    if (pointer == NULL || !(node->flags & IR_ARROW) || pointer->kind != IR_UNARY ||
+        pointer->op != IR_OP_ADDRESS)
+        return;
+    node->flags &= ~(unsigned)IR_ARROW;
+    node->children[0] = pointer->children[0];
+    node->children[0]->parent = node;
+}
+
 ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
                        ir_node *const *arguments) {
     const ir_node *argument = argument_for(expression, function, arguments);
@@ -82,5 +93,6 @@ ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *f
         copy->children[i] = ir_substitute(a, expression->children[i], function, arguments);
         copy->children[i]->parent = copy;
     }
+    look_through_address(copy);
     return copy;
 }

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Subscripts through pure look-up functions; what they look up changes between calls, at the same
+// addresses, so that a plan kept too long would show.
+// covers: row 17, row 71
+#include "case.h"
+
+enum { N = 6000, ROWS = 300, WIDTH = 12 };
+
+struct matrix {
+    int *start, *column;
+    double (*value)[2];
+};
+static int pair[N][2], permuted[N][1], start[ROWS + 1], column[ROWS * WIDTH];
+static double weight[N], value[ROWS * WIDTH][2];
+
+/* Reads from the row's start up to what it finds. */
+static int walk(const struct matrix *A, int row, int wanted) {
+    int k = A->start[row];
+    while (A->column[k] < wanted)
+        k++;
+    return k;
+}
+
+/* Stops in the middle: how far it reads is not told by its result. */
+static int scan(const struct matrix *A, int row, int wanted) {
+    for (int k = A->start[row]; k < A->start[row + 1]; k++)
+        if (A->column[k] >= wanted)
+            return k;
+    return A->start[row + 1] - 1;
+}
+
+static int bisect(const struct matrix *A, int row, int wanted) {
+    int low = A->start[row], high = A->start[row + 1] - 1;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (A->column[middle] < wanted)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static double scaled(const int *through, const double *w, int t) {
+    return 0.5 * w[through[0]] + t;
+}
+
+static void by_walk(int n, const int (*through)[1], const double *w, struct matrix *A) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int p = walk(A, pair[t][0], pair[t][1]);
+        const double s = scaled(through[t], w, t);
+        for (int c = 0; c < 2; c++)
+            A->value[p][c] += s;
+    }
+}
+
+static void by_scan(int n, struct matrix *A) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int p = scan(A, pair[t][0], pair[t][1]);
+        A->value[p][0] += weight[t];
+    }
+}
+
+static void by_bisection(int n, struct matrix *A) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int p = bisect(A, pair[t][0], pair[t][1]);
+        A->value[p][1] -= weight[t];
+    }
+}
+
+/* Rows of ascending columns, the last beyond any that is wanted. */
+static void fill(int stride) {
+    for (int r = 0; r < ROWS; r++) {
+        start[r] = r * WIDTH;
+        for (int k = 0; k < WIDTH; k++)
+            column[r * WIDTH + k] = k + 1 < WIDTH ? k * stride + r % stride : 1000000;
+    }
+    start[ROWS] = ROWS * WIDTH;
+}
+
+int main(void) {
+    struct matrix A = {start, column, value};
+    case_values(weight, N);
+    for (int t = 0; t < N; t++) {
+        pair[t][0] = (int)((long)t * ROWS / N);
+        pair[t][1] = case_below(60);
+    }
+    case_subscripts(&permuted[0][0], N, N);
+    for (int round = 0; round < 4; round++) {
+        fill(3 + round / 2); /* twice the same, then other columns in the same place */
+        by_walk(N, (const int (*)[1])permuted, weight, &A);
+        by_scan(N, &A);
+        by_bisection(N, &A);
+        CASE_PRINT(value);
+    }
+    return 0;
+}
