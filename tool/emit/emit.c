@@ -61,8 +61,9 @@ static bool mentions(const source *s, const char *word) {
 
 /** Adds the edit for one loop; false, with *why set, where it cannot be written. */
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
-                     const emit_options *options, edit_list *edits, reason *why) {
-    if (mentions(unit->source, reserved_prefix)) {
+                     const emit_options *options, bool names_are_free, edit_list *edits,
+                     reason *why) {
+    if (!names_are_free) {
         *why = (reason){.message = "the file uses names that begin with redcc__, which are "
                                    "reserved for what redcc writes",
                         .range = verdict->loop->range};
@@ -90,9 +91,11 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
     emit_result result = {.text = s->text, .length = s->length, .obstacles = obstacles};
     edit_list edits = {0};
+    const bool names_are_free = !mentions(s, reserved_prefix);
     for (unsigned i = 0; i < analysis->verdict_count; i++)
         if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
-            add_loop(a, unit, &analysis->verdicts[i], options, &edits, &obstacles[i]))
+            add_loop(a, unit, &analysis->verdicts[i], options, names_are_free, &edits,
+                     &obstacles[i]))
             result.loop_count++;
     if (result.loop_count == 0)
         return result;

@@ -120,6 +120,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                            "#pragma GCC diagnostic push\n"
                            "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
     out->depth = 1;
+    declare_inlined(loop, out);
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_last_values(loop, out);

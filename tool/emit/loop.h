@@ -96,6 +96,10 @@ void write_last_values(loop_text *loop, writer *out, bool into_variables);
 /** inspector.c: the statements of one iteration, counter and private variables declared. */
 void write_inspected_iteration(loop_text *loop, writer *out);
 
+/** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
+ *  at one place only. */
+void declare_inlined(loop_text *loop, writer *out);
+
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */
 void write_iteration(loop_text *loop, writer *out, bool is_guarded);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);

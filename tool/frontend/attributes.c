@@ -57,10 +57,11 @@ static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientDa
     case CXCursor_ConstAttr:
         r->function->is_attribute_const = true;
         break;
-    case CXCursor_UnexposedAttr:
-        r->function->is_noreturn |= is_noreturn(r->converter, child);
-        break;
     default:
+        if (clang_isAttribute(clang_getCursorKind(child)))
+            r->function->has_other_attributes = true;
+        r->function->is_noreturn |= clang_getCursorKind(child) == CXCursor_UnexposedAttr &&
+                                    is_noreturn(r->converter, child);
         break;
     }
     return CXChildVisit_Continue;

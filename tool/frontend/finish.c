@@ -104,4 +104,5 @@ void finish_unit(converter *c) {
         ir_walk(f->body, note_addresses, NULL);
         find_own_bytes(c, f->body);
     }
+    ir_count_references(c->unit);
 }

@@ -115,6 +115,8 @@ struct ir_function {
     ir_range range;
     bool is_static, is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
+    bool has_other_attributes;                  /* of whatever kind */
+    unsigned reference_count;                   /* how often the unit's bodies name it */
     bool has_errors; /* the compiler complained inside it: judge nothing in it */
     bool is_in_main_file;
 };
@@ -280,6 +282,8 @@ void ir_walk(ir_node *node, ir_visitor visit, void *context);
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count);
 /** Sets parents, ids and node_count of a finished function. */
 void ir_finish_function(ir_function *function);
+/** Sets reference_count of all functions of a finished unit. */
+void ir_count_references(ir_unit *unit);
 /** A copy of an expression with each parameter of `function` replaced by a copy of the argument
  *  given (NULL: left as it is); p->m with &x for p becomes x.m. An argument of another scalar type
  * than the parameter's is wrapped in an IR_CAST to it, as the call would convert it. The copy's

@@ -25,6 +25,21 @@ void ir_finish_function(ir_function *function) {
         number_nodes(function->body, NULL, &function->node_count);
 }
 
+static bool count_reference(ir_node *node, void *context) {
+    (void)context;
+    if (node->kind == IR_FUNCTION)
+        node->function->reference_count++;
+    return true;
+}
+
+void ir_count_references(ir_unit *unit) {
+    for (unsigned i = 0; i < unit->function_count; i++)
+        unit->functions[i]->reference_count = 0;
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body != NULL)
+            ir_walk(unit->functions[i]->body, count_reference, NULL);
+}
+
 /* ---- substitution -------------------------------------------------------------------------- */
 
 static ir_node *copy_one(arena *a, const ir_node *node) {

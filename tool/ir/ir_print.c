@@ -228,8 +228,8 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
         const char *word;
     } flags[] = {{f->is_static, "static"},         {f->is_variadic, "variadic"},
                  {f->is_noreturn, "noreturn"},     {f->is_attribute_pure, "pure"},
-                 {f->is_attribute_const, "const"}, {f->has_errors, "errors"},
-                 {!f->is_in_main_file, "header"}};
+                 {f->is_attribute_const, "const"}, {f->has_other_attributes, "attributes"},
+                 {f->has_errors, "errors"},        {!f->is_in_main_file, "header"}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)
             buffer_format(p->out, " !%s", flags[i].word);

@@ -232,7 +232,8 @@ static bool read_function_flag(ir_reader *r, const sexp *item, ir_function *f) {
         bool *flag;
     } flags[] = {{"!static", &f->is_static},         {"!variadic", &f->is_variadic},
                  {"!noreturn", &f->is_noreturn},     {"!pure", &f->is_attribute_pure},
-                 {"!const", &f->is_attribute_const}, {"!errors", &f->has_errors}};
+                 {"!const", &f->is_attribute_const}, {"!attributes", &f->has_other_attributes},
+                 {"!errors", &f->has_errors}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (is_word(item, flags[i].word)) {
             *flags[i].flag = true;
@@ -451,6 +452,7 @@ static bool read_unit(ir_reader *r, const sexp *s) {
         return false;
     unit->variables = r->variables.items;
     unit->variable_count = r->variables.count;
+    ir_count_references(unit);
     return true;
 }
 
