@@ -46,11 +46,14 @@ static double scaled(const int *through, const double *w, int t) {
 }
 
 static void by_walk(int n, const int (*through)[1], const double *w, struct matrix *A) {
+    int p;
     for (int t = 0; t < n; t++) { // EXPECT: transformed
-        const int p = walk(A, pair[t][0], pair[t][1]);
+        p = walk(A, pair[t][0], pair[t][1]);
         const double s = scaled(through[t], w, t);
+        const int q = walk(A, pair[t][0], pair[t][1] / 2);
         for (int c = 0; c < 2; c++)
             A->value[p][c] += s;
+        A->value[q][0] -= s;
     }
 }
 

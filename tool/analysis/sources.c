@@ -118,6 +118,40 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     return plan;
 }
 
+/* `k = find(...);` in a block: the variable, and the statement after, where it has its value. */
+static const ir_node *result_variable(const ir_node *call, const ir_node **after) {
+    const ir_node *assignment = call->parent;
+    const ir_node *statement = assignment ? assignment->parent : NULL;
+    if (!statement || assignment->kind != IR_ASSIGN || assignment->op != IR_OP_NONE ||
+        assignment->children[1] != call || assignment->children[0]->kind != IR_VARIABLE ||
+        !ir_type_equal(assignment->children[0]->type, call->type) ||
+        statement->kind != IR_EXPRESSION || !statement->parent ||
+        statement->parent->kind != IR_BLOCK)
+        return NULL;
+    const ir_node *block = statement->parent;
+    for (unsigned i = 0; i + 1 < block->child_count; i++)
+        if (block->children[i] == statement) {
+            *after = block->children[i + 1];
+            return assignment->children[0];
+        }
+    return NULL;
+}
+
+/* The last element that a search reads: told by the variable that keeps the result, so that the
+ * inspector need not search twice, or else by the call. */
+static bool plan_found(const judgement *j, const judged_access *read, source_plan *plan) {
+    const ir_node *after = NULL;
+    const ir_node *variable = result_variable(read->access.node, &after);
+    if (!variable || after->kind != IR_EXPRESSION)
+        return false;
+    ir_node *row = ir_substitute(j->an->memory, read->access.from, NULL, NULL);
+    row->children[1] = ir_substitute(j->an->memory, variable, NULL, NULL);
+    row->children[1]->parent = row;
+    plan->source.row = row;
+    plan->source.place = after;
+    return slice_can_tell(j, row, read->access.node, after);
+}
+
 static bool plan_search_end(const judgement *j, const judged_access *read, const ir_node *row,
                             source_plan *plan) {
     const ir_node *base = read->where.base;
@@ -143,8 +177,13 @@ bool source_plans_of_search(const judgement *j, const judged_access *read, sourc
     for (unsigned i = 1; i < call->child_count; i++)
         if (!expression_is_plain(call->children[i]))
             return false;
-    return plan_search_end(j, read, read->access.from, first) &&
-           plan_search_end(j, read, read->access.to, last);
+    if (!plan_search_end(j, read, read->access.from, first) ||
+        !plan_search_end(j, read, read->access.to, last))
+        return false;
+    source_plan kept = *last;
+    if (plan_found(j, read, &kept))
+        *last = kept;
+    return true;
 }
 
 /* ---- reads against arrays ---------------------------------------------------------------------

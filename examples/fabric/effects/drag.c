@@ -33,7 +33,7 @@ static void drag_force(const double (*x)[3], const double (*v)[3], const double 
 }
 
 void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
-                 const double (*x)[3], const double (*v)[3], linear_system *s) {
+                 const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s) {
     int t, i, j, k, ii, jj, kk, r, c;
     double f[3][3], d[3][3];
     for (t = 0; t < e->count; t++) {

@@ -12,6 +12,6 @@
 
 /** Adds the drag's part of A and b at positions x (m) and velocities v (m/s), for a step of h s. */
 void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
-                 const double (*x)[3], const double (*v)[3], linear_system *s);
+                 const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
 #endif

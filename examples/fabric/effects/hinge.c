@@ -84,7 +84,7 @@ static void hinge_force(const int corner[4], const int role[4], double stiffness
 }
 
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
-                  const double (*x)[3], const double (*v)[3], linear_system *s) {
+                  const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s) {
     int t, i, j, k, l, r, c;
     int ii, ij, ik, il, jj, jk, jl, kk, kl, ll;
     double f[4][3], df[10][3][3];

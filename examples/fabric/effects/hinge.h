@@ -39,7 +39,7 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 /** Adds the hinges' part of A and b at positions x (m) and velocities v (m/s), both [vertices], for
  *  a step of h seconds; e->angle belongs to x. Every hinge's part of A is positive semidefinite. */
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
-                  const double (*x)[3], const double (*v)[3], linear_system *s);
+                  const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
 /** Energy of the angles remembered, in J. */
 double hinge_energy(const hinge_elements *e, const hinge_material *material);

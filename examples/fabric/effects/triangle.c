@@ -89,7 +89,8 @@ static void triangle_force(const triangle_rest *rest, const triangle_material *m
 }
 
 void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
-                     const double (*x)[3], const double (*v)[3], linear_system *s) {
+                     const double (*restrict x)[3], const double (*restrict v)[3],
+                     linear_system *s) {
     int t, i, j, k, r, c;
     int ii, ij, ik, jj, jk, kk;
     double f[3][3], df[6][3][3];

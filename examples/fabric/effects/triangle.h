@@ -43,7 +43,8 @@ void triangle_elements_free(triangle_elements *e);
 /** Adds the triangles' part of A and b at positions x (m) and velocities v (m/s), both [vertices],
  *  for a step of h seconds. Every triangle's part of A is positive semidefinite. */
 void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
-                     const double (*x)[3], const double (*v)[3], linear_system *s);
+                     const double (*restrict x)[3], const double (*restrict v)[3],
+                     linear_system *s);
 
 /** Energies at positions x, in J. Either pointer may be NULL. */
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
