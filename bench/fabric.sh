@@ -1,3 +1,4 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The cloth simulator against its serial build (same sources, same optimisation): force loops of the
 # large mesh, and the paper's scenes as a whole. Rounds are interleaved; ratios are of one round.
@@ -38,11 +39,20 @@ large=(run sheet218k --steps 4 --set time.step=0.0002)
 for round in $(seq "$rounds"); do
   run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"
   run forces-218k threads-1 "$round" "$force_seconds" env OMP_NUM_THREADS=1 "$parallel" "${large[@]}"
-  REDCC_REPORT=$work/report.json run forces-218k "threads-$threads" "$round" "$force_seconds" \
+  run forces-218k "threads-$threads" "$round" "$force_seconds" \
     env OMP_NUM_THREADS="$threads" "$parallel" "${large[@]}"
-  jq -r --arg r "$round" '.loops[] | select(.function | test("evaluate")) | select(.plans_built > 0) |
-    "inspector,\(.function),\($r),\((.inspect_seconds / .plans_built) / (.execute_seconds / .calls))"' \
-    "$work/report.json" >>"$csv"
+done
+# One step: one inspection of each loop, beside one sequential execution of it.
+one=(run sheet218k --steps 1 --set time.step=0.0002)
+for round in $(seq "$rounds"); do
+  run one-step serial "$round" "$force_seconds" "$serial" "${one[@]}"
+  REDCC_REPORT=$work/report.json run one-step "threads-$threads" "$round" "$force_seconds" \
+    env OMP_NUM_THREADS="$threads" "$parallel" "${one[@]}"
+  jq -rn --arg r "$round" --slurpfile report "$work/report.json" --slurpfile s "$work/serial/summary.json" '
+    ($s[0].effects | map({(.name): .seconds}) | add) as $e
+    | {"triangle_forces": ($e.stretch + $e.shear), "hinge_forces": $e.bend, "drag_forces": $e.drag} as $of
+    | $report[0].loops[] | select($of[.function])
+    | "inspector,\(.function),\($r),\(.inspect_seconds / $of[.function])"' >>"$csv"
 done
 for scene in tablecloth hanging; do
   for round in $(seq "$rounds"); do
@@ -59,7 +69,7 @@ echo "seconds (median) and serial over variant, round by round (median, least to
 for experiment in forces-218k tablecloth hanging; do
   for variant in serial threads-1 "threads-$threads"; do line "$experiment" "$variant"; done
 done
-echo "inspector, as a share of one execution of its loop:"
+echo "one inspection, as a share of one sequential execution of its loop:"
 awk -F, '$1 == "inspector" {print $2}' "$csv" | sort -u | while read -r loop; do
   printf '  %-32s %.4f\n' "$loop" "$(seconds inspector "$loop" | median)"
 done
