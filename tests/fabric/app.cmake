@@ -28,4 +28,13 @@ if(TARGET fabric)
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_same_bits.sh $<TARGET_FILE:fabric-serial>
                    $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/same_bits)
   set_tests_properties(fabric.app.same_bits PROPERTIES LABELS threads)
+  if(NOT REDCC_SANITIZE)
+    add_test(NAME fabric.app.translated
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_translated.sh $<TARGET_FILE:redcc>
+                     ${PROJECT_SOURCE_DIR}/runtime/include ${PROJECT_SOURCE_DIR}/examples/fabric)
+    add_test(NAME fabric.app.paper_bits
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_paper_bits.sh
+                     $<TARGET_FILE:fabric-serial> $<TARGET_FILE:fabric> ${scenes_folder}
+                     ${app_folder}/paper_bits)
+  endif()
 endif()
