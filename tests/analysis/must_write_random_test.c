@@ -334,7 +334,7 @@ static number plain(double value) {
 
 static int element_of(machine *m, number pointer) {
     if (pointer.kind == PLAIN || pointer.value < 0 ||
-        (pointer.kind == INTO_F && pointer.value >= ELEMENTS)) {
+        (pointer.kind == INTO_F && pointer.value >= (double)ELEMENTS)) {
         m->is_undefined = true;
         return 0;
     }
