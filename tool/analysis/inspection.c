@@ -220,7 +220,6 @@ bool judge_slice(judgement *j) {
     /* Sources found in the slice are told at their places, which may bring more into it. */
     for (unsigned round = 0; round < 3; round++) {
         const bool *before = j->in_slice;
-        unsigned known = touches.count;
         add_sources(j, before);
         for (unsigned i = 0; i < j->sources.count; i++)
             if (j->sources.items[i].extent == EXTENT_TOUCHED)
@@ -231,7 +230,6 @@ bool judge_slice(judgement *j) {
             break;
         if (round == 2)
             j->is_verifiable = false;
-        (void)known;
     }
     add_sources(j, j->in_slice);
     if (!is_small(j))
