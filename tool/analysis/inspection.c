@@ -218,7 +218,8 @@ bool judge_slice(judgement *j) {
             return false;
     }
     /* Sources found in the slice are told at their places, which may bring more into it. */
-    for (unsigned round = 0; round < 3; round++) {
+    bool is_settled = false;
+    for (unsigned round = 0; round < 3 && !is_settled; round++) {
         const bool *before = j->in_slice;
         add_sources(j, before);
         for (unsigned i = 0; i < j->sources.count; i++)
@@ -226,12 +227,10 @@ bool judge_slice(judgement *j) {
                 add_touch(j, &touches, j->sources.items[i].row, j->sources.items[i].place);
         if (!take_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
             return false;
-        if (memcmp(before, j->in_slice, sizeof(bool) * j->function->node_count) == 0)
-            break;
-        if (round == 2)
-            j->is_verifiable = false;
+        is_settled = memcmp(before, j->in_slice, sizeof(bool) * j->function->node_count) == 0;
     }
     add_sources(j, j->in_slice);
+    j->is_verifiable = j->is_verifiable && is_settled;
     if (!is_small(j))
         return judgement_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
     return true;
