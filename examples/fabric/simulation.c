@@ -1,72 +1,28 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * The loop of figure 2 of the paper: backward Euler, linearised at the state the step starts from
- * (Baraff and Witkin 1998). A step that fails - no solution, or a cloth that is torn apart - is
- * taken again at half the length; lengths are the scene's step over powers of two, so every frame
- * ends on the scene's grid of times.
+ * The loop of figure 2 of the paper. A step that fails - no solution, or a cloth that is torn apart
+ * - is taken again at half the length; lengths are the scene's step over powers of two, so every
+ * frame ends on the scene's grid of times.
  */
 #include "simulation.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "clock.h"
-#include "effects/drag.h"
+#include "integrator.h"
 #include "simulation_state.h"
-#include "vector.h"
 
 /* A step may stretch no triangle by more than this part of its rest length, unless it ends below
  * the second. */
 static const double greatest_growth = 0.5;
 static const double harmless_strain = 1;
-/* A contact not foreseen is added and the system solved again, this many times in a step. */
-enum { most_solutions = 3 };
 /* After this many steps in a row without trouble a halved length is doubled. */
 enum { steps_before_growth = 3 };
 
 static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
-}
-
-static void add_triangle_forces(simulation *sim) {
-    const double start = clock_seconds();
-    triangle_forces(&sim->triangles, &sim->triangle_material, sim->h, read_only(sim->x),
-                    read_only(sim->v), &sim->system);
-    /* One loop makes both: where both are active each is charged half. */
-    const double seconds = clock_seconds() - start;
-    const int both = sim->effects[EFFECT_STRETCH].active && sim->effects[EFFECT_SHEAR].active;
-    if (!sim->effects[EFFECT_SHEAR].active || both)
-        sim->effects[EFFECT_STRETCH].seconds += both ? seconds / 2 : seconds;
-    if (sim->effects[EFFECT_SHEAR].active)
-        sim->effects[EFFECT_SHEAR].seconds += both ? seconds / 2 : seconds;
-}
-
-static void add_hinge_forces(simulation *sim) {
-    const double start = clock_seconds();
-    hinge_update_angles(&sim->hinges, read_only(sim->x));
-    hinge_forces(&sim->hinges, &sim->hinge_material, sim->h, read_only(sim->x), read_only(sim->v),
-                 &sim->system);
-    sim->effects[EFFECT_BEND].seconds += clock_seconds() - start;
-}
-
-static void add_drag(simulation *sim) {
-    const double start = clock_seconds();
-    drag_forces(&sim->triangles, sim->scene->drag, sim->scene->wind, sim->h, read_only(sim->x),
-                read_only(sim->v), &sim->system);
-    sim->effects[EFFECT_DRAG].seconds += clock_seconds() - start;
-}
-
-void evaluateForces(simulation *sim) {
-    sim->h = ticks_to_seconds(sim, sim->ticks);
-    const double start = clock_seconds();
-    system_reset(&sim->system, sim->mass, sim->scene->gravity, sim->h);
-    sim->effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
-    if (sim->has_triangle_forces)
-        add_triangle_forces(sim);
-    if (sim->has_hinge_forces)
-        add_hinge_forces(sim);
-    if (sim->effects[EFFECT_DRAG].active)
-        add_drag(sim);
 }
 
 void collisionDetection(simulation *sim) {
@@ -80,46 +36,6 @@ void collisionDetection(simulation *sim) {
                       read_only(sim->v), read_only(sim->dv), &sim->system);
     collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
-}
-
-void solveSystem(simulation *sim) {
-    const double fall = vector_length(sim->scene->gravity) * sim->h;
-    const solver_limits limits = {
-        .tolerance = sim->scene->tolerance,
-        /* At rest b is nearly 0: what gravity does in a step is the scale of what matters. */
-        .floor = 1e-3 * sim->scene->tolerance * fall * sqrt(sim->total_mass),
-        .max_iterations = sim->scene->max_iterations,
-    };
-    for (int n = 0; n < most_solutions; n++) {
-        sim->solver_status = solver_solve(&sim->solver, &sim->system, &sim->constraints, &limits,
-                                          sim->dv, &sim->iterations);
-        if (sim->solver_status != SOLVER_CONVERGED || n + 1 == most_solutions ||
-            collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                                  read_only(sim->v), read_only(sim->dv)) == 0)
-            return;
-        collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
-    }
-}
-
-/* x_next and v_next; returns whether all of them are finite. */
-static int move(simulation *sim) {
-    const int count = sim->mesh->vertex_count;
-    const double end = time_at_tick(sim, sim->ticks_done + sim->ticks);
-    int broken = 0;
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < count; i++)
-        vector_add_scaled(sim->v[i], 1, sim->dv[i], sim->v_next[i]);
-    collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                        sim->v_next);
-#pragma omp parallel for schedule(static) reduction(max : broken)
-    for (int i = 0; i < count; i++) {
-        vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);
-        for (int a = 0; a < 3; a++)
-            if (!isfinite(sim->x_next[i][a]) || !isfinite(sim->v_next[i][a]))
-                broken = 1;
-    }
-    collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
-    return !broken;
 }
 
 /* The step ends in a state the cloth may be in. At the shortest length anything finite will do. */
@@ -163,7 +79,7 @@ static void reject(simulation *sim) {
 }
 
 void updateSystem(simulation *sim) {
-    const int finite = move(sim);
+    const int finite = integrator_move(sim);
     const double strain = triangle_greatest_strain(&sim->triangles, read_only(sim->x_next));
     sim->accepted = acceptable(sim, finite, strain);
     if (sim->accepted)
