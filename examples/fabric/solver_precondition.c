@@ -13,8 +13,9 @@ static void multiply(const double left[3][3], const double right[3][3], double o
                 left[r][0] * right[0][c] + left[r][1] * right[1][c] + left[r][2] * right[2][c];
 }
 
-/* The inverse of a symmetric positive definite matrix, by its cofactors; 0 for any other. The
- * leading minors tell which it is (Sylvester). */
+/* The inverse of a symmetric positive definite matrix, by its cofactors. The leading minors tell
+ * whether it is one (Sylvester). Any other gives a multiple of the identity, with which conjugate
+ * gradients find out that A is not positive definite; 0 gives 0. */
 static void invert(const double a[3][3], double inverse[3][3]) {
     const double minor = a[0][0] * a[1][1] - a[0][1] * a[0][1];
     double column[3][3];
@@ -23,9 +24,12 @@ static void invert(const double a[3][3], double inverse[3][3]) {
     vector_cross(a[0], a[1], column[2]);
     const double determinant = vector_dot(a[0], column[0]);
     const int definite = a[0][0] > 0 && minor > 0 && determinant > 0 && isfinite(determinant);
+    const double size = fabs(a[0][0]) + fabs(a[1][1]) + fabs(a[2][2]);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
-            inverse[r][c] = definite ? column[c][r] / determinant : 0;
+            inverse[r][c] = definite               ? column[c][r] / determinant
+                            : (r == c && size > 0) ? 1 / size
+                                                   : 0;
 }
 
 static void invert_free(const double a[3][3], const double S[3][3], int given, double out[3][3]) {

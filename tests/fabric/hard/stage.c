@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "stage.h"
+
+#include "vector.h"
+
+stage stage_of(mesh m, scene s) {
+    return (stage){.m = m, .s = s};
+}
+
+void stage_begin(stage *on) {
+    char error[256] = "";
+    on->sim = simulation_new(&on->m, &on->s, error);
+    if (!on->sim)
+        fail_msg("%s", error);
+}
+
+void stage_end(stage *on) {
+    simulation_free(on->sim);
+    cloth_free(&on->m);
+}
+
+void stage_run(stage *on, int steps) {
+    char error[256] = "";
+    for (int n = 0; n < steps; n++)
+        if (simulation_step(on->sim, error) != 0)
+            fail_msg("%s", error);
+}
+
+double stage_energy(const stage *on) {
+    simulation *sim = on->sim;
+    const double(*x)[3] = simulation_positions(sim);
+    double stretch, shear, sum = 0;
+    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
+    hinge_update_angles(&sim->hinges, x);
+    for (int i = 0; i < on->m.vertex_count; i++)
+        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
+    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + sum;
+}
+
+double stage_area(const stage *on) {
+    double area = 0;
+    for (int t = 0; t < on->m.triangle_count; t++) {
+        const int *v = on->m.triangle[t];
+        double one[3], other[3], cross[3];
+        vector_subtract(on->sim->x[v[1]], on->sim->x[v[0]], one);
+        vector_subtract(on->sim->x[v[2]], on->sim->x[v[0]], other);
+        vector_cross(one, other, cross);
+        area += vector_length(cross) / 2;
+    }
+    return area;
+}
+
+double stage_distance(const stage *on, const stage *other, const int *of) {
+    double most = 0;
+    for (int i = 0; i < on->m.vertex_count; i++) {
+        double apart[3];
+        vector_subtract(on->sim->x[i], other->sim->x[of ? of[i] : i], apart);
+        most = fmax(most, vector_length(apart));
+    }
+    return most;
+}
+
+void stage_assert_finite(const stage *on) {
+    for (int i = 0; i < on->m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            assert_true(isfinite(simulation_positions(on->sim)[i][a]) &&
+                        isfinite(simulation_velocities(on->sim)[i][a]));
+}

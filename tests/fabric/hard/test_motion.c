@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Hard cases of motion: momentum, indefinite systems, stiffness, mass, order, refinement. The names
+ * are those of docs/fabric-hard-cases.md. */
+#include "stage.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "vector.h"
+
+static stage free_sheet(int columns, double noise) {
+    stage on = stage_of(cloth_sheet(columns, columns, 0.1, 0.3, 1), cloth_scene());
+    unsigned seed = 3;
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            on.m.position[i][a] += noise * random_number(&seed);
+    return on;
+}
+
+static void angular_momentum(const stage *on, double sum[3]) {
+    sum[0] = sum[1] = sum[2] = 0;
+    for (int i = 0; i < on->m.vertex_count; i++) {
+        double part[3];
+        vector_cross(on->sim->x[i], on->sim->v[i], part);
+        vector_add_scaled(sum, on->sim->mass[i], part, sum);
+    }
+}
+
+/* What a sheet that turns at 2 rad/s loses of its angular momentum in 0.64 s. */
+static double momentum_lost(double h) {
+    stage on = free_sheet(6, 0);
+    double before[3], after[3];
+    on.s.step = h;
+    stage_begin(&on);
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.sim->v[i][0] = -2 * (on.sim->x[i][1] - 0.25);
+        on.sim->v[i][1] = 2 * (on.sim->x[i][0] - 0.25);
+    }
+    angular_momentum(&on, before);
+    stage_run(&on, (int)(0.64 / h + 0.5));
+    angular_momentum(&on, after);
+    vector_subtract(after, before, after);
+    stage_end(&on);
+    return vector_length(after) / vector_length(before);
+}
+
+static void S07_angular_momentum_is_lost_in_order_of_h(void **state) {
+    (void)state;
+    const double coarse = momentum_lost(0.0025), fine = momentum_lost(0.00125);
+    print_message("S07 lost %.3g and %.3g, ratio %.3f\n", coarse, fine, fine / coarse);
+    assert_near(fine / coarse, 0.5, 0.15);
+}
+
+static stage compressed_sheet(void) {
+    stage on = free_sheet(8, 0);
+    unsigned seed = 3;
+    on.s.step = 0.033;
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][0] *= 0.8;
+        on.m.position[i][2] = 1e-4 * random_number(&seed);
+    }
+    return on;
+}
+
+/* The right side's h f at positions x and velocity 0. */
+static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b) {
+    double(*kept_x)[3] = sim->x, (*kept_v)[3] = sim->v;
+    sim->x = x;
+    sim->v = v;
+    evaluateForces(sim);
+    memcpy(b, sim->system.b, sizeof *sim->system.b * (size_t)sim->mesh->vertex_count);
+    sim->x = kept_x;
+    sim->v = kept_v;
+}
+
+/* Puts the exact M - h^2 df/dx, by differences of the forces, in place of A: no clamp, no
+ * Gauss-Newton. Vertices that share no element do not couple, so those blocks are all there is. */
+static void use_exact_jacobian(simulation *sim) {
+    const int n = 3 * sim->mesh->vertex_count;
+    const double d = 1e-6;
+    block_matrix *A = &sim->system.A;
+    double *exact = calloc((size_t)n * (size_t)n, sizeof *exact);
+    double *up = calloc((size_t)n, sizeof *up), *down = calloc((size_t)n, sizeof *down);
+    double(*x)[3] = calloc((size_t)n, sizeof *x), (*still)[3] = calloc((size_t)n, sizeof *still);
+    memcpy(x, sim->x, sizeof *x * (size_t)sim->mesh->vertex_count);
+    for (int k = 0; k < n; k++) {
+        const double was = (&x[0][0])[k];
+        (&x[0][0])[k] = was + d;
+        force_at(sim, x, still, up);
+        (&x[0][0])[k] = was - d;
+        force_at(sim, x, still, down);
+        (&x[0][0])[k] = was;
+        for (int i = 0; i < n; i++)
+            exact[i * n + k] = -sim->h * (up[i] - down[i]) / (2 * d);
+    }
+    evaluateForces(sim);
+    for (int i = 0; i < A->row_count; i++)
+        for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
+            for (int r = 0; r < 3; r++)
+                for (int c = 0; c < 3; c++) {
+                    const int row = 3 * i + r, column = 3 * A->column[k] + c;
+                    A->value[k][r][c] = (exact[row * n + column] + exact[column * n + row]) / 2 +
+                                        (row == column ? sim->mass[i] : 0);
+                }
+    free(exact);
+    free(up);
+    free(down);
+    free(x);
+    free(still);
+}
+
+static void S09_clamped_system_is_solved(void **state) {
+    (void)state;
+    stage on = compressed_sheet();
+    stage_begin(&on);
+    const double first = stage_energy(&on);
+    for (int n = 0; n < 60; n++) {
+        stage_run(&on, 1);
+        assert_int_equal(on.sim->solver_status, SOLVER_CONVERGED);
+        assert_below(stage_energy(&on), first);
+    }
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    stage_end(&on);
+}
+
+/* The negative control: the same cloth, the same solver, the exact Jacobian. */
+static void S09_unclamped_system_breaks_down(void **state) {
+    (void)state;
+    stage on = compressed_sheet();
+    stage_begin(&on);
+    evaluateForces(on.sim);
+    use_exact_jacobian(on.sim);
+    collisionDetection(on.sim);
+    solveSystem(on.sim);
+    assert_int_equal(on.sim->solver_status, SOLVER_BREAKDOWN);
+    updateSystem(on.sim);
+    assert_int_equal(simulation_steps_rejected(on.sim), 1);
+    stage_end(&on);
+}
+
+static stage held_sheet(int columns) {
+    static pin hold = {{-0.01, -0.01}, {0.01, 100}, {0, 0, 0}};
+    stage on = stage_of(cloth_sheet(columns, columns, 0.1, 0.3, 1), cloth_scene());
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.tolerance = 1e-4;
+    return on;
+}
+
+static double lowest(const stage *on) {
+    double z = INFINITY;
+    for (int i = 0; i < on->m.vertex_count; i++)
+        z = fmin(z, on->sim->x[i][2]);
+    return z;
+}
+
+/* Eight decades from one half of the cloth to the other. */
+static void S18_stiffness_ratio(void **state) {
+    (void)state;
+    long most = 0;
+    stage on = held_sheet(8);
+    on.s.step = 1.0 / 30;
+    stage_begin(&on);
+    for (int t = 0; t < on.sim->triangles.count; t += 2)
+        on.sim->triangles.rest[t].area *= 1e8;
+    for (int n = 0; n < 10; n++) {
+        const long before = simulation_iterations(on.sim), rounds = on.sim->phases[2].calls;
+        stage_run(&on, 1);
+        const long solves = on.sim->phases[2].calls - rounds;
+        const long each = (simulation_iterations(on.sim) - before) / solves;
+        most = each > most ? each : most;
+    }
+    print_message("S18 iterations a solve: %ld\n", most);
+    assert_int_equal(on.sim->solver_status, SOLVER_CONVERGED);
+    assert_in_range(most, 1, 3000);
+    stage_assert_finite(&on);
+    assert_true(lowest(&on) > -0.7 * 1.5);
+    stage_end(&on);
+}
+
+static void S19_mass_ratio(void **state) {
+    (void)state;
+    long before = LONG_MAX;
+    for (double ratio = 1; ratio <= 1e8; ratio *= 100) {
+        stage on = held_sheet(8);
+        on.s.step = 1.0 / 30;
+        on.s.tolerance = 1e-6;
+        stage_begin(&on);
+        for (int i = 0; i < on.m.vertex_count; i += 2)
+            on.sim->mass[i] *= ratio;
+        stage_run(&on, 3);
+        const long now = simulation_iterations(on.sim);
+        print_message("S19 mass ratio %g: %ld iterations\n", ratio, now);
+        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        stage_assert_finite(&on);
+        assert_true(now <= before);
+        before = now;
+        stage_end(&on);
+    }
+}
+
+/* A flap held by one edge falls for 0.32 s in N steps. */
+static stage flap(int steps) {
+    stage on = held_sheet(6);
+    on.s.tolerance = 1e-9;
+    on.s.step = 0.32 / steps;
+    stage_begin(&on);
+    stage_run(&on, steps);
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    return on;
+}
+
+static double rms_distance(const stage *a, const stage *b) {
+    double sum = 0;
+    for (int i = 0; i < a->m.vertex_count; i++)
+        for (int c = 0; c < 3; c++)
+            sum += pow(a->sim->x[i][c] - b->sim->x[i][c], 2);
+    return sqrt(sum / a->m.vertex_count);
+}
+
+/* Differences of neighbours: of order 1, each is half of the one before. */
+static void S31_order_in_time(void **state) {
+    (void)state;
+    stage run[4];
+    double apart[3];
+    for (int k = 0; k < 4; k++) {
+        run[k] = flap(128 << k);
+        if (k > 0)
+            apart[k - 1] = rms_distance(&run[k - 1], &run[k]);
+    }
+    for (int k = 0; k < 2; k++) {
+        const double order = log2(apart[k] / apart[k + 1]);
+        print_message("S31 N = %d: order %.3f\n", 128 << k, order);
+        assert_near(order, 1.1, 0.2);
+    }
+    for (int k = 0; k < 4; k++)
+        stage_end(&run[k]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(S07_angular_momentum_is_lost_in_order_of_h),
+        cmocka_unit_test(S09_clamped_system_is_solved),
+        cmocka_unit_test(S09_unclamped_system_breaks_down),
+        cmocka_unit_test(S18_stiffness_ratio),
+        cmocka_unit_test(S19_mass_ratio),
+        cmocka_unit_test(S31_order_in_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
