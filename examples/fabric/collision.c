@@ -108,7 +108,7 @@ static void add_friction(const contact *touch, const collider *k, double h, cons
 }
 
 void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
-                       const double (*v)[3], const double (*dv)[3], linear_system *system) {
+                       const double (*v)[3], const double (*dv)[3]) {
     if (!c->now)
         return;
 #pragma omp parallel for schedule(static)
@@ -126,11 +126,23 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
                 !would_touch(k, time, h, x[i], expected, &found))
                 continue;
             add_contact(&c->now[i], before, &found, n, k, h);
-            if (before && !before->sticks && before->force > 0)
-                add_friction(before, k, h, v[i], system->A.value[system->A.row_start[i]],
-                             system->b[i]);
         }
     }
+}
+
+void collisions_add_friction(const collisions *c, double h, const double (*v)[3],
+                             linear_system *system) {
+    if (!c->now)
+        return;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < c->vertex_count; i++)
+        for (int n = 0; n < c->now[i].count; n++) {
+            const int number = c->now[i].list[n].collider;
+            const contact *before = find_contact(&c->before[i], number);
+            if (before && !before->sticks && before->force > 0)
+                add_friction(before, &c->scene->colliders[number], h, v[i],
+                             system->A.value[system->A.row_start[i]], system->b[i]);
+        }
 }
 
 /* Normals first: they win over the tangents of a contact that sticks. */

@@ -50,9 +50,13 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
 void collisions_free(collisions *c);
 
 /** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.
- *  Finds what vertices would come too near to a collider, and adds friction to the system. */
+ *  Finds what vertices would come too near to a collider. */
 void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
-                       const double (*v)[3], const double (*dv)[3], linear_system *system);
+                       const double (*v)[3], const double (*dv)[3]);
+
+/** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
+void collisions_add_friction(const collisions *c, double h, const double (*v)[3],
+                             linear_system *system);
 
 /** Turns contacts and pins into constraints on dv. */
 void collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);

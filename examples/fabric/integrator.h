@@ -1,13 +1,57 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** From the state at a step's start to the one at its end. evaluateForces and solveSystem
- *  (simulation.h) are the integrator's as well. */
+/**
+ * From the state at a step's start to the one at its end. evaluateForces and solveSystem
+ * (simulation.h) are the integrator's as well.
+ *
+ * Every method here solves one implicit stage: with a base (X, V) from the past and a length tau,
+ *     x = X + tau v,    M (v - V) = tau f(x, v)
+ * for the velocity v, and ends the step with
+ *     backward Euler     X = x_n, V = v_n, tau = h;                    x_n+1 = x, v_n+1 = v
+ *     implicit midpoint  X = x_n, V = v_n, tau = h / 2;     x_n+1 = x_n + h v, v_n+1 = 2 v - v_n
+ *     BDF2               X, V: of the two states before, tau = 2 h / 3; x_n+1 = x, v_n+1 = v
+ * (BDF2 for steps of changing length: Hairer, Norsett and Wanner, Solving ODEs I, III.5). The first
+ * method solves the equation linearised at X = x_n once, as Baraff and Witkin 1998 do; the others
+ * iterate by Newton's method.
+ */
 #ifndef FABRIC_INTEGRATOR_H
 #define FABRIC_INTEGRATOR_H
 
 #include "simulation.h"
 
+typedef enum integrator_kind { /* the order of the scene's key time.integrator */
+                               INTEGRATOR_LINEAR_EULER,
+                               INTEGRATOR_EULER,
+                               INTEGRATOR_BDF2,
+                               INTEGRATOR_MIDPOINT
+} integrator_kind;
+
+/** What an integrator remembers; the arrays are NULL for those that need none. */
+typedef struct integrator_memory {
+    integrator_kind kind;
+    int two_states;           /* BDF2: the stage under way rests on two states, not one */
+    double (*x_before)[3];    /* BDF2: [vertices] m, the state before the last accepted one */
+    double (*v_before)[3];    /* BDF2: [vertices] m/s */
+    double h_before;          /* BDF2: s, the step from there to the last; 0: there is none */
+    double (*base_x)[3];      /* [vertices] m, X */
+    double (*base_v)[3];      /* [vertices] m/s, V */
+    double (*at_x)[3];        /* [vertices] m, where forces are taken: X + tau v */
+    double (*at_v)[3];        /* [vertices] m/s, v */
+    double (*lag)[3];         /* [vertices] m/s */
+    double (*last)[3];        /* [vertices] m/s, dv of the iteration before */
+    double (*last_defect)[3]; /* [vertices] kg m/s, its residual */
+    long iterations;          /* of Newton's method, all */
+} integrator_memory;
+
+/** 0, or -1: out of memory. */
+int integrator_init(integrator_memory *memory, integrator_kind kind, int vertex_count);
+void integrator_free(integrator_memory *memory);
+
 /** x_next and v_next from what solveSystem found, pins and colliders kept to; returns whether all
  *  of them are finite. */
 int integrator_move(simulation *sim);
+
+/** The step ends at x_next and v_next: remembers the state it started from, where that is needed.
+ *  To be called before x and v are changed. */
+void integrator_accept(simulation *sim);
 
 #endif

@@ -2,10 +2,10 @@
 # The sources of the cloth's physics, with simulation.h as its face.
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
-    simulation.c simulation_state.c integrator.c forces.c collision.c shape.c constraint.c solver.c solver_precondition.c
+    simulation.c simulation_state.c integrator.c newton.c forces.c collision.c shape.c constraint.c solver.c solver_precondition.c
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
-    effects/drag.c)
+    effects/drag.c effects/damping.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
 endforeach()
 # Built without OpenMP, its pragmas on regular loops mean nothing.

@@ -54,8 +54,11 @@ typedef struct scene {
     /* time and solution */
     double step; /* s */
     int steps;
+    int integrator;   /* integrator_kind of integrator.h */
     double tolerance; /* of the conjugate gradient, relative */
     int max_iterations;
+    double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
+    int newton_iterations;   /* at most, in a step */
 } scene;
 
 /** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints

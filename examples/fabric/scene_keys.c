@@ -33,6 +33,8 @@ _Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the sce
 static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", NULL};
 
+static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
+
 static const scene_key mesh_keys[] = {
     WHOLE(scene, vertices, 1, BETWEEN(5, 2e7)),
     WHOLE(scene, boundary, 1, BETWEEN(4, 1e7)),
@@ -57,11 +59,15 @@ static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
                                               VECTOR(scene, wind, 0, 3), END};
 
 static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
-                                      WHOLE(scene, steps, 1, BETWEEN(0, 1e9)), END};
+                                      WHOLE(scene, steps, 1, BETWEEN(0, 1e9)),
+                                      CHOICE(scene, integrator, 0, integrators), END};
 
 static const scene_key solution_keys[] = {
     {"tolerance", VALUE_NUMBER, offsetof(scene, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL, NULL, NULL},
     WHOLE(scene, max_iterations, 0, BETWEEN(1, 1e9)),
+    {"newton_tolerance", VALUE_NUMBER, offsetof(scene, newton_tolerance), 0, 1, 0.0, 0.5, 1, 0,
+     NULL, NULL, NULL},
+    WHOLE(scene, newton_iterations, 0, BETWEEN(1, 1e6)),
     END};
 
 static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2), VECTOR(pin, high, 1, 2),
@@ -105,4 +111,6 @@ const scene scene_defaults = {.seed = 1,
                               .order = MESH_ORDER_SORTED,
                               .normal = {0.0, 0.0, 1.0},
                               .tolerance = 1e-3,
-                              .max_iterations = 5000};
+                              .max_iterations = 5000,
+                              .newton_tolerance = 1e-6,
+                              .newton_iterations = 50};

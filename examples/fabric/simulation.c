@@ -33,7 +33,8 @@ void collisionDetection(simulation *sim) {
         for (int a = 0; a < 3; a++)
             sim->dv[i][a] = scale * sim->guess[i][a];
     collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                      read_only(sim->v), read_only(sim->dv), &sim->system);
+                      read_only(sim->v), read_only(sim->dv));
+    collisions_add_friction(&sim->collisions, sim->stage_h, read_only(sim->v), &sim->system);
     collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
 }
@@ -50,8 +51,9 @@ static int acceptable(const simulation *sim, int finite, double strain) {
 
 static void accept(simulation *sim, double strain) {
     const size_t count = (size_t)sim->mesh->vertex_count;
-    collisions_accept(&sim->collisions, sim->h, sim->mass, read_only(sim->v_next),
+    collisions_accept(&sim->collisions, sim->stage_h, sim->mass, read_only(sim->v_next),
                       read_only(sim->solver.residual));
+    integrator_accept(sim);
     memcpy(sim->x, sim->x_next, sizeof *sim->x * count);
     memcpy(sim->v, sim->v_next, sizeof *sim->v * count);
     memcpy(sim->guess, sim->dv, sizeof *sim->guess * count);

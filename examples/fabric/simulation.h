@@ -42,7 +42,8 @@ double simulation_time(const simulation *sim);
 enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
 const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
 const effect_account *simulation_effects(const simulation *sim, int *count);
-long simulation_iterations(const simulation *sim);  /* of conjugate gradients, all */
+long simulation_iterations(const simulation *sim);        /* of conjugate gradients, all */
+long simulation_newton_iterations(const simulation *sim); /* systems solved by Newton's method */
 long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
 long simulation_steps_rejected(const simulation *sim);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */

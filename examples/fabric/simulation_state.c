@@ -54,7 +54,7 @@ static void set_start(simulation *sim) {
             sim->guess[i][a] = s->step * s->gravity[a];
     collisions_place_pins(&sim->collisions, 0, sim->x, sim->v);
     sim->ticks = TICKS_PER_STEP;
-    sim->h = s->step;
+    sim->h = sim->stage_h = s->step;
     sim->guess_h = s->step;
     sim->strain = triangle_greatest_strain(&sim->triangles, (const double(*)[3])sim->x);
     hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
@@ -105,6 +105,7 @@ static int build(simulation *sim) {
     share_mass(sim);
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
         solver_init(&sim->solver, vertices) != 0 ||
+        integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
         return -1;
     set_start(sim);
@@ -138,6 +139,7 @@ void simulation_free(simulation *sim) {
     collisions_free(&sim->collisions);
     constraints_free(&sim->constraints);
     solver_free(&sim->solver);
+    integrator_free(&sim->integrator);
     free(sim->mass);
     free(sim->x);
     free(sim->v);
@@ -171,6 +173,10 @@ const effect_account *simulation_effects(const simulation *sim, int *count) {
 
 long simulation_iterations(const simulation *sim) {
     return sim->iterations;
+}
+
+long simulation_newton_iterations(const simulation *sim) {
+    return sim->integrator.iterations;
 }
 
 long simulation_steps_taken(const simulation *sim) {

@@ -7,6 +7,7 @@
 #include "constraint.h"
 #include "effects/hinge.h"
 #include "effects/triangle.h"
+#include "integrator.h"
 #include "simulation.h"
 #include "solver.h"
 #include "system.h"
@@ -50,11 +51,13 @@ struct simulation {
     /* the step being taken */
     int ticks;           /* its length */
     double h;            /* the same in s */
+    double stage_h;      /* s, what forces are multiplied by; h for backward Euler */
     double (*guess)[3];  /* [vertices] m/s, dv of the last step accepted */
     double guess_h;      /* that step's length, s */
     double (*dv)[3];     /* [vertices] m/s */
     double (*x_next)[3]; /* [vertices] m */
     double (*v_next)[3]; /* [vertices] m/s */
+    integrator_memory integrator;
     linear_system system;
     collisions collisions;
     constraints constraints;

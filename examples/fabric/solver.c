@@ -197,11 +197,22 @@ static solver_status iterate_to(double goal, solver *s, const linear_system *sys
 
 /* residual = b - A dv, with what the constraints take. The iteration keeps S r only: along given
  * directions r may be larger by many orders, and its rounding would drown the rest. */
-static void whole_residual(solver *s, const linear_system *system, const double (*dv)[3]) {
+void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
+    clear(s->product, s->count);
     half_product(&system->A, dv, s->product);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < s->count; i++)
         vector_subtract(system->b[i], s->product[i], s->residual[i]);
+}
+
+double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
+                     double *reference) {
+    preconditioner_build(&system->A, c, s->inverse);
+    const int which = apply_constraints(c, dv);
+    clear(s->product, s->count);
+    *reference = sqrt(reference_square(s, system, c, which == DRIVEN));
+    half_product(&system->A, (const double(*)[3])dv, s->product);
+    return sqrt(start_residual(s, c, (const double(*)[3])system->b));
 }
 
 solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
@@ -221,6 +232,6 @@ solver_status solver_solve(solver *s, const linear_system *system, const constra
     const solver_status status = iterate_to(relative > absolute ? relative : absolute, s, system, c,
                                             limits->max_iterations, dv, rz, iterations);
     if (which != UNCONSTRAINED && status != SOLVER_NOT_FINITE)
-        whole_residual(s, system, (const double(*)[3])dv);
+        solver_impulses(s, system, (const double(*)[3])dv);
     return status;
 }

@@ -40,6 +40,17 @@ int solver_init(solver *s, int count);
 void solver_free(solver *s);
 
 /**
+ * How far dv is from the solution: |S (b - A dv)| in the preconditioner's norm, sqrt(kg) m/s, and
+ * in *reference |S (b - A z)|, what a relative tolerance goes by. dv is first made to meet the
+ * constraints. s->residual holds S (b - A dv) afterwards.
+ */
+double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
+                     double *reference);
+
+/** s->residual = b - A dv, with what the constraints take. */
+void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
+
+/**
  * Solves A dv = b for dv = S y + z. dv [count] m/s comes in as a guess (its free part is used) and
  * goes out as the solution; *iterations is increased by the products with A in the iteration.
  */

@@ -10,7 +10,7 @@ target_include_directories(fabric_physics_tests PUBLIC physics)
 target_link_libraries(fabric_physics_tests PUBLIC fabric_flags PkgConfig::CMOCKA m
                       PRIVATE redcc_warnings)
 
-foreach(name forces system solver collision simulation)
+foreach(name forces system solver collision simulation integrator)
   add_executable(test_fabric_${name} physics/test_${name}.c)
   target_link_libraries(test_fabric_${name} PRIVATE fabric_physics fabric_physics_tests
                         redcc_warnings)

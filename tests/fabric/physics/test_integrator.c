@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Integrators: their order against an explicit method of fourth order, their equation, what they
+ * conserve. */
+#include "check.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cloth.h"
+#include "effects/damping.h"
+#include "forces.h"
+#include "simulation_state.h"
+#include "vector.h"
+
+enum { COLUMNS = 5, ROWS = 4, COUNT = COLUMNS * ROWS };
+typedef double vectors[COUNT][3];
+
+typedef struct stage {
+    mesh m;
+    scene s;
+    simulation *sim;
+} stage;
+
+/* A soft sheet, bent and stretched a little, every force active. */
+static void begin(stage *on, integrator_kind kind, double step) {
+    char error[256] = "";
+    unsigned seed = 3;
+    on->m = cloth_sheet(COLUMNS, ROWS, 0.1, 0.3, 1);
+    for (int i = 0; i < COUNT; i++) {
+        const double u = on->m.material[i][0], v = on->m.material[i][1];
+        on->m.position[i][0] = 1.03 * u + 1e-4 * random_number(&seed);
+        on->m.position[i][1] = 1.02 * v;
+        on->m.position[i][2] = 0.05 * sin(6 * u) * cos(4 * v);
+    }
+    on->s.step = step;
+    on->s.integrator = (int)kind;
+    on->s.newton_tolerance = 1e-11;
+    on->s.newton_iterations = 200;
+    on->s.tolerance = 1e-3;
+    if (kind == INTEGRATOR_LINEAR_EULER)
+        on->s.tolerance = 1e-12;
+    on->sim = simulation_new(&on->m, &on->s, error);
+    if (!on->sim)
+        fail_msg("%s", error);
+}
+
+static void run(stage *on, int steps) {
+    char error[256] = "";
+    for (int n = 0; n < steps; n++)
+        if (simulation_step(on->sim, error) != 0)
+            fail_msg("%s", error);
+}
+
+static void end(stage *on) {
+    simulation_free(on->sim);
+    cloth_free(&on->m);
+}
+
+static scene soft_scene(void) {
+    scene s = cloth_scene();
+    s.stretch = 4;
+    s.shear = 2;
+    s.bend = 1e-4;
+    s.stretch_damping = 0.004;
+    s.shear_damping = 0.002;
+    s.bend_damping = 1e-6;
+    s.drag = 0.3;
+    s.wind[0] = 1;
+    return s;
+}
+
+/* Force in N, of every effect, at x and v: the linear system for h = 1 without its derivatives. */
+static void force_at(simulation *sim, vectors x, vectors v, vectors f) {
+    static const vectors none;
+    const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
+    const expansion here = {1, at, none, moving};
+    forces_assemble(sim, &here);
+    triangle_damping_forces(&sim->triangles, &sim->triangle_material, 1, at, moving, sim->system.b);
+    hinge_damping_forces(&sim->hinges, &sim->hinge_material, 1, at, moving, sim->system.b);
+    memcpy(f, sim->system.b, sizeof(vectors));
+}
+
+/* The classical Runge-Kutta method. */
+static void runge_kutta(simulation *sim, double h, int steps, vectors x, vectors v) {
+    static const double node[4] = {0, 0.5, 0.5, 1},
+                        weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    for (int n = 0; n < steps; n++) {
+        vectors xs, vs, f = {{0}}, dx = {{0}}, dv = {{0}}, rate = {{0}};
+        for (int stage_number = 0; stage_number < 4; stage_number++) {
+            for (int i = 0; i < COUNT; i++)
+                for (int a = 0; a < 3; a++) {
+                    xs[i][a] = x[i][a] + h * node[stage_number] * rate[i][a];
+                    vs[i][a] = v[i][a] + h * node[stage_number] * f[i][a] / sim->mass[i];
+                }
+            force_at(sim, xs, vs, f);
+            for (int i = 0; i < COUNT; i++)
+                for (int a = 0; a < 3; a++) {
+                    rate[i][a] = vs[i][a];
+                    dx[i][a] += h * weight[stage_number] * vs[i][a];
+                    dv[i][a] += h * weight[stage_number] * f[i][a] / sim->mass[i];
+                }
+        }
+        for (int i = 0; i < COUNT; i++)
+            for (int a = 0; a < 3; a++) {
+                x[i][a] += dx[i][a];
+                v[i][a] += dv[i][a];
+            }
+    }
+}
+
+static double distance(const double (*a)[3], vectors b) {
+    double sum = 0;
+    for (int i = 0; i < COUNT; i++)
+        for (int c = 0; c < 3; c++)
+            sum += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
+    return sqrt(sum / COUNT);
+}
+
+static const double duration = 0.08;
+
+/* Error after `duration` against the explicit method, in m. */
+static double error_of(integrator_kind kind, int steps, vectors exact) {
+    stage on = {.s = soft_scene()};
+    begin(&on, kind, duration / steps);
+    run(&on, steps);
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    const double error = distance(simulation_positions(on.sim), exact);
+    end(&on);
+    return error;
+}
+
+/* S31: halving the step divides the error by 2, or by 4. */
+static void test_orders(void **state) {
+    (void)state;
+    const double low[] = {0.85, 0.85, 1.75, 1.85}, high[] = {1.15, 1.15, 2.3, 2.2};
+    vectors x, v = {{0}};
+    stage on = {.s = soft_scene()};
+    begin(&on, INTEGRATOR_EULER, duration);
+    memcpy(x, on.m.position, sizeof x);
+    runge_kutta(on.sim, duration / 1000, 1000, x, v);
+    end(&on);
+    for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++) {
+        const double coarse = error_of((integrator_kind)kind, 64, x);
+        const double fine = error_of((integrator_kind)kind, 128, x);
+        const double order = log2(coarse / fine);
+        if (!(order >= low[kind] && order <= high[kind]))
+            fail_msg("integrator %d: errors %g and %g m, order %.3f", kind, coarse, fine, order);
+    }
+}
+
+/* The step found satisfies M (v' - v) = h f(x', v'), x' = x + h v'. */
+static void test_backward_euler_equation(void **state) {
+    (void)state;
+    const double h = 0.02;
+    vectors x, v, f;
+    stage on = {.s = soft_scene()};
+    begin(&on, INTEGRATOR_EULER, h);
+    run(&on, 3);
+    memcpy(v, on.sim->v, sizeof v);
+    run(&on, 1);
+    memcpy(x, on.sim->x, sizeof x);
+    vectors after;
+    memcpy(after, on.sim->v, sizeof after);
+    force_at(on.sim, x, after, f);
+    for (int i = 0; i < COUNT; i++)
+        for (int a = 0; a < 3; a++)
+            assert_near(on.sim->mass[i] * (after[i][a] - v[i][a]), h * f[i][a], 1e-11);
+    assert_true(simulation_newton_iterations(on.sim) >= 8);
+    end(&on);
+}
+
+static double energy(simulation *sim) {
+    double stretch, shear, kinetic = 0;
+    triangle_energies(&sim->triangles, &sim->triangle_material, (const double(*)[3])sim->x,
+                      &stretch, &shear);
+    hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
+    for (int i = 0; i < COUNT; i++)
+        kinetic += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
+    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + kinetic;
+}
+
+static scene free_scene(void) {
+    scene s = soft_scene();
+    s.stretch_damping = s.shear_damping = s.bend_damping = s.drag = 0;
+    memset(s.gravity, 0, sizeof s.gravity);
+    return s;
+}
+
+/* A free sheet without damping: backward Euler loses energy, BDF2 less, the midpoint next to none.
+ */
+static void test_energy(void **state) {
+    (void)state;
+    double lost[4];
+    for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++) {
+        stage on = {.s = free_scene()};
+        begin(&on, (integrator_kind)kind, 0.002);
+        const double first = energy(on.sim);
+        run(&on, 100);
+        lost[kind] = 1 - energy(on.sim) / first;
+        end(&on);
+    }
+    assert_in_range((int)(1000 * lost[INTEGRATOR_EULER]), 300, 999);
+    assert_true(lost[INTEGRATOR_BDF2] > 0);
+    assert_below(lost[INTEGRATOR_BDF2], 0.6 * lost[INTEGRATOR_EULER]);
+    assert_below(fabs(lost[INTEGRATOR_MIDPOINT]), 0.02);
+}
+
+static void momenta(const simulation *sim, double linear[3], double angular[3]) {
+    memset(linear, 0, sizeof(double[3]));
+    memset(angular, 0, sizeof(double[3]));
+    for (int i = 0; i < COUNT; i++) {
+        double moment[3];
+        vector_cross(sim->x[i], sim->v[i], moment);
+        vector_add_scaled(linear, sim->mass[i], sim->v[i], linear);
+        vector_add_scaled(angular, sim->mass[i], moment, angular);
+    }
+}
+
+/* S07: the midpoint conserves angular momentum, backward Euler in proportion to the step. */
+static void test_angular_momentum(void **state) {
+    (void)state;
+    double drift[4];
+    for (int n = 0; n < 4; n++) {
+        const int steps = n % 2 == 0 ? 20 : 40;
+        stage on = {.s = free_scene()};
+        begin(&on, n < 2 ? INTEGRATOR_EULER : INTEGRATOR_MIDPOINT, 0.04 / steps);
+        for (int i = 0; i < COUNT; i++) {
+            const double spin[3] = {0.3, 0.2, 5};
+            vector_cross(spin, on.sim->x[i], on.sim->v[i]);
+        }
+        double linear[3], first[3], last[3], off[3];
+        momenta(on.sim, linear, first);
+        run(&on, steps);
+        momenta(on.sim, linear, last);
+        vector_subtract(last, first, off);
+        drift[n] = vector_length(off) / vector_length(first);
+        end(&on);
+    }
+    assert_near(drift[1] / drift[0], 0.5, 0.15);
+    assert_below(drift[2], 1e-9);
+    assert_below(drift[3], 1e-9);
+}
+
+/* The damping forces alone are what the linearised ones are without stiffness. */
+static void test_damping_forces(void **state) {
+    (void)state;
+    const double h = 0.01;
+    stage on = {.s = soft_scene()};
+    begin(&on, INTEGRATOR_EULER, h);
+    simulation *sim = on.sim;
+    const triangle_material t = {0, 0, 0.7, 0.4};
+    const hinge_material b = {0, 0.3};
+    double(*x)[3] = cloth_moved(&on.m, 0.02, 5), (*v)[3] = cloth_moved(&on.m, 1, 6);
+    const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
+    vectors apart = {{0}};
+    const double none[3] = {0, 0, 0};
+    system_reset(&sim->system, sim->mass, none, h);
+    triangle_forces(&sim->triangles, &t, h, at, moving, &sim->system);
+    hinge_forces(&sim->hinges, &b, h, at, moving, &sim->system);
+    triangle_damping_forces(&sim->triangles, &t, h, at, moving, apart);
+    hinge_damping_forces(&sim->hinges, &b, h, at, moving, apart);
+    for (int i = 0; i < COUNT; i++)
+        for (int a = 0; a < 3; a++)
+            assert_near(apart[i][a], sim->system.b[i][a], 1e-13);
+    free(x);
+    free(v);
+    end(&on);
+}
+
+/* Every integrator, with pins that move and a ball in the way, at a large step: pins are exact and
+ * nothing enters the ball. */
+static void test_pins_and_contacts(void **state) {
+    (void)state;
+    pin hold = {{-0.01, -0.01}, {0.01, 0.01}, {0.1, 0, 0}};
+    collider ball = {.kind = COLLIDER_SPHERE,
+                     .position = {0.2, 0.15, -0.25},
+                     .size = {0.15},
+                     .friction = 0.4,
+                     .gap = 0.01};
+    for (int kind = INTEGRATOR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++) {
+        stage on = {.s = cloth_scene()};
+        on.s.pins = &hold;
+        on.s.pin_count = 1;
+        on.s.colliders = &ball;
+        on.s.collider_count = 1;
+        begin(&on, (integrator_kind)kind, 0.02);
+        on.s.newton_tolerance = 1e-5;
+        int held = -1;
+        for (int i = 0; i < COUNT; i++)
+            held = on.sim->collisions.pin_of[i] >= 0 ? i : held;
+        assert_true(held >= 0);
+        run(&on, 60);
+        assert_near(on.sim->x[held][0], on.m.position[held][0] + 0.1 * simulation_time(on.sim),
+                    1e-15);
+        long contacts;
+        collisions_count(&on.sim->collisions, &contacts, NULL);
+        assert_true(contacts > 0);
+        for (int i = 0; i < COUNT; i++) {
+            double off[3];
+            vector_subtract(on.sim->x[i], ball.position, off);
+            assert_true(vector_length(off) > 0.15 + 0.01 - 2e-3);
+        }
+        end(&on);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_orders),         cmocka_unit_test(test_backward_euler_equation),
+        cmocka_unit_test(test_energy),         cmocka_unit_test(test_angular_momentum),
+        cmocka_unit_test(test_damping_forces), cmocka_unit_test(test_pins_and_contacts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
