@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "chunk_sum.h"
 #include "shape.h"
 #include "vector.h"
 
@@ -215,22 +216,39 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     return added;
 }
 
-void collisions_keep_out(const collisions *c, double time, double h, const double (*x)[3],
-                         double (*v)[3]) {
+/* Changes the velocity of one vertex; whether it did. */
+static int keep_out(const collisions *c, int i, double time, double h, const double x[3],
+                    double v[3]) {
+    int changed = 0;
+    for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
+        const collider *k = &c->scene->colliders[n];
+        approach found;
+        if (find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
+            !(found.beyond > 0))
+            continue;
+        const double lacking = given_speed(k, &found, h) - vector_dot(found.normal, v);
+        if (!(lacking > 0))
+            continue;
+        vector_add_scaled(v, lacking, found.normal, v);
+        changed = 1;
+    }
+    return changed;
+}
+
+double collisions_keep_out(const collisions *c, double time, double h, const double *mass,
+                           const double (*x)[3], double (*v)[3]) {
+    const int count = c->vertex_count;
+    double sum[CHUNK_SUM_MOST] = {0};
     if (!c->now)
-        return;
+        return 0;
 #pragma omp parallel for schedule(static)
-    for (int i = 0; i < c->vertex_count; i++)
-        for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
-            const collider *k = &c->scene->colliders[n];
-            approach found;
-            if (find_contact(&c->now[i], n) || !would_touch(k, time, h, x[i], v[i], &found) ||
-                !(found.beyond > 0))
-                continue;
-            const double lacking = given_speed(k, &found, h) - vector_dot(found.normal, v[i]);
-            if (lacking > 0)
-                vector_add_scaled(v[i], lacking, found.normal, v[i]);
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
+            const double before = vector_dot(v[i], v[i]);
+            if (keep_out(c, i, time, h, x[i], v[i]))
+                sum[chunk] += mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
         }
+    return chunk_sum_all(count, sum);
 }
 
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]) {
@@ -283,17 +301,4 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
     vertex_contacts *spare = c->before;
     c->before = c->now;
     c->now = spare;
-}
-
-void collisions_count(const collisions *c, long *contacts, long *sticking) {
-    long all = 0, still = 0;
-    for (int i = 0; c->before && i < c->vertex_count; i++)
-        for (int n = 0; n < c->before[i].count; n++) {
-            all++;
-            still += c->before[i].list[n].sticks;
-        }
-    if (contacts)
-        *contacts = all;
-    if (sticking)
-        *sticking = still;
 }

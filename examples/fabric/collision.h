@@ -65,9 +65,10 @@ void collisions_constrain(const collisions *c, const double (*v)[3], constraints
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
-/** Last resort for what was still missed: changes v so that x + h v stays out. */
-void collisions_keep_out(const collisions *c, double time, double h, const double (*x)[3],
-                         double (*v)[3]);
+/** Last resort for what was still missed: changes v so that x + h v stays out. Returns the work
+ *  that takes, J; mass [vertices] kg. */
+double collisions_keep_out(const collisions *c, double time, double h, const double *mass,
+                           const double (*x)[3], double (*v)[3]);
 
 /** Puts pinned vertices exactly where they are at `time`. */
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]);
@@ -76,6 +77,15 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
  *  the contacts' forces, and which stick or slide from now on. */
 void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
                        const double (*residual)[3]);
+
+/** The work in J that constraints and friction did in the step of h s that ends with velocities v,
+ *  an upper bound of it where a collider moves. residual as the solver left it, for a stage of
+ *  stage_h s. */
+double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
+                       const double (*v)[3], const double (*residual)[3]);
+
+/** How deep the deepest vertex that is not pinned is inside a collider at `time`, m; 0: none is. */
+double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
 /** Contacts now; and of them, how many stick. Either may be NULL. */
 void collisions_count(const collisions *c, long *contacts, long *sticking);

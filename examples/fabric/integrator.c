@@ -166,8 +166,8 @@ int integrator_move(simulation *sim) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->v[i], 1, mean[i], sim->v_next[i]);
-    collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                        sim->v_next);
+    sim->push_work = collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h, sim->mass,
+                                         read_only(sim->x), sim->v_next);
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);

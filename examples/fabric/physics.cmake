@@ -5,7 +5,8 @@ foreach(source
     simulation.c simulation_state.c integrator.c newton.c forces.c collision.c shape.c constraint.c solver.c solver_precondition.c
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
-    effects/drag.c effects/damping.c)
+    effects/drag.c effects/drag_work.c effects/damping.c
+    collision_account.c monitor.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
 endforeach()
 # Built without OpenMP, its pragmas on regular loops mean nothing.

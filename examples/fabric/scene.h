@@ -29,6 +29,14 @@ typedef struct pin {
     double velocity[3]; /* m/s; 0: held where they are */
 } pin;
 
+/** What a step may do before it is taken again at half the length (see monitor.h). */
+typedef struct monitor_limits {
+    double energy;      /* gained in a step, as part of what was there and was put in */
+    double growth;      /* of a triangle's strain in a step, */
+    double strain;      /* where it ends above this */
+    double penetration; /* m, of a vertex into a collider */
+} monitor_limits;
+
 typedef struct scene {
     char name[64];
     /* mesh */
@@ -59,6 +67,7 @@ typedef struct scene {
     int max_iterations;
     double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
     int newton_iterations;   /* at most, in a step */
+    monitor_limits limits;
 } scene;
 
 /** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints

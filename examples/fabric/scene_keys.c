@@ -70,6 +70,11 @@ static const scene_key solution_keys[] = {
     WHOLE(scene, newton_iterations, 0, BETWEEN(1, 1e6)),
     END};
 
+#define LIMIT(name)                                                                                \
+    { #name, VALUE_NUMBER, offsetof(scene, limits.name), 0, 1, POSITIVE, 0, NULL, NULL, NULL }
+static const scene_key monitor_keys[] = {LIMIT(energy), LIMIT(growth), LIMIT(strain),
+                                         LIMIT(penetration), END};
+
 static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2), VECTOR(pin, high, 1, 2),
                                      VECTOR(pin, velocity, 0, 3), END};
 
@@ -105,12 +110,15 @@ const scene_key scene_keys[] = {
     LIST(scene, colliders, collider_keys, &collider_list),
     SECTION("time", 1, time_keys),
     SECTION("solution", 0, solution_keys),
+    SECTION("monitor", 0, monitor_keys),
     END};
 
-const scene scene_defaults = {.seed = 1,
-                              .order = MESH_ORDER_SORTED,
-                              .normal = {0.0, 0.0, 1.0},
-                              .tolerance = 1e-3,
-                              .max_iterations = 5000,
-                              .newton_tolerance = 1e-6,
-                              .newton_iterations = 50};
+const scene scene_defaults = {
+    .seed = 1,
+    .order = MESH_ORDER_SORTED,
+    .normal = {0.0, 0.0, 1.0},
+    .tolerance = 1e-3,
+    .max_iterations = 5000,
+    .newton_tolerance = 1e-6,
+    .newton_iterations = 50,
+    .limits = {.energy = 0.25, .growth = 0.5, .strain = 1.0, .penetration = 0.01}};

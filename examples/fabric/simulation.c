@@ -14,10 +14,6 @@
 #include "integrator.h"
 #include "simulation_state.h"
 
-/* A step may stretch no triangle by more than this part of its rest length, unless it ends below
- * the second. */
-static const double greatest_growth = 0.5;
-static const double harmless_strain = 1;
 /* After this many steps in a row without trouble a halved length is doubled. */
 enum { steps_before_growth = 3 };
 
@@ -39,17 +35,30 @@ void collisionDetection(simulation *sim) {
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
 }
 
-/* The step ends in a state the cloth may be in. At the shortest length anything finite will do. */
-static int acceptable(const simulation *sim, int finite, double strain) {
-    if (!finite || !isfinite(strain))
-        return 0;
-    if (sim->ticks == 1)
-        return 1;
-    return sim->solver_status == SOLVER_CONVERGED &&
-           (strain < harmless_strain || strain - sim->strain < greatest_growth);
+monitored_step simulation_monitored(const simulation *sim) {
+    return (monitored_step){
+        .h = sim->h,
+        .stage_h = sim->stage_h,
+        .push_work = sim->push_work,
+        .time = simulation_time(sim),
+        .mass = sim->mass,
+        .x = (const double(*)[3])sim->x,
+        .v = (const double(*)[3])sim->v,
+        .x_next = (const double(*)[3])sim->x_next,
+        .v_next = (const double(*)[3])sim->v_next,
+        .residual = (const double(*)[3])sim->solver.residual,
+        .given = &sim->constraints,
+        .triangles = &sim->triangles,
+        .triangle_material = &sim->triangle_material,
+        .hinges = &sim->hinges,
+        .hinge_material = &sim->hinge_material,
+        .collisions = &sim->collisions,
+        .status = sim->solver_status,
+        .shortest = sim->ticks == 1,
+    };
 }
 
-static void accept(simulation *sim, double strain) {
+static void accept(simulation *sim) {
     const size_t count = (size_t)sim->mesh->vertex_count;
     collisions_accept(&sim->collisions, sim->stage_h, sim->mass, read_only(sim->v_next),
                       read_only(sim->solver.residual));
@@ -58,7 +67,7 @@ static void accept(simulation *sim, double strain) {
     memcpy(sim->v, sim->v_next, sizeof *sim->v * count);
     memcpy(sim->guess, sim->dv, sizeof *sim->guess * count);
     sim->guess_h = sim->h;
-    sim->strain = strain;
+    monitor_accept(&sim->monitor);
     sim->steps_taken++;
     sim->easy_steps++;
     sim->ticks_done += sim->ticks;
@@ -73,7 +82,11 @@ static void accept(simulation *sim, double strain) {
     }
 }
 
-static void reject(simulation *sim) {
+static void reject(simulation *sim, monitor_verdict verdict) {
+    if (sim->steps_rejected < MOST_REJECTIONS)
+        sim->rejections[sim->steps_rejected] =
+            (rejection){monitor_verdict_name(verdict), simulation_time(sim), sim->h,
+                        sim->monitor.value, sim->monitor.limit};
     sim->steps_rejected++;
     sim->easy_steps = 0;
     if (sim->ticks > 1)
@@ -82,12 +95,15 @@ static void reject(simulation *sim) {
 
 void updateSystem(simulation *sim) {
     const int finite = integrator_move(sim);
-    const double strain = triangle_greatest_strain(&sim->triangles, read_only(sim->x_next));
-    sim->accepted = acceptable(sim, finite, strain);
+    monitored_step step = simulation_monitored(sim);
+    step.finite = finite;
+    const monitor_verdict verdict = monitor_judge(&sim->monitor, &step);
+    sim->verdict = verdict;
+    sim->accepted = verdict == STEP_GOOD;
     if (sim->accepted)
-        accept(sim, strain);
+        accept(sim);
     else
-        reject(sim);
+        reject(sim, verdict);
 }
 
 static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
@@ -95,6 +111,15 @@ static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
     run(sim);
     sim->phases[index].seconds += clock_seconds() - start;
     sim->phases[index].calls++;
+}
+
+static void complain(const simulation *sim, char *error) {
+    const monitor *m = &sim->monitor;
+    const char *where = "no state within the monitor's limits";
+    if (!isfinite(m->value))
+        where = "no finite state";
+    snprintf(error, 256, "%s after %g s, even in steps of %g s: %s %g, limit %g", where,
+             simulation_time(sim), sim->h, monitor_verdict_name(sim->verdict), m->value, m->limit);
 }
 
 int simulation_step(simulation *sim, char *error) {
@@ -106,8 +131,7 @@ int simulation_step(simulation *sim, char *error) {
         run_phase(sim, PHASE_SOLVE, solveSystem);
         run_phase(sim, PHASE_UPDATE, updateSystem);
         if (!sim->accepted && shortest) {
-            snprintf(error, 256, "no finite state after %g s, even in steps of %g s",
-                     simulation_time(sim), sim->h);
+            complain(sim, error);
             return -1;
         }
     }

@@ -20,6 +20,16 @@ typedef struct effect_account {
 
 typedef struct simulation simulation;
 
+/** A step that was taken again at half the length. */
+typedef struct rejection {
+    const char *reason;  /* "energy", "strain", "penetration", "not solved", "not finite" */
+    double time, h;      /* s, where it began and its length */
+    double value, limit; /* what was too much, and what would not have been */
+} rejection;
+
+/* The log keeps the first ones; all are counted. */
+enum { MOST_REJECTIONS = 1000 };
+
 /** Takes mesh and scene by reference: they must outlive it. NULL and a message in error[256]. */
 simulation *simulation_new(const mesh *m, const scene *s, char *error);
 void simulation_free(simulation *sim);
@@ -32,7 +42,7 @@ void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
 /** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
- *  error[256]: no finite state could be reached. */
+ *  error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);
 
 /* What callers may look at; valid until simulation_free. */
@@ -46,6 +56,8 @@ long simulation_iterations(const simulation *sim);        /* of conjugate gradie
 long simulation_newton_iterations(const simulation *sim); /* systems solved by Newton's method */
 long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
 long simulation_steps_rejected(const simulation *sim);
+/** *count: of those logged, at most MOST_REJECTIONS. */
+const rejection *simulation_rejections(const simulation *sim, int *count);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
 
 #endif

@@ -40,7 +40,9 @@ static int allocate_state(simulation *sim) {
     sim->dv = calloc(n, sizeof *sim->dv);
     sim->x_next = calloc(n, sizeof *sim->x_next);
     sim->v_next = calloc(n, sizeof *sim->v_next);
-    if (!sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv || !sim->x_next || !sim->v_next)
+    sim->rejections = calloc(MOST_REJECTIONS, sizeof *sim->rejections);
+    if (!sim->rejections || !sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv ||
+        !sim->x_next || !sim->v_next)
         return -1;
     return 0;
 }
@@ -56,8 +58,9 @@ static void set_start(simulation *sim) {
     sim->ticks = TICKS_PER_STEP;
     sim->h = sim->stage_h = s->step;
     sim->guess_h = s->step;
-    sim->strain = triangle_greatest_strain(&sim->triangles, (const double(*)[3])sim->x);
     hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
+    const monitored_step start = simulation_monitored(sim);
+    monitor_begin(&sim->monitor, s, &start);
 }
 
 static int pinned_count(const simulation *sim) {
@@ -120,7 +123,7 @@ simulation *simulation_new(const mesh *m, const scene *s, char *error) {
         sim->mesh = m;
         sim->scene = s;
         if (build(sim) == 0) {
-            if (isfinite(sim->strain))
+            if (isfinite(sim->monitor.strain))
                 return sim;
             reason = "a position is not finite";
         }
@@ -147,6 +150,7 @@ void simulation_free(simulation *sim) {
     free(sim->dv);
     free(sim->x_next);
     free(sim->v_next);
+    free(sim->rejections);
     free(sim);
 }
 
@@ -185,6 +189,11 @@ long simulation_steps_taken(const simulation *sim) {
 
 long simulation_steps_rejected(const simulation *sim) {
     return sim->steps_rejected;
+}
+
+const rejection *simulation_rejections(const simulation *sim, int *count) {
+    *count = sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
+    return sim->rejections;
 }
 
 long simulation_matrix_blocks(const simulation *sim) {

@@ -8,6 +8,7 @@
 #include "effects/hinge.h"
 #include "effects/triangle.h"
 #include "integrator.h"
+#include "monitor.h"
 #include "simulation.h"
 #include "solver.h"
 #include "system.h"
@@ -44,7 +45,6 @@ struct simulation {
     /* state, accepted */
     double (*x)[3]; /* [vertices] m */
     double (*v)[3]; /* [vertices] m/s */
-    double strain;  /* greatest */
     long frame;     /* whole steps of the scene done */
     int ticks_done; /* of the step under way */
 
@@ -63,6 +63,9 @@ struct simulation {
     constraints constraints;
     solver solver;
     solver_status solver_status;
+    double push_work; /* J, that keeping out of colliders by force took */
+    monitor monitor;
+    monitor_verdict verdict;
     int accepted;   /* what updateSystem decided */
     int easy_steps; /* accepted in a row at this length */
 
@@ -70,7 +73,11 @@ struct simulation {
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
     long iterations, steps_taken, steps_rejected;
+    rejection *rejections; /* [MOST_REJECTIONS] the first ones */
 };
+
+/** What the monitor is to look at: the step being taken. */
+monitored_step simulation_monitored(const simulation *sim);
 
 /** A number of ticks as part of the scene's step, s. */
 static inline double ticks_to_seconds(const simulation *sim, int ticks) {

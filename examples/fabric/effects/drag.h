@@ -14,4 +14,9 @@
 void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
                  const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
+/** The work in J that drag did in a step of h s that began at positions x and ended with velocities
+ *  v, by the same formula: positive where wind drives the cloth. */
+double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
+                 const double (*x)[3], const double (*v)[3]);
+
 #endif

@@ -41,6 +41,10 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
+/** Energy at positions x, in J, with the angles nearest to those remembered, which stay. */
+double hinge_energy_at(const hinge_elements *e, const hinge_material *material,
+                       const double (*x)[3]);
+
 /** Energy of the angles remembered, in J. */
 double hinge_energy(const hinge_elements *e, const hinge_material *material);
 

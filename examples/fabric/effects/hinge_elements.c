@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "chunk_sum.h"
 #include "vector.h"
 
 static const double pi = 3.14159265358979323846;
@@ -86,14 +87,30 @@ static double hinge_angle(const double (*x)[3], const int corner[4]) {
     return atan2(vector_dot(across, e), length * vector_dot(n1, n2));
 }
 
+/* The angle at x nearest to the one remembered. */
+static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
+    const double angle = hinge_angle(x, e->corner[t]);
+    const double change = e->angle[t] - angle;
+    const double turns = fabs(change) > pi ? round(change / (2 * pi)) : 0;
+    return angle + 2 * pi * turns;
+}
+
 void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
 #pragma omp parallel for schedule(static)
-    for (int t = 0; t < e->count; t++) {
-        const double angle = hinge_angle(x, e->corner[t]);
-        const double change = e->angle[t] - angle;
-        const double turns = fabs(change) > pi ? round(change / (2 * pi)) : 0;
-        e->angle[t] = angle + 2 * pi * turns;
-    }
+    for (int t = 0; t < e->count; t++)
+        e->angle[t] = angle_at(e, t, x);
+}
+
+double hinge_energy_at(const hinge_elements *e, const hinge_material *material,
+                       const double (*x)[3]) {
+    double sum[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++)
+        for (int t = chunk * chunk_sum_length(e->count); t < chunk_sum_end(e->count, chunk); t++) {
+            const double angle = angle_at(e, t, x);
+            sum[chunk] += e->weight[t] * angle * angle;
+        }
+    return material->bend * chunk_sum_all(e->count, sum) / 2;
 }
 
 double hinge_energy(const hinge_elements *e, const hinge_material *material) {

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "chunk_sum.h"
 #include "vector.h"
 
 static void sort_three(const int in[3], int out[3]) {
@@ -70,20 +71,23 @@ void triangle_elements_free(triangle_elements *e) {
 
 void triangle_energies(const triangle_elements *e, const triangle_material *material,
                        const double (*x)[3], double *stretch, double *shear) {
-    double along = 0, slanted = 0;
-    for (int t = 0; t < e->count; t++) {
-        double wu[3], wv[3];
-        triangle_derivatives(&e->rest[t], x, e->vertex[t][0], e->vertex[t][1], e->vertex[t][2], wu,
-                             wv);
-        const double u = vector_length(wu) - 1, v = vector_length(wv) - 1;
-        const double s = vector_dot(wu, wv);
-        along += e->rest[t].area * (u * u + v * v);
-        slanted += e->rest[t].area * s * s;
-    }
+    double along[CHUNK_SUM_MOST] = {0}, slanted[CHUNK_SUM_MOST] = {0};
+    const int count = e->count;
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++) {
+            double wu[3], wv[3];
+            triangle_derivatives(&e->rest[t], x, e->vertex[t][0], e->vertex[t][1], e->vertex[t][2],
+                                 wu, wv);
+            const double u = vector_length(wu) - 1, v = vector_length(wv) - 1;
+            const double s = vector_dot(wu, wv);
+            along[chunk] += e->rest[t].area * (u * u + v * v);
+            slanted[chunk] += e->rest[t].area * s * s;
+        }
     if (stretch)
-        *stretch = material->stretch * along / 2;
+        *stretch = material->stretch * chunk_sum_all(count, along) / 2;
     if (shear)
-        *shear = material->shear * slanted / 2;
+        *shear = material->shear * chunk_sum_all(count, slanted) / 2;
 }
 
 double triangle_greatest_strain(const triangle_elements *e, const double (*x)[3]) {

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <jansson.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,11 +42,25 @@ static json_t *effects_of(const simulation *sim, int active) {
     return list;
 }
 
+/** The steps that were taken again, each with why. */
+static json_t *rejections_of(const simulation *sim) {
+    int count;
+    json_t *list = json_array();
+    const rejection *all = simulation_rejections(sim, &count);
+    for (int k = 0; k < count; k++) {
+        const double value = isfinite(all[k].value) ? all[k].value : 0;
+        json_array_append_new(list, json_pack("{s:s, s:f, s:f, s:f, s:f}", "reason", all[k].reason,
+                                              "time", all[k].time, "step", all[k].h, "value", value,
+                                              "limit", all[k].limit));
+    }
+    return list;
+}
+
 static json_t *summary_of(const run_account *run) {
     const mesh *m = run->cloth;
     return json_pack(
         "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, "
-        "s:o, s:o, s:o}",
+        "s:o, s:o, s:o, s:o}",
         "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
         run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
         m->edge_count, "hinges", m->hinge_count, "simulated_seconds", simulation_time(run->sim),
@@ -55,7 +70,7 @@ static json_t *summary_of(const run_account *run) {
         (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
         "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "phases",
         phases_of(run->sim), "effects", effects_of(run->sim, 1), "inactive_effects",
-        effects_of(run->sim, 0));
+        effects_of(run->sim, 0), "rejections", rejections_of(run->sim));
 }
 
 int summary_write(const run_account *run, const char *path) {
@@ -84,6 +99,12 @@ void summary_print(const run_account *run) {
            simulation_steps_taken(sim), simulation_steps_rejected(sim), simulation_time(sim));
     printf("%.3f s on %d thread%s, %ld iterations of conjugate gradients\n", run->step_seconds,
            run->threads, run->threads == 1 ? "" : "s", simulation_iterations(sim));
+    int count;
+    const rejection *rejected = simulation_rejections(sim, &count);
+    for (int k = 0; k < count && k < 5; k++)
+        printf("  a step of %g s at %g s was taken again in halves: %s %g, limit %g%s\n",
+               rejected[k].h, rejected[k].time, rejected[k].reason, rejected[k].value,
+               rejected[k].limit, k == 4 && count > 5 ? " (and others)" : "");
     for (int k = 0; k < PHASE_COUNT; k++)
         printf("  %-12s %9.3f s %8ld calls\n", summary_phase_name(k), phases[k].seconds,
                phases[k].calls);

@@ -19,6 +19,11 @@ void stage_end(stage *on) {
     cloth_free(&on->m);
 }
 
+void stage_changed(stage *on) {
+    const monitored_step now = simulation_monitored(on->sim);
+    monitor_begin(&on->sim->monitor, &on->s, &now);
+}
+
 void stage_run(stage *on, int steps) {
     char error[256] = "";
     for (int n = 0; n < steps; n++)

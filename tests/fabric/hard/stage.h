@@ -21,6 +21,9 @@ stage stage_of(mesh m, scene s);
 void stage_begin(stage *on);
 void stage_end(stage *on);
 
+/** After a test changed the state: what the monitor compares with. */
+void stage_changed(stage *on);
+
 /** Steps of the scene; fails the test if one fails. */
 void stage_run(stage *on, int steps);
 

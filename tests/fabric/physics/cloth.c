@@ -95,7 +95,8 @@ scene cloth_scene(void) {
                    .step = 0.01,
                    .steps = 10,
                    .tolerance = 1e-10,
-                   .max_iterations = 10000};
+                   .max_iterations = 10000,
+                   .limits = {.energy = 0.25, .growth = 0.5, .strain = 1, .penetration = 0.01}};
 }
 
 double (*cloth_moved(const mesh *m, double size, unsigned seed))[3] {

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What contacts come to: work, depth, numbers. */
+#include "chunk_sum.h"
+#include "collision.h"
+#include "shape.h"
+#include "vector.h"
+
+/* Friction -f (v - u) does at most f u.u / 4 to what it acts on. */
+static double friction_work(const contact *touch, const collider *k, double h) {
+    if (touch->sticks || !(touch->force > 0))
+        return 0;
+    const double factor = h * k->friction * touch->force / touch->slip_speed;
+    return factor * vector_dot(k->velocity, k->velocity) / 4;
+}
+
+double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
+                       const double (*v)[3], const double (*residual)[3]) {
+    const int count = c->vertex_count;
+    double sum[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
+            if (given->given[i] > 0) /* the constraint gives -residual to the stage */
+                sum[chunk] -= h / stage_h * vector_dot(residual[i], v[i]);
+            for (int n = 0; c->now && n < c->now[i].count; n++) {
+                const contact *touch = &c->now[i].list[n];
+                sum[chunk] += friction_work(touch, &c->scene->colliders[touch->collider], h);
+            }
+        }
+    return chunk_sum_all(count, sum);
+}
+
+double collisions_depth(const collisions *c, double time, const double (*x)[3]) {
+    double deepest = 0;
+    if (!c->now)
+        return 0;
+#pragma omp parallel for schedule(static) reduction(max : deepest)
+    for (int i = 0; i < c->vertex_count; i++)
+        for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
+            const collider *k = &c->scene->colliders[n];
+            double p[3], normal[3];
+            for (int a = 0; a < 3; a++)
+                p[a] = x[i][a] - k->position[a] - time * k->velocity[a];
+            const double depth = -shape_distance(k, p, normal);
+            if (depth > deepest)
+                deepest = depth;
+        }
+    return deepest;
+}
+
+void collisions_count(const collisions *c, long *contacts, long *sticking) {
+    long all = 0, still = 0;
+    for (int i = 0; c->before && i < c->vertex_count; i++)
+        for (int n = 0; n < c->before[i].count; n++) {
+            all++;
+            still += c->before[i].list[n].sticks;
+        }
+    if (contacts)
+        *contacts = all;
+    if (sticking)
+        *sticking = still;
+}

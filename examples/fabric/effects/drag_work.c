@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What wind gives to the cloth (see drag.h for the force). */
+#include "chunk_sum.h"
+#include "drag.h"
+#include "vector.h"
+
+static double work_of(const int corner[3], double factor, const double wind[3],
+                      const double (*x)[3], const double (*v)[3]) {
+    double one[3], other[3], cross[3], work = 0;
+    vector_subtract(x[corner[1]], x[corner[0]], one);
+    vector_subtract(x[corner[2]], x[corner[0]], other);
+    vector_cross(one, other, cross);
+    const double length = vector_length(cross);
+    for (int p = 0; p < 3 && length > 0; p++) {
+        const double along = vector_dot(cross, v[corner[p]]);
+        work += factor / (6 * length) * (vector_dot(cross, wind) - along) * along;
+    }
+    return work;
+}
+
+double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
+                 const double (*x)[3], const double (*v)[3]) {
+    double sum[CHUNK_SUM_MOST] = {0};
+    const int count = e->count;
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++)
+            sum[chunk] += work_of(e->vertex[t], h * drag, wind, x, v);
+    return chunk_sum_all(count, sum);
+}

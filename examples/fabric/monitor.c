@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "monitor.h"
+
+#include "chunk_sum.h"
+#include "effects/drag.h"
+#include "vector.h"
+
+const char *monitor_verdict_name(monitor_verdict verdict) {
+    static const char *const names[STEP_VERDICT_COUNT] = {
+        [STEP_GOOD] = "good",     [STEP_NOT_FINITE] = "not finite",
+        [STEP_STRAIN] = "strain", [STEP_NOT_SOLVED] = "not solved",
+        [STEP_ENERGY] = "energy", [STEP_PENETRATION] = "penetration"};
+    return names[verdict];
+}
+
+static double kinetic_energy(int count, const double *mass, const double (*v)[3]) {
+    double sum[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++)
+            sum[chunk] += mass[i] * vector_dot(v[i], v[i]) / 2;
+    return chunk_sum_all(count, sum);
+}
+
+/* sum m g . dx */
+static double gravity_work(int count, const double *mass, const double gravity[3],
+                           const double (*x)[3], const double (*x_next)[3]) {
+    double sum[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
+            double moved[3];
+            vector_subtract(x_next[i], x[i], moved);
+            sum[chunk] += mass[i] * vector_dot(gravity, moved);
+        }
+    return chunk_sum_all(count, sum);
+}
+
+static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
+    const triangle_material *t = step->triangle_material;
+    double stretch = 0, shear = 0, bend = 0;
+    if (t->stretch > 0 || t->shear > 0)
+        triangle_energies(step->triangles, t, x, &stretch, &shear);
+    if (step->hinge_material->bend > 0)
+        bend = hinge_energy_at(step->hinges, step->hinge_material, x);
+    return stretch + shear + bend;
+}
+
+/* Of what acts from outside: gravity, moving air, constraints, friction. Air at rest only takes. */
+static double outside_work(const monitored_step *step, const scene *s) {
+    const int count = step->collisions->vertex_count;
+    double work = 0;
+    if (vector_length(s->gravity) > 0)
+        work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
+    if (s->drag > 0 && vector_length(s->wind) > 0)
+        work += drag_work(step->triangles, s->drag, s->wind, step->h, step->x, step->v_next);
+    return work + step->push_work +
+           collisions_work(step->collisions, step->given, step->h, step->stage_h, step->v_next,
+                           step->residual);
+}
+
+void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
+    *m = (monitor){.scene = s};
+    m->strain = triangle_greatest_strain(start->triangles, start->x);
+    m->energy = kinetic_energy(start->collisions->vertex_count, start->mass, start->v) +
+                elastic_energy(start, start->x);
+    m->depth = collisions_depth(start->collisions, start->time, start->x);
+    m->reference = m->energy;
+}
+
+static monitor_verdict complain(monitor *m, monitor_verdict verdict, double value, double limit) {
+    m->value = value;
+    m->limit = limit;
+    return verdict;
+}
+
+monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
+    const monitor_limits *limits = &m->scene->limits;
+    m->next_strain = triangle_greatest_strain(step->triangles, step->x_next);
+    if (!step->finite || !isfinite(m->next_strain))
+        return complain(m, STEP_NOT_FINITE, NAN, 0);
+    if (step->status != SOLVER_CONVERGED && !step->shortest)
+        return complain(m, STEP_NOT_SOLVED, step->status, SOLVER_CONVERGED);
+    if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
+        !step->shortest)
+        return complain(m, STEP_STRAIN, m->next_strain - m->strain, limits->growth);
+    m->next_energy = kinetic_energy(step->collisions->vertex_count, step->mass, step->v_next) +
+                     elastic_energy(step, step->x_next);
+    m->work = outside_work(step, m->scene);
+    const double gain = m->next_energy - m->energy - m->work;
+    const double most = limits->energy * (m->reference + fabs(m->work));
+    if (!(gain <= most))
+        return complain(m, STEP_ENERGY, gain, most);
+    m->next_depth = collisions_depth(step->collisions, step->time + step->h, step->x_next);
+    if (m->next_depth > limits->penetration && m->next_depth > m->depth && !step->shortest)
+        return complain(m, STEP_PENETRATION, m->next_depth, limits->penetration);
+    return STEP_GOOD;
+}
+
+void monitor_accept(monitor *m) {
+    m->strain = m->next_strain;
+    m->energy = m->next_energy;
+    m->depth = m->next_depth;
+    m->reference += fabs(m->work);
+}

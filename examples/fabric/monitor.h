@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What a step must keep to, and whether it did. A step is bad that
+ *  - ends in an infinity or not-a-number, or has no converged solution;
+ *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
+ *  - has gained more energy than gravity, wind, pins and colliders put in: with E kinetic and
+ *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|);
+ *  - ends with a vertex deeper in a collider than a limit, and deeper than it was.
+ * Nothing here changes the state, so a step that is accepted has the bits it has without.
+ */
+#ifndef FABRIC_MONITOR_H
+#define FABRIC_MONITOR_H
+
+#include "collision.h"
+#include "effects/hinge.h"
+#include "effects/triangle.h"
+#include "scene.h"
+#include "solver.h"
+
+typedef enum monitor_verdict {
+    STEP_GOOD,
+    STEP_NOT_FINITE,
+    STEP_NOT_SOLVED,
+    STEP_STRAIN,
+    STEP_ENERGY,
+    STEP_PENETRATION,
+    STEP_VERDICT_COUNT
+} monitor_verdict;
+
+/** What the monitor looks at: the step's two ends. All by reference. */
+typedef struct monitored_step {
+    double h;         /* s */
+    double stage_h;   /* s, of the integrator's stage */
+    double time;      /* s, at the step's begin */
+    double push_work; /* J, that collisions_keep_out did */
+    const double *mass;
+    const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
+    const double (*residual)[3]; /* of the solver, see solver.h */
+    const constraints *given;
+    const triangle_elements *triangles;
+    const triangle_material *triangle_material;
+    const hinge_elements *hinges;
+    const hinge_material *hinge_material;
+    const collisions *collisions;
+    solver_status status;
+    int finite;   /* all of x_next and v_next */
+    int shortest; /* the step cannot be halved any more */
+} monitored_step;
+
+typedef struct monitor {
+    const scene *scene;
+    double strain, energy, depth; /* of the state accepted last: largest, J, m */
+    double reference;             /* J, E_0 + sum |W| */
+    /* of the step judged last */
+    double next_strain, next_energy, next_depth, work;
+    double value, limit; /* what was too much, and what would not have been */
+} monitor;
+
+/** Looks at the state a run starts from: only mass, x, v, elements and collisions are read. */
+void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
+
+/** Judges a step. At the shortest length a step without a converged solution or with much strain
+ *  passes: there is nothing better to be had. */
+monitor_verdict monitor_judge(monitor *m, const monitored_step *step);
+
+/** The step judged last becomes the state to compare with. */
+void monitor_accept(monitor *m);
+
+/** "energy", "strain", ...: one word, or two. */
+const char *monitor_verdict_name(monitor_verdict verdict);
+
+#endif
