@@ -17,6 +17,8 @@ static int copies_needed(const struct plan *plan) {
         return plan->threads;
     case COPY_TEAM:
         return plan->teams - 1;
+    case COPY_SHARE:
+        return plan->parameter;
     case COPY_NONE:
         break;
     }
@@ -85,21 +87,32 @@ int redcc_copy_of(const struct plan *plan, int thread) {
         return thread;
     case COPY_TEAM:
         return redcc_team_of(plan->threads, plan->teams, thread) - 1;
+    case COPY_SHARE:
     case COPY_NONE:
         break;
     }
     return -1;
 }
 
-bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
-                       const uintptr_t *base) {
-    const int number = redcc_copy_of(plan, thread);
-    if (number < 0)
-        return true;
+/* The copies that `thread` is the first to use: [*first, *end). */
+static void copies_begun_by(const struct plan *plan, int thread, int *first, int *end) {
+    if (plan->method->copies == COPY_SHARE) {
+        const uint32_t count = (uint32_t)plan->copies.count;
+        *first = (int)redcc_part_first(count, plan->threads, thread);
+        *end = (int)redcc_part_first(count, plan->threads, thread + 1);
+        return;
+    }
+    *first = redcc_copy_of(plan, thread);
+    *end = *first + 1;
     const int team = redcc_team_of(plan->threads, plan->teams, thread);
-    if (plan->teams > 1 && thread != redcc_team_first(plan->threads, plan->teams, team))
-        return true;
-    struct copy *copy = &plan->copies.copy[number];
+    const bool leads =
+        plan->teams == 1 || thread == redcc_team_first(plan->threads, plan->teams, team);
+    if (*first < 0 || !leads)
+        *first = *end = 0;
+}
+
+static bool take_copy(struct plan *plan, struct copy *copy, const struct range *seen,
+                      const uintptr_t *base) {
     for (uint32_t group = 0; group < plan->array_count; group++) {
         if (plan->group_of[group] != group)
             continue;
@@ -120,24 +133,24 @@ bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
     return true;
 }
 
+bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
+                       const uintptr_t *base) {
+    int first, end;
+    copies_begun_by(plan, thread, &first, &end);
+    for (int c = first; c < end; c++)
+        if (!take_copy(plan, &plan->copies.copy[c], seen, base))
+            return false;
+    return true;
+}
+
 /* Elements [*first, *end) of `count` that are the share of `part` of `parts`. */
 static void share(size_t count, int part, int parts, size_t *first, size_t *end) {
     *first = (size_t)redcc_share((redcc_int)count, parts, part);
     *end = (size_t)redcc_share((redcc_int)count, parts, part + 1);
 }
 
-void redcc_copies_fill(const struct plan *plan, int thread) {
-    const int number = redcc_copy_of(plan, thread);
-    if (number < 0)
-        return;
-    int part = 0, parts = 1;
-    if (plan->method->copies == COPY_TEAM) { /* all threads of the team fill it together */
-        const int team = redcc_team_of(plan->threads, plan->teams, thread);
-        part = thread - redcc_team_first(plan->threads, plan->teams, team);
-        parts = redcc_team_first(plan->threads, plan->teams, team + 1) -
-                redcc_team_first(plan->threads, plan->teams, team);
-    }
-    const struct copy *copy = &plan->copies.copy[number];
+/* Sets the share of `part` of `parts` to the neutral element. */
+static void fill_copy(const struct plan *plan, const struct copy *copy, int part, int parts) {
     for (uint32_t group = 0; group < plan->array_count; group++) {
         if (!copy->memory[group])
             continue;
@@ -147,6 +160,21 @@ void redcc_copies_fill(const struct plan *plan, int thread) {
         share(bytes / rule->size, part, parts, &first, &end);
         rule->fill(copy->memory[group] + first * rule->size, end - first);
     }
+}
+
+void redcc_copies_fill(const struct plan *plan, int thread) {
+    if (plan->method->copies == COPY_TEAM) { /* all threads of the team fill it together */
+        const int team = redcc_team_of(plan->threads, plan->teams, thread);
+        const int first = redcc_team_first(plan->threads, plan->teams, team);
+        if (team > 0)
+            fill_copy(plan, &plan->copies.copy[team - 1], thread - first,
+                      redcc_team_first(plan->threads, plan->teams, team + 1) - first);
+        return;
+    }
+    int first, end;
+    copies_begun_by(plan, thread, &first, &end);
+    for (int c = first; c < end; c++)
+        fill_copy(plan, &plan->copies.copy[c], 0, 1);
 }
 
 /* Figure 9 (b): copy after copy, each over this thread's block [from, to) of the group. */

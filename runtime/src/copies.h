@@ -47,7 +47,8 @@ size_t redcc_copy_bytes(const struct partition *partition, const struct range *t
 bool redcc_copies_take(struct plan *plan, int thread, const struct range *seen,
                        const uintptr_t *base);
 
-/** The number of the copy that `thread` writes to; -1: it writes in place. */
+/** The number of the copy that `thread` writes to; -1: it writes in place, or, by COPY_SHARE, to
+ *  those that its chunks name. */
 int redcc_copy_of(const struct plan *plan, int thread);
 
 /** Sets this thread's share of its copy to the neutral element. */

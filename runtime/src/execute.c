@@ -13,11 +13,11 @@ static int team_size(const struct plan *plan, int team) {
            redcc_team_first(plan->threads, plan->teams, team);
 }
 
-/* Where this thread writes: in place, or where its copy would begin if it were the whole array. */
-static void place_bases(struct member *member) {
+/* Where this thread writes: in place (number < 0), or where its copy would begin if it were the
+ * whole array. */
+static void place_bases(struct member *member, int number) {
     const struct plan *plan = member->plan;
     void *const *bases = member->execution->request.bases;
-    const int number = redcc_copy_of(plan, member->thread);
     const struct copy *copy = number < 0 ? NULL : &plan->copies.copy[number];
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
@@ -61,7 +61,7 @@ static void begin_running(redcc_worker *worker) {
             member->base[array] = execution->request.bases[array];
         return;
     }
-    place_bases(member);
+    place_bases(member, redcc_copy_of(plan, member->thread));
     redcc_copies_fill(plan, member->thread);
     if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
         const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
@@ -110,6 +110,23 @@ static void finish(struct member *member) {
     member->phase = PHASE_OVER;
 }
 
+/* The flag of the chunk that was executed goes up. */
+static void pass_on(const struct plan *plan, const struct chunk *chunk) {
+    if (chunk->flag)
+        redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
+}
+
+/* Waits for what must be done before `chunk`, and turns to the copy that it writes to. */
+static void get_ready(struct member *member, const struct chunk *chunk) {
+    const struct plan *plan = member->plan;
+    const uint32_t *wait = plan->schedule[member->thread].wait;
+    reach_stage(member, chunk->stage);
+    for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
+        redcc_flag_await(plan->flags, wait[w], plan->round, member->threads);
+    if (plan->method->copies == COPY_SHARE)
+        place_bases(member, (int)chunk->copy);
+}
+
 int redcc_next(redcc_worker *worker) {
     struct member *member = worker->execution;
     if (!member || member->phase == PHASE_OVER)
@@ -119,12 +136,14 @@ int redcc_next(redcc_worker *worker) {
     if (member->execution->course == COURSE_SOLO)
         return next_solo(worker);
     const struct schedule *schedule = &member->plan->schedule[member->thread];
+    if (worker->position > 0)
+        pass_on(member->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count) {
         finish(member);
         return 0;
     }
     const struct chunk *chunk = &schedule->chunk[worker->position++];
-    reach_stage(member, chunk->stage);
+    get_ready(member, chunk);
     worker->origin = chunk->origin;
     worker->run = schedule->run + chunk->run_begin;
     worker->run_end = schedule->run + chunk->run_end;

@@ -63,14 +63,35 @@ static redcc_int share_end(const struct member *member) {
     return redcc_share(member->execution->request.trip, member->threads, member->thread + 1);
 }
 
+/* Iterations 0, stride, 2 stride, ... are sampled, whatever the number of threads. */
+static redcc_int sample_stride(const struct execution *execution) {
+    return execution->request.trip / SAMPLED_ITERATIONS | 1;
+}
+
+/* How many of them lie before this thread's share. */
+static redcc_int sampled_before(const struct member *member) {
+    const redcc_int stride = sample_stride(member->execution);
+    return (share_begin(member) + stride - 1) / stride;
+}
+
+/* Where results must not depend on the number of threads, each has room for whatever of its share
+ * may stay in the end. */
+static size_t sample_room(const struct member *member) {
+    const struct method *method = member->execution->method;
+    const size_t least = 1024, even = SAMPLED_TOUCHES / (size_t)member->threads;
+    if (method && method->keeps == REDCC_ORDER_FIXED)
+        return SAMPLED_TOUCHES;
+    return even > least ? even : least;
+}
+
 static bool begin_member(struct member *member) {
     const struct partition *partition = &member->execution->partition;
-    const size_t least = 1024, even = SAMPLED_TOUCHES / (size_t)member->threads;
     member->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *member->entries);
     member->seen = redcc_memory_take(partition->array_count * sizeof *member->seen);
     member->executed = redcc_memory_take_zeroed(partition->owners, sizeof *member->executed);
-    if (!redcc_sample_begin(&member->sample, even > least ? even : least) || !member->entries ||
-        !member->seen || !member->executed)
+    if (!redcc_sample_begin(&member->sample, sample_room(member),
+                            (uint64_t)sampled_before(member)) ||
+        !member->entries || !member->seen || !member->executed)
         return false;
     for (uint32_t array = 0; array < partition->array_count; array++) {
         member->seen[array] = redcc_nowhere;
@@ -97,12 +118,13 @@ static int hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc
 
 static int hand_out_sample(redcc_worker *worker) {
     struct member *member = worker->execution;
-    const redcc_int stride = member->execution->request.trip / SAMPLED_ITERATIONS | 1;
+    const redcc_int stride = sample_stride(member->execution);
+    const redcc_int first = stride * sampled_before(member);
     member->failed = !begin_member(member);
     member->phase = PHASE_SAMPLED;
-    if (member->failed || share_begin(member) == share_end(member))
+    if (member->failed || first >= share_end(member))
         return 0;
-    return hand_out(worker, share_begin(member), share_end(member), stride);
+    return hand_out(worker, first, share_end(member), stride);
 }
 
 static void take_sample(struct member *member, const redcc_entry *end) {
@@ -155,11 +177,29 @@ static void cut_and_sweep(struct execution *execution) {
         refuse(execution, REASON_NO_MEMORY);
 }
 
+/* One item stands for as many touches in all samples, and all have SAMPLED_TOUCHES at most. */
+static void thin_samples(struct execution *execution) {
+    struct member *const *member = execution->state->member;
+    uint64_t keep_each = 1;
+    size_t count = SIZE_MAX;
+    for (int thread = 0; thread < execution->threads; thread++)
+        if (member[thread]->sample.keep_each > keep_each)
+            keep_each = member[thread]->sample.keep_each;
+    for (; count > SAMPLED_TOUCHES; keep_each *= 2) {
+        count = 0;
+        for (int thread = 0; thread < execution->threads; thread++)
+            count += redcc_sample_count(&member[thread]->sample, keep_each);
+    }
+    for (int thread = 0; thread < execution->threads; thread++)
+        redcc_sample_thin(&member[thread]->sample, keep_each / 2);
+}
+
 static void after_sample(struct execution *execution) {
     if (some_failed(execution)) {
         refuse(execution, REASON_NO_MEMORY);
         return;
     }
+    thin_samples(execution);
     gather_touched(execution);
     if (redcc_partition_merge(&execution->partition, execution->touched) == MERGE_REFUSED)
         refuse(execution, REASON_OUT_OF_STEP);

@@ -104,17 +104,49 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
                loop->line, redcc_order_name(settings->method->keeps));
 }
 
+/* Is the order of the contributions one that the sequential loop does not have? Then one thread
+ * executes the loop by a plan as well, also within a parallel region and beside other threads: the
+ * bits are to be the same everywhere. */
+static bool insists(const struct settings *settings) {
+    return settings->method && settings->method->keeps == REDCC_ORDER_FIXED;
+}
+
 /* What forbids running in parallel without a look at the loop's data. */
 static enum reason hindrance(const redcc_loop *loop, const struct settings *settings, int threads,
                              int nested) {
-    if (nested)
-        return REASON_NESTED;
-    if (threads < 2)
-        return REASON_ONE_THREAD;
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
-    return REASON_NONE;
+    if (insists(settings))
+        return REASON_NONE;
+    if (nested)
+        return REASON_NESTED;
+    return threads < 2 ? REASON_ONE_THREAD : REASON_NONE;
+}
+
+/* The state for this call: the loop's, held by it, or, where another thread holds that and must
+ * not be waited for (it may be waiting for this one), one of its own. NULL, with *reason: none. */
+static struct loop_state *hold(struct loop_state *state, redcc_loop *loop, bool insisting,
+                               enum reason *reason) {
+    int idle = 0;
+    if (atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
+                                                memory_order_relaxed))
+        return state;
+    *reason = REASON_CONCURRENT;
+    if (!insisting)
+        return NULL;
+    *reason = REASON_NO_MEMORY;
+    struct loop_state *other = state_new(loop);
+    if (other)
+        other->passing = true;
+    return other;
+}
+
+static void let_go(struct loop_state *state) {
+    if (state->passing)
+        state_free(state);
+    else
+        atomic_store_explicit(&state->busy, 0, memory_order_release);
 }
 
 static void take_request(struct request *request, redcc_int trip, void *const *bases,
@@ -174,15 +206,16 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     enum reason reason = hindrance(loop, settings, threads, nested);
     if (reason != REASON_NONE)
         return serially(state, reason);
-    int idle = 0;
-    if (!atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
-                                                 memory_order_relaxed))
-        return serially(state, REASON_CONCURRENT);
-    struct execution *execution = &state->execution;
+    struct loop_state *held = hold(state, loop, insists(settings), &reason);
+    if (!held)
+        return serially(state, reason);
+    struct execution *execution = &held->execution;
     execution->entered = redcc_seconds();
+    execution->insists = insists(settings);
+    threads = nested || threads < 1 ? 1 : threads;
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
-        atomic_store_explicit(&state->busy, 0, memory_order_release);
+        let_go(held);
         return serially(state, reason);
     }
     redcc_find_candidate(execution, threads);
@@ -206,11 +239,12 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
     member->plan = NULL;
     member->failed = false;
     member->phase = threads == execution->asked ? PHASE_BEGIN : PHASE_RECOUNT;
-    if (threads == 1)
+    const bool too_few = threads == 1 && !execution->insists;
+    if (too_few)
         member->phase = PHASE_OVER;
     if (thread == 0 && threads != execution->asked) {
         execution->threads = threads;
-        execution->reason = threads == 1 ? REASON_ONE_THREAD : REASON_NONE;
+        execution->reason = too_few ? REASON_ONE_THREAD : REASON_NONE;
     }
 }
 
@@ -271,6 +305,6 @@ int redcc_leave(redcc_call *call) {
         else
             redcc_plan_free(execution->plan);
     }
-    atomic_store_explicit(&execution->state->busy, 0, memory_order_release);
+    let_go(execution->state);
     return done;
 }

@@ -63,8 +63,9 @@ struct execution {
     int parameter;
     redcc_order order;
     enum course course;
-    int asked;   /* threads */
-    int threads; /* that came */
+    bool insists; /* one thread executes by the plan as well */
+    int asked;    /* threads */
+    int threads;  /* that came */
     struct barrier barrier;
     enum phase next; /* where the last to arrive sends all */
     bool verified;   /* so far the candidate's subscripts are unchanged */
@@ -90,6 +91,7 @@ struct execution {
 struct loop_state {
     struct reported reported;
     atomic_int busy;
+    bool passing; /* of one execution, beside the loop's own; not in the report */
     struct chooser chooser;
     struct plan *plans[REDCC_PLANS];
     uint64_t plan_clock;

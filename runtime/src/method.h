@@ -26,7 +26,8 @@ enum copy_kind {
     COPY_NONE,
     COPY_WHOLE,   /* each thread has a copy of all that is touched */
     COPY_TOUCHED, /* each thread has a copy of the range that its iterations touch */
-    COPY_TEAM     /* each team but the first, which writes in place, has a copy of all */
+    COPY_TEAM,    /* each team but the first, which writes in place, has a copy of all */
+    COPY_SHARE    /* each of `parameter` equal shares of the iterations has a copy of all */
 };
 
 struct method {
@@ -36,7 +37,8 @@ struct method {
     /* Promises */
     redcc_order keeps;     /* the strongest order that results have: SERIAL also means that each
                               element's contributions are added in the order of the loop, which
-                              loops with REDCC_ORDER_NEEDED ask for */
+                              loops with REDCC_ORDER_NEEDED ask for; a method that keeps FIXED is
+                              used by one thread as well */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
@@ -48,6 +50,8 @@ struct method {
     int (*teams)(int threads, int parameter);
     /** OPTIONAL; how many owners the arrays are cut for. Without it: `threads`. */
     uint32_t (*owners)(int threads, int parameter);
+    /** OPTIONAL; how many flags its tasks wait for each other by. */
+    uint32_t (*flags)(uint32_t owners);
     /** What `thread` executes, into plan->schedule[thread]. Called by all threads at once. False:
      *  no memory. NULL: the method is the sequential loop itself. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
@@ -59,6 +63,8 @@ extern const struct method redcc_method_expansion;
 extern const struct method redcc_method_pseudo_expansion;
 extern const struct method redcc_method_dwa_lip;
 extern const struct method redcc_method_pe_dwa_lip;
+extern const struct method redcc_method_dwa_lip_fixed;
+extern const struct method redcc_method_expansion_fixed;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
@@ -68,6 +74,12 @@ extern const struct method *const redcc_methods[];
 static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {
     const redcc_int quotient = trip / threads, rest = trip % threads;
     return quotient * thread + (thread < rest ? thread : rest);
+}
+
+/** Of `parts` consecutive equal parts of `count` things, the first thing of part `part`; part ==
+ *  parts: `count`. */
+static inline uint32_t redcc_part_first(uint32_t count, int parts, int part) {
+    return (uint32_t)((uint64_t)count * (uint64_t)part / (uint64_t)parts);
 }
 
 /** Does the last iteration touch nothing? Somebody executes it all the same, for the last values of

@@ -23,9 +23,12 @@ static bool take_tables(struct plan *plan, const redcc_loop *loop) {
     plan->schedule = redcc_memory_take_zeroed(threads, sizeof *plan->schedule);
     plan->stages = redcc_memory_take_zeroed((size_t)plan->teams, sizeof *plan->stages);
     plan->team_barrier = redcc_memory_take_zeroed((size_t)plan->teams, sizeof *plan->team_barrier);
-    return plan->key && plan->group_of && plan->shift && plan->touched && plan->bound &&
-           plan->source && plan->schedule && plan->stages && plan->team_barrier &&
-           redcc_copies_begin(plan, loop->arrays);
+    const bool flagged = plan->method->flags != NULL;
+    if (flagged)
+        plan->flags = redcc_flags_new(plan->method->flags(plan->owners));
+    return plan->key && (plan->flags || !flagged) && plan->group_of && plan->shift &&
+           plan->touched && plan->bound && plan->source && plan->schedule && plan->stages &&
+           plan->team_barrier && redcc_copies_begin(plan, loop->arrays);
 }
 
 static uintptr_t within(uintptr_t address, struct range range) {
@@ -80,6 +83,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     plan->array_count = loop->array_count;
     plan->source_count = loop->source_count;
     plan->owners = partition->owners;
+    plan->round = 1;
     if (!take_tables(plan, loop)) {
         redcc_plan_free(plan);
         return NULL;
@@ -106,6 +110,7 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan->schedule);
     redcc_memory_give(plan->stages);
     redcc_memory_give(plan->team_barrier);
+    redcc_memory_give(plan->flags);
     redcc_memory_give(plan);
 }
 
@@ -226,10 +231,12 @@ bool redcc_plan_reusable(const struct plan *plan, const redcc_loop *loop) {
 
 size_t redcc_plan_bytes(const struct plan *plan) {
     size_t bytes = redcc_memory_size(plan) + redcc_memory_size(plan->bound) +
-                   redcc_memory_size(plan->schedule) + redcc_memory_size(plan->team_barrier);
+                   redcc_memory_size(plan->schedule) + redcc_memory_size(plan->team_barrier) +
+                   redcc_memory_size(plan->flags);
     for (int thread = 0; thread < plan->threads; thread++)
         bytes += redcc_memory_size(plan->schedule[thread].run) +
-                 redcc_memory_size(plan->schedule[thread].chunk);
+                 redcc_memory_size(plan->schedule[thread].chunk) +
+                 redcc_memory_size(plan->schedule[thread].wait);
     for (int c = 0; c < plan->copies.count; c++)
         for (uint32_t group = 0; group < plan->array_count; group++)
             bytes += redcc_memory_size(plan->copies.copy[c].memory[group]);

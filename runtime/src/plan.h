@@ -9,6 +9,7 @@
 #include "barrier.h"
 #include "copies.h"
 #include "fingerprint.h"
+#include "flags.h"
 #include "method.h"
 #include "schedule.h"
 
@@ -48,6 +49,8 @@ struct plan {
     struct schedule *schedule;    /* [threads] */
     uint32_t *stages;             /* [teams] */
     struct barrier *team_barrier; /* [teams] */
+    struct flags *flags;          /* of tasks; NULL: there are none */
+    unsigned round;               /* of this execution: what a flag that is up holds */
     struct copies copies;
     redcc_int executed; /* iterations, replicated ones counted */
     uint64_t last_use;

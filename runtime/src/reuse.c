@@ -13,6 +13,7 @@ void redcc_find_candidate(struct execution *execution, int threads) {
         struct plan *plan = state->plans[p];
         if (plan && redcc_plan_fits(plan, &execution->request, threads, execution->sources)) {
             plan->last_use = ++state->plan_clock;
+            plan->round++;
             execution->candidate = plan;
             return;
         }

@@ -3,8 +3,8 @@
 
 #include "memory.h"
 
-bool redcc_sample_begin(struct sample *sample, size_t capacity) {
-    *sample = (struct sample){.capacity = capacity, .keep_each = 1, .random = 1};
+bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first) {
+    *sample = (struct sample){.capacity = capacity, .keep_each = 1, .first = first};
     sample->item = redcc_memory_take(capacity * sizeof *sample->item);
     return sample->item != NULL;
 }
@@ -14,26 +14,43 @@ void redcc_sample_end(struct sample *sample) {
     *sample = (struct sample){0};
 }
 
-/* True once in `in` calls on average; `in` is a power of two. */
-static bool chance(struct sample *sample, uint64_t in) {
-    sample->random =
-        sample->random * 6364136223846793005u + 1442695040888963407u; /* Knuth's MMIX */
-    return (sample->random >> 33 & (in - 1)) == 0;
+/* True of one touch in `in` on average (a power of two); true of fewer where `in` is larger. The
+ * finalizer of Steele, Lea and Flood's SplitMix64. */
+static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
+    uint64_t hash = iteration * 0x9e3779b97f4a7c15u + touch * 0xd1b54a32d192ed03u;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return ((hash ^ hash >> 31) & (in - 1)) == 0;
 }
 
-static void drop_half(struct sample *sample) {
+static bool stays(const struct sample *sample, const struct sampled *item, uint64_t keep_each) {
+    return chosen(sample->first + item->iteration, item->touch, keep_each);
+}
+
+size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
+    size_t count = 0;
+    for (size_t i = 0; i < sample->count; i++)
+        count += stays(sample, &sample->item[i], keep_each);
+    return count;
+}
+
+void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     size_t kept = 0;
     for (size_t i = 0; i < sample->count; i++)
-        if (chance(sample, 2))
+        if (stays(sample, &sample->item[i], keep_each))
             sample->item[kept++] = sample->item[i];
     sample->count = kept;
-    sample->keep_each *= 2;
+    sample->keep_each = keep_each;
 }
 
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array) {
-    if (sample->keep_each > 1 && !chance(sample, sample->keep_each))
+    const struct sampled item = {address, array, sample->iterations, sample->touches++};
+    if (!stays(sample, &item, sample->keep_each))
         return;
-    while (sample->count == sample->capacity)
-        drop_half(sample);
-    sample->item[sample->count++] = (struct sampled){address, array, sample->iterations};
+    while (sample->count == sample->capacity) {
+        redcc_sample_thin(sample, 2 * sample->keep_each);
+        if (!stays(sample, &item, sample->keep_each))
+            return;
+    }
+    sample->item[sample->count++] = item;
 }

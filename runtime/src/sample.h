@@ -14,6 +14,7 @@ struct sampled {
     uintptr_t address;
     uint32_t array;
     uint32_t iteration; /* of this thread's sample, counted from 0 */
+    uint32_t touch;     /* of this iteration, counted from 0 */
 };
 
 struct sample {
@@ -21,25 +22,34 @@ struct sample {
     size_t count;
     size_t capacity;
     uint64_t keep_each; /* touches that one kept item stands for; a power of two */
-    uint64_t random;
+    uint64_t first;     /* sampled iterations of the threads before */
     uint32_t iterations;
+    uint32_t touches; /* of the iteration at hand */
 };
 
-/** An empty one that keeps at most `capacity` touches. False: no memory (end it all the same). */
-bool redcc_sample_begin(struct sample *sample, size_t capacity);
+/** An empty one that keeps at most `capacity` touches, of a thread before whose share `first`
+ *  iterations are sampled. False: no memory (end it all the same). */
+bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first);
 
 /** Gives back its memory. */
 void redcc_sample_end(struct sample *sample);
 
 /** Takes a touch in. When full, about half of the items are dropped and half as many are kept from
  *  then on, so that loops with thousands of touches an iteration are sampled evenly as well. Which
- *  ones is left to chance (the same in every run): loops touch their arrays in turn, and every
- *  fourth touch might be of one array only. */
+ *  ones, a hash of iteration and touch decides, not their rank: loops touch their arrays in turn,
+ *  and every fourth touch might be of one array only. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
+
+/** Drops items until one stands for `keep_each` touches. */
+void redcc_sample_thin(struct sample *sample, uint64_t keep_each);
+
+/** How many items redcc_sample_thin would leave. */
+size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each);
 
 /** What follows belongs to the next iteration. */
 static inline void redcc_sample_next_iteration(struct sample *sample) {
     sample->iterations++;
+    sample->touches = 0;
 }
 
 #endif

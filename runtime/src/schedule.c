@@ -45,12 +45,19 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
                       bool guarded) {
     const struct chunk *last =
         schedule->chunk_count ? &schedule->chunk[schedule->chunk_count - 1] : NULL;
-    if (!last || last->stage != stage || begin < last->origin ||
+    if (!last || last->stage != stage || schedule->apart || begin < last->origin ||
         begin - last->origin > REDCC_RUN_MOST) {
         if (!room_for_chunk(schedule))
             return false;
-        schedule->chunk[schedule->chunk_count++] =
-            (struct chunk){begin, schedule->run_count, schedule->run_count, stage};
+        schedule->chunk[schedule->chunk_count++] = (struct chunk){.origin = begin,
+                                                                  .run_begin = schedule->run_count,
+                                                                  .run_end = schedule->run_count,
+                                                                  .stage = stage,
+                                                                  .copy = schedule->copy,
+                                                                  .wait_begin = schedule->waited,
+                                                                  .wait_end = schedule->wait_count};
+        schedule->waited = schedule->wait_count;
+        schedule->apart = false;
     }
     if (!room_for_run(schedule))
         return false;
@@ -66,7 +73,7 @@ bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int beg
     schedule->iterations += count;
     if (schedule->chunk_count) {
         const struct chunk *last = &schedule->chunk[schedule->chunk_count - 1];
-        if (last->stage == stage) {
+        if (last->stage == stage && !schedule->apart) {
             const redcc_int taken = lengthen(schedule, last, begin, count, guarded);
             begin += taken;
             count -= taken;
@@ -96,6 +103,31 @@ bool redcc_schedule_append(struct schedule *schedule, const struct schedule *oth
     return true;
 }
 
+bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, uint32_t count) {
+    if (schedule->wait_capacity - schedule->wait_count < count) {
+        const uint32_t more = 2 * schedule->wait_capacity + count + 64;
+        uint32_t *longer = redcc_memory_resize(schedule->wait, more * sizeof *longer);
+        if (!longer)
+            return false;
+        schedule->wait = longer;
+        schedule->wait_capacity = more;
+    }
+    for (uint32_t w = 0; w < count; w++)
+        schedule->wait[schedule->wait_count++] = wait[w];
+    schedule->apart = true;
+    return true;
+}
+
+void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag) {
+    schedule->chunk[schedule->chunk_count - 1].flag = flag + 1;
+    schedule->apart = true;
+}
+
+void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy) {
+    schedule->copy = copy;
+    schedule->apart = true;
+}
+
 void redcc_schedule_trim(struct schedule *schedule) {
     if (schedule->run_capacity - schedule->run_count < 64)
         return;
@@ -109,5 +141,6 @@ void redcc_schedule_trim(struct schedule *schedule) {
 void redcc_schedule_end(struct schedule *schedule) {
     redcc_memory_give(schedule->chunk);
     redcc_memory_give(schedule->run);
+    redcc_memory_give(schedule->wait);
     *schedule = (struct schedule){0};
 }

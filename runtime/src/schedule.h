@@ -18,6 +18,10 @@ struct chunk {
     size_t run_begin;
     size_t run_end;
     uint32_t stage;
+    uint32_t copy;       /* COPY_SHARE: the copy that it writes to */
+    uint32_t wait_begin; /* before it: until flags wait[wait_begin] ... wait[wait_end - 1] are up */
+    uint32_t wait_end;
+    uint32_t flag; /* after it: this flag goes up, counted from 1; 0: none */
 };
 
 /** All zero is an empty one. */
@@ -28,6 +32,12 @@ struct schedule {
     redcc_run *run;
     size_t run_count;
     size_t run_capacity;
+    uint32_t *wait; /* flags, counted from 0 */
+    uint32_t wait_count;
+    uint32_t wait_capacity;
+    uint32_t waited;      /* those of `wait` that chunks have already */
+    uint32_t copy;        /* of the chunks that follow */
+    bool apart;           /* what follows begins a new chunk */
     redcc_int iterations; /* executed, guarded ones included */
 };
 
@@ -41,6 +51,16 @@ bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int beg
 
 /** Appends all that `other` has, in stage `stage`. False: no memory. */
 bool redcc_schedule_append(struct schedule *schedule, const struct schedule *other, uint32_t stage);
+
+/** What follows is a task: its first chunk begins when the flags wait [count] are up. False: no
+ *  memory. */
+bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, uint32_t count);
+
+/** The task, which has at least one iteration, is at its end: `flag` goes up. */
+void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag);
+
+/** What follows is written to copy number `copy`. */
+void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy);
 
 /** Gives back what is not used. */
 void redcc_schedule_trim(struct schedule *schedule);

@@ -117,7 +117,7 @@ static void a_full_sample_stays_even(void **unused) {
     (void)unused;
     struct sample sample;
     size_t count[2][4] = {{0}};
-    assert_true(redcc_sample_begin(&sample, 256));
+    assert_true(redcc_sample_begin(&sample, 256, 0));
     for (uintptr_t i = 0; i < 20000; i++) {
         redcc_sample_add(&sample, i, i % 2);
         redcc_sample_next_iteration(&sample);
@@ -143,7 +143,7 @@ static void cuts_of_several_arrays_lie_at_the_same_rows(void **unused) {
     struct partition partition;
     struct sample sample;
     assert_true(redcc_partition_begin(&partition, &loop, bases, OWNERS));
-    assert_true(redcc_sample_begin(&sample, 32768));
+    assert_true(redcc_sample_begin(&sample, 32768, 0));
     unsigned long random = 7;
     for (long t = 0; t < 3000; t++) {
         for (int node = 0; node < 3; node++) {
