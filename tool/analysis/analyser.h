@@ -7,6 +7,7 @@
 #include "analysis/alias.h"
 #include "analysis/analysis.h"
 #include "analysis/counted.h"
+#include "analysis/unit_text.h"
 
 typedef struct analyser {
     arena *memory;
@@ -16,6 +17,7 @@ typedef struct analyser {
     variable_facts *facts;
     effects *effects;
     alias_rules rules;
+    unit_text *text;
 } analyser;
 
 /** What an access of the loop turned out to be. */

@@ -12,14 +12,6 @@
 /* ---- the source text --------------------------------------------------------------------------
  */
 
-static bool text_has(const source *s, ir_range range, const char *word) {
-    size_t length = strlen(word);
-    for (uint32_t i = range.begin; i + length <= range.end; i++)
-        if (memcmp(s->text + i, word, length) == 0)
-            return true;
-    return false;
-}
-
 static bool is_openmp(const char *directive) {
     return strstr(directive, "omp") != NULL && strstr(directive, "pragma") != NULL;
 }
@@ -45,41 +37,39 @@ static bool is_directly_above(const source *s, uint32_t from, uint32_t to) {
     return true;
 }
 
+/* Has the loop an OpenMP directive? There may be others between the two, conditionals too. */
+static const char *openmp_above(const judgement *j, unsigned first) {
+    const ir_unit *unit = j->an->unit;
+    uint32_t to = j->loop->range.begin;
+    for (unsigned i = first; i-- > 0;) {
+        const ir_directive *d = &unit->directives[i];
+        if (!is_directly_above(unit->source, d->range.end, to))
+            return NULL;
+        if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_openmp(d->text))
+            return d->text;
+        to = d->range.begin;
+    }
+    return NULL;
+}
+
 static bool judge_directives(judgement *j) {
     const ir_unit *unit = j->an->unit;
-    ir_range range = j->loop->range;
-    for (unsigned i = 0; i < unit->directive_count; i++) {
-        const ir_directive *d = &unit->directives[i];
-        const char *text = d->text ? d->text : "#";
-        if (strstr(text, "FENV_ACCESS") && strstr(text, "ON"))
-            return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, text);
-        bool is_inside = d->range.begin >= range.begin && d->range.begin < range.end;
-        bool is_above = d->kind == IR_DIRECTIVE_PRAGMA && d->range.end <= range.begin &&
-                        is_directly_above(unit->source, d->range.end, range.begin);
-        if (is_openmp(text) && (is_inside || is_above))
-            return judgement_refuse(j, REASON_EXISTING_OPENMP, j->loop, text);
-        if (is_inside) /* others above the loop stay with the sequential copy */
-            return judgement_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop, text);
-    }
-    return true;
+    const ir_directive *fenv_access = unit_text_fenv_access(j->an->text);
+    if (fenv_access)
+        return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access->text);
+    const unsigned first = unit_text_first_directive(j->an->text, j->loop->range.begin);
+    const char *above = openmp_above(j, first);
+    if (above)
+        return judgement_refuse(j, REASON_EXISTING_OPENMP, j->loop, above);
+    if (first == unit->directive_count || unit->directives[first].range.begin >= j->loop->range.end)
+        return true; /* others above the loop stay with the sequential copy */
+    const char *inside = unit->directives[first].text ? unit->directives[first].text : "#";
+    return judgement_refuse(
+        j, is_openmp(inside) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE, j->loop, inside);
 }
 
 /* ---- names ------------------------------------------------------------------------------------
  */
-
-static bool find_reserved(ir_node *node, void *context) {
-    judgement *j = context;
-    const ir_variable *variable = node->variable;
-    if ((node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR) && variable && variable->name &&
-        strncmp(variable->name, "redcc__", 7) == 0)
-        judgement_refuse(j, REASON_NAME, node, variable->name);
-    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
-        const char *name = node->children[0]->function->name;
-        if (strstr(name, "setjmp"))
-            judgement_refuse(j, REASON_SETJMP, node, name);
-    }
-    return true;
-}
 
 static bool has_macro(const ir_node *node) {
     if (node->flags & IR_FROM_MACRO)
@@ -101,11 +91,14 @@ bool judge_text(judgement *j) {
         return judgement_refuse(j, REASON_NO_RANGE, loop, "the loop");
     if (!judge_directives(j))
         return false;
-    ir_range everything = {0, s ? s->length : 0};
-    if (s && text_has(s, has_macro(loop) ? everything : loop->range, "__COUNTER__"))
+    const ir_range everything = {0, s ? s->length : 0};
+    if (unit_text_has_counter(j->an->text, has_macro(loop) ? everything : loop->range))
         return judgement_refuse(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
-    ir_walk(j->function->body, find_reserved, j);
-    return j->why.id == REASON_NONE;
+    const char *name;
+    bool is_setjmp;
+    const ir_node *obstacle = unit_text_obstacle(j->an->text, j->function, &name, &is_setjmp);
+    return !obstacle ||
+           judgement_refuse(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
 }
 
 /* ---- jumps ------------------------------------------------------------------------------------

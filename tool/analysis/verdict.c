@@ -325,7 +325,8 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *o
                    .prover = prover,
                    .facts = facts,
                    .effects = effects_new(a, unit, options, facts),
-                   .rules = {facts, unit->strict_aliasing, options->assume_noalias}};
+                   .rules = {facts, unit->strict_aliasing, options->assume_noalias},
+                   .text = unit_text_new(a, unit)};
     loop_search search_state = {.an = &an};
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)

@@ -53,8 +53,9 @@ static const char *prelude(arena *a, const ir_unit *unit, const emit_options *op
 
 static bool mentions(const source *s, const char *word) {
     const size_t length = strlen(word);
-    for (uint32_t i = 0; i + length <= s->length; i++)
-        if (s->text[i] == word[0] && memcmp(s->text + i, word, length) == 0)
+    const char *end = s->text + s->length, *at = s->text;
+    for (; (size_t)(end - at) >= length && (at = memchr(at, word[0], (size_t)(end - at))); at++)
+        if ((size_t)(end - at) >= length && memcmp(at, word, length) == 0)
             return true;
     return false;
 }

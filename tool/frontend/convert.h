@@ -17,31 +17,43 @@ typedef struct function_body {
     CXCursor definition;
 } function_body;
 
+typedef VECTOR(CXCursor) cursor_list;
+
+/** clang computes an extent anew each time it is asked for, and an expression's is often asked for
+ *  by what is around it first. */
+typedef struct extent_memory {
+    const void *tree; /* clang's expression or statement */
+    CXSourceRange extent;
+} extent_memory;
+
+enum { EXTENTS_KEPT = 64 };
+
 typedef struct converter {
     arena *arena;
     arena *scratch; /* for lists of cursors; of the body being converted */
     ir_unit *unit;
     CXTranslationUnit clang;
     CXFile main_file;
-    map *types;                   /* clang's canonical type -> ir_type */
+    map *types;                   /* clang's type -> ir_type */
     map *records;                 /* declaration -> ir_record */
     map *fields;                  /* declaration -> ir_field */
-    map *variables;               /* canonical declaration -> ir_variable */
-    map *functions;               /* canonical declaration -> ir_function */
+    map *variables;               /* each of its declarations -> ir_variable */
+    map *functions;               /* each of its declarations -> ir_function */
     map *functions_with_errors;   /* canonical declaration -> anything */
     map *pointers;                /* target's ir_type -> pointer made for it */
     map *files;                   /* CXFile -> file_text */
     map *expansion_ends;          /* begin of a macro's expansion in the main file -> its end + 1 */
     map *expansion_begins;        /* end -> begin + 1 */
+    bool knows_expansions;        /* the two are complete */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
     VECTOR(function_body) pending; /* bodies to convert */
     ir_function *function;         /* being converted */
     unsigned depth;
+    cursor_list collected; /* a stack: children of the cursors on the way down */
+    extent_memory extents[EXTENTS_KEPT];
 } converter;
-
-typedef VECTOR(CXCursor) cursor_list;
 
 /* ---- places (location.c) ------------------------------------------------------------------- */
 
@@ -53,6 +65,8 @@ typedef struct file_text {
 /** Fills in the tables of macro expansions. */
 void note_expansion(converter *c, CXCursor expansion);
 bool is_in_main_file(converter *c, CXSourceLocation location);
+/** As clang_getCursorExtent. */
+CXSourceRange extent_of(converter *c, CXCursor cursor);
 /** Bytes of the main file; sets *is_from_macro where an end of it is made by a macro. */
 ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro);
 /** Sets range and IR_FROM_MACRO. */
@@ -98,7 +112,7 @@ void mark_functions_with_errors(converter *c);
  *  The list lives in the scratch arena. */
 cursor_list children_of(converter *c, CXCursor cursor);
 /** Counts a level; false: too deep, *result is set and the level not to be left. */
-bool enter_level(converter *c, CXCursor cursor, const ir_type *type, ir_node **result);
+bool enter_level(converter *c, CXCursor cursor, ir_node **result);
 
 ir_node *convert_expression(converter *c, CXCursor cursor);
 ir_node *convert_statement(converter *c, CXCursor cursor);

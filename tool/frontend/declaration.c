@@ -38,13 +38,20 @@ static CXType type_of_variable(CXCursor declaration) {
 }
 
 ir_variable *convert_variable(converter *c, CXCursor declaration) {
-    CXCursor first = clang_getCanonicalCursor(declaration);
-    const void *key = first.data[0];
-    ir_variable *v = map_get(c->variables, &key, sizeof key);
+    const void *own = declaration.data[0];
+    ir_variable *v = map_get(c->variables, &own, sizeof own);
     if (v != NULL)
         return v;
+    CXCursor first = clang_getCanonicalCursor(declaration);
+    const void *key = first.data[0];
+    v = map_get(c->variables, &key, sizeof key);
+    if (v != NULL) {
+        *map_at(c->variables, &own, sizeof own) = v;
+        return v;
+    }
     v = ARENA_NEW(c->arena, ir_variable);
     *map_at(c->variables, &key, sizeof key) = v;
+    *map_at(c->variables, &own, sizeof own) = v;
     v->name = take_string(c, clang_getCursorSpelling(first));
     v->type = convert_type(c, type_of_variable(declaration));
     v->storage = storage_of(first);
@@ -88,14 +95,20 @@ static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
 }
 
 ir_function *convert_function(converter *c, CXCursor declaration) {
+    const void *own = declaration.data[0];
+    ir_function *f = map_get(c->functions, &own, sizeof own);
+    if (f != NULL)
+        return f;
     const void *key = clang_getCanonicalCursor(declaration).data[0];
-    ir_function *f = map_get(c->functions, &key, sizeof key);
+    f = map_get(c->functions, &key, sizeof key);
     if (f != NULL) {
         read_attributes(c, declaration, f); /* a later declaration may add some */
+        *map_at(c->functions, &own, sizeof own) = f;
         return f;
     }
     f = ARENA_NEW(c->arena, ir_function);
     *map_at(c->functions, &key, sizeof key) = f;
+    *map_at(c->functions, &own, sizeof own) = f;
     CXCursor definition = clang_getCursorDefinition(declaration);
     bool has_body = !clang_Cursor_isNull(definition);
     fill_function(c, f, has_body ? definition : declaration);

@@ -30,13 +30,17 @@ unsigned splice_length(const char *p, const char *end) {
 
 static bool starts_with(const scanner *s, const char *text) {
     size_t length = strlen(text);
+    if (*s->at != *text)
+        return false;
     return (size_t)(s->end - s->at) >= length && strncmp(s->at, text, length) == 0;
 }
 
 static void skip_block_comment(scanner *s) {
     s->at += 2;
-    while (s->at < s->end && !starts_with(s, "*/"))
-        s->at++;
+    while (s->at < s->end && !starts_with(s, "*/")) {
+        const char *star = memchr(s->at + 1, '*', (size_t)(s->end - s->at - 1));
+        s->at = star != NULL ? star : s->end;
+    }
     s->at = s->at < s->end ? s->at + 2 : s->end;
 }
 
@@ -44,6 +48,10 @@ static void skip_block_comment(scanner *s) {
  * a branch that is not compiled. */
 static void skip_to(scanner *s, char close) {
     while (s->at < s->end && *s->at != '\n') {
+        if (*s->at != '\\' && *s->at != '?' && *s->at != close) {
+            s->at++;
+            continue;
+        }
         unsigned splice = splice_length(s->at, s->end);
         if (splice > 0) {
             s->at += splice;
@@ -63,8 +71,17 @@ static void skip_quoted(scanner *s) {
     skip_to(s, close);
 }
 
+/* The first bytes of what is not passed over byte by byte, and of directives. */
+static bool may_begin_piece(char c) {
+    return c == '/' || c == '\\' || c == '?' || c == '"' || c == '\'' || c == '#' || c == '%';
+}
+
 /* Comments, strings and splices are passed over as one; anything else byte by byte. */
 static void skip_piece(scanner *s) {
+    if (!may_begin_piece(*s->at)) {
+        s->at++;
+        return;
+    }
     unsigned splice = splice_length(s->at, s->end);
     if (splice > 0)
         s->at += splice;
@@ -149,7 +166,8 @@ static void read_pragma_operator(scanner *s) {
 }
 
 static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 128;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '$' || (unsigned char)c >= 128;
 }
 
 static void read_word(scanner *s) {
@@ -174,16 +192,18 @@ static void scan(scanner *s) {
         if (*s->at == '\n') {
             s->is_line_begin = true;
             s->at++;
-        } else if (is_blank(*s->at) || starts_with(s, "/*") || splice_length(s->at, s->end) > 0) {
+        } else if (is_blank(*s->at)) {
+            s->at++;
+        } else if (is_word_byte(*s->at)) {
+            s->is_line_begin = false;
+            read_word(s);
+        } else if (starts_with(s, "/*") || splice_length(s->at, s->end) > 0) {
             skip_piece(s); /* the next may still begin a directive */
         } else if (s->is_line_begin && hash_length(s) > 0) {
             read_directive(s, hash_length(s));
         } else {
             s->is_line_begin = false;
-            if (is_word_byte(*s->at))
-                read_word(s);
-            else
-                skip_piece(s);
+            skip_piece(s);
         }
     }
 }

@@ -1,27 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Expressions. */
+#include <string.h>
+
 #include "frontend/convert.h"
 
 /* ---- children ------------------------------------------------------------------------------ */
 
-typedef struct child_list {
-    converter *converter;
-    cursor_list cursors;
-} child_list;
-
 static enum CXChildVisitResult collect_child(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
-    child_list *list = data;
+    converter *c = data;
     enum CXCursorKind kind = clang_getCursorKind(child);
     if (clang_isExpression(kind) || clang_isStatement(kind))
-        VECTOR_PUSH(list->converter->scratch, &list->cursors, child);
+        VECTOR_PUSH(c->arena, &c->collected, child);
     return CXChildVisit_Continue;
 }
 
 cursor_list children_of(converter *c, CXCursor cursor) {
-    child_list list = {.converter = c};
-    clang_visitChildren(cursor, collect_child, &list);
-    return list.cursors;
+    const unsigned first = c->collected.count;
+    clang_visitChildren(cursor, collect_child, c);
+    cursor_list list = {.count = c->collected.count - first};
+    list.capacity = list.count;
+    if (list.count > 0) {
+        list.items = ARENA_ARRAY(c->scratch, CXCursor, list.count);
+        memcpy(list.items, c->collected.items + first, list.count * sizeof(CXCursor));
+    }
+    c->collected.count = first;
+    return list;
 }
 
 /* ---- making nodes -------------------------------------------------------------------------- */
@@ -375,15 +379,15 @@ static ir_node *convert_generic(converter *c, CXCursor cursor) {
 
 /* ---- what libclang does not expose --------------------------------------------------------- */
 
-static bool has_same_extent(CXCursor a, CXCursor b) {
-    return clang_equalRanges(clang_getCursorExtent(a), clang_getCursorExtent(b)) != 0;
+static bool has_same_extent(converter *c, CXCursor a, CXCursor b) {
+    return clang_equalRanges(extent_of(c, a), extent_of(c, b)) != 0;
 }
 
 /* An implicit conversion has one part and its extent. Anything else is `a ?: b`, va_arg, offsetof,
  * an atomic builtin, ... */
 static ir_node *convert_unexposed(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
-    if (parts.count == 1 && has_same_extent(cursor, parts.items[0]))
+    if (parts.count == 1 && has_same_extent(c, cursor, parts.items[0]))
         return convert_expression(c, parts.items[0]);
     const char *text = plain_text(c, cursor);
     return opaque_expression(c, cursor, text != NULL ? text : "expression");
@@ -398,13 +402,14 @@ static ir_node *convert_parentheses(converter *c, CXCursor cursor) {
 
 /* ---- all ----------------------------------------------------------------------------------- */
 
-bool enter_level(converter *c, CXCursor cursor, const ir_type *type, ir_node **result) {
+bool enter_level(converter *c, CXCursor cursor, ir_node **result) {
     if (c->depth < DEEPEST_NODE) {
         c->depth++;
         return true;
     }
     c->function->has_errors = true;
-    *result = ir_new(c->arena, IR_OPAQUE, type, 0);
+    const bool is_expression = clang_isExpression(clang_getCursorKind(cursor)) != 0;
+    *result = ir_new(c->arena, IR_OPAQUE, is_expression ? type_of(c, cursor) : NULL, 0);
     (*result)->text = "nested too deeply";
     place_node(c, *result, cursor);
     return false;
@@ -458,7 +463,7 @@ static ir_node *convert_by_kind(converter *c, CXCursor cursor) {
 
 ir_node *convert_expression(converter *c, CXCursor cursor) {
     ir_node *node;
-    if (!enter_level(c, cursor, type_of(c, cursor), &node))
+    if (!enter_level(c, cursor, &node))
         return node;
     node = convert_by_kind(c, cursor);
     c->depth--;

@@ -118,6 +118,7 @@ static void convert_body(converter *c, const function_body *pending) {
 static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
     clang_visitChildren(unit, visit_expansion, c);
+    c->knows_expansions = true;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
     for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are met */

@@ -14,12 +14,20 @@ static bool is_same_file(CXFile a, CXFile b) {
     return a == b || (a != NULL && b != NULL && clang_File_isEqual(a, b));
 }
 
-/* Where the token stands, or where the macro is expanded that made it. */
-static place place_of(CXSourceLocation location) {
-    place p;
+static unsigned end_of_expansion(const converter *c, uint32_t begin) {
+    return (unsigned)(uintptr_t)map_get(c->expansion_ends, &begin, sizeof begin);
+}
+
+/* Where the token stands, or where the macro is expanded that made it. What a macro makes is placed
+ * at the begin of its expansion; so anything elsewhere in the main file stands where it is spelled,
+ * once all expansions are known. */
+static place place_of(const converter *c, CXSourceLocation location) {
+    place p = {0};
     CXFile spelled;
     unsigned spelled_offset;
     clang_getExpansionLocation(location, &p.file, NULL, NULL, &p.offset);
+    if (c->knows_expansions && p.file == c->main_file && end_of_expansion(c, p.offset) == 0)
+        return p;
     clang_getSpellingLocation(location, &spelled, NULL, NULL, &spelled_offset);
     p.is_from_macro = p.offset != spelled_offset || !is_same_file(p.file, spelled);
     return p;
@@ -31,16 +39,23 @@ bool is_in_main_file(converter *c, CXSourceLocation location) {
     return is_same_file(file, c->main_file);
 }
 
-/* ---- expansions ---------------------------------------------------------------------------- */
-
-static unsigned end_of_expansion(const converter *c, uint32_t begin) {
-    return (unsigned)(uintptr_t)map_get(c->expansion_ends, &begin, sizeof begin);
+CXSourceRange extent_of(converter *c, CXCursor cursor) {
+    const enum CXCursorKind kind = clang_getCursorKind(cursor);
+    if (!clang_isExpression(kind) && !clang_isStatement(kind))
+        return clang_getCursorExtent(cursor);
+    const void *tree = cursor.data[1];
+    extent_memory *kept = &c->extents[((uintptr_t)tree >> 4) % EXTENTS_KEPT];
+    if (kept->tree != tree)
+        *kept = (extent_memory){tree, clang_getCursorExtent(cursor)};
+    return kept->extent;
 }
+
+/* ---- expansions ---------------------------------------------------------------------------- */
 
 void note_expansion(converter *c, CXCursor expansion) {
     CXSourceRange extent = clang_getCursorExtent(expansion);
-    place begin = place_of(clang_getRangeStart(extent));
-    place end = place_of(clang_getRangeEnd(extent));
+    place begin = place_of(c, clang_getRangeStart(extent));
+    place end = place_of(c, clang_getRangeEnd(extent));
     if (begin.is_from_macro || end.is_from_macro || !is_same_file(begin.file, c->main_file))
         return;
     uint32_t from = begin.offset, to = end.offset;
@@ -64,8 +79,8 @@ static void find_end(const converter *c, place *end) {
 }
 
 ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro) {
-    place begin = place_of(clang_getRangeStart(extent));
-    place end = place_of(clang_getRangeEnd(extent));
+    place begin = place_of(c, clang_getRangeStart(extent));
+    place end = place_of(c, clang_getRangeEnd(extent));
     find_end(c, &end);
     *is_from_macro = begin.is_from_macro || end.is_from_macro;
     bool is_main = is_same_file(begin.file, c->main_file) && is_same_file(end.file, c->main_file);
@@ -76,7 +91,7 @@ ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro) {
 
 void place_node(converter *c, ir_node *node, CXCursor cursor) {
     bool is_from_macro;
-    node->range = range_of(c, clang_getCursorExtent(cursor), &is_from_macro);
+    node->range = range_of(c, extent_of(c, cursor), &is_from_macro);
     if (is_from_macro)
         node->flags |= IR_FROM_MACRO;
 }
@@ -115,8 +130,8 @@ const char *plain_text(converter *c, CXCursor cursor) {
         return NULL;
     if (range.begin != range.end)
         return arena_copy(c->arena, c->unit->source->text + range.begin, range.end - range.begin);
-    place begin = place_of(clang_getRangeStart(extent));
-    place end = place_of(clang_getRangeEnd(extent));
+    place begin = place_of(c, clang_getRangeStart(extent));
+    place end = place_of(c, clang_getRangeEnd(extent));
     file_text file = text_of_file(c, begin.file);
     if (!is_same_file(begin.file, end.file) || file.text == NULL || begin.offset > end.offset ||
         end.offset > file.length)

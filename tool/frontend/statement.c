@@ -372,7 +372,7 @@ static ir_node *convert_by_kind(converter *c, CXCursor cursor) {
 
 ir_node *convert_statement(converter *c, CXCursor cursor) {
     ir_node *node;
-    if (!enter_level(c, cursor, NULL, &node))
+    if (!enter_level(c, cursor, &node))
         return node;
     bool is_expression = clang_isExpression(clang_getCursorKind(cursor)) != 0;
     node = is_expression ? expression_statement(c, cursor) : convert_by_kind(c, cursor);

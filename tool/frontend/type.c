@@ -292,11 +292,16 @@ static bool has_qualifiers(CXType type) {
 }
 
 const ir_type *convert_type(converter *c, CXType type) {
-    CXType canonical = clang_getCanonicalType(type);
-    const void *key[2] = {canonical.data[0], (const void *)(uintptr_t)canonical.kind};
+    const void *key[2] = {type.data[0], (const void *)(uintptr_t)type.kind};
     const ir_type *known = map_get(c->types, key, sizeof key);
     if (known != NULL)
         return known;
+    CXType canonical = clang_getCanonicalType(type);
+    if (canonical.data[0] != type.data[0] || canonical.kind != type.kind) {
+        known = convert_type(c, canonical);
+        *map_at(c->types, key, sizeof key) = (void *)known;
+        return known;
+    }
     const ir_type *made;
     if (has_qualifiers(canonical)) {
         made = qualified(c, convert_type(c, clang_getUnqualifiedType(canonical)), canonical);

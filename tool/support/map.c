@@ -18,10 +18,17 @@ struct map {
     size_t count;
 };
 
-/* FNV-1a, then mixed so that its low bits depend on all of the key. */
+/* FNV-1a, by words where it can; each step is mixed so that the low bits depend on all of the key.
+ */
 static uint64_t hash_of(const void *key, size_t length) {
     const unsigned char *bytes = key;
     uint64_t hash = 0xcbf29ce484222325u;
+    for (; length >= 8; bytes += 8, length -= 8) {
+        uint64_t word;
+        memcpy(&word, bytes, 8);
+        hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
     for (size_t i = 0; i < length; i++)
         hash = (hash ^ bytes[i]) * 0x100000001b3u;
     return hash ^ (hash >> 32);

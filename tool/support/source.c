@@ -10,8 +10,9 @@
 
 static uint32_t count_lines(const char *text, size_t length) {
     uint32_t count = 1;
-    for (size_t i = 0; i < length; i++)
-        count += text[i] == '\n';
+    const char *end = text + length;
+    for (const char *at = text; at < end && (at = memchr(at, '\n', (size_t)(end - at))); at++)
+        count++;
     return count;
 }
 
@@ -24,9 +25,9 @@ static source *make_source(arena *a, const char *path, const char *text, size_t 
     s->line_count = count_lines(text, length);
     uint32_t *begin = ARENA_ARRAY(a, uint32_t, s->line_count);
     uint32_t line = 0;
-    for (uint32_t i = 0; i < s->length; i++)
-        if (text[i] == '\n')
-            begin[++line] = i + 1;
+    const char *end = text + length;
+    for (const char *at = text; at < end && (at = memchr(at, '\n', (size_t)(end - at))); at++)
+        begin[++line] = (uint32_t)(at - text) + 1;
     s->line_begin = begin;
     return s;
 }

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/unit_text.h"
+
+#include <string.h>
+
+#include "support/vector.h"
+
+struct unit_text {
+    arena *memory;
+    const ir_unit *unit;
+    const ir_directive *fenv_access;
+    VECTOR(uint32_t) counters; /* where __COUNTER__ is written, in order */
+    /* the function that was searched last: loops are judged function by function */
+    const ir_function *searched;
+    const ir_node *obstacle;
+    const char *obstacle_name;
+    bool is_setjmp;
+};
+
+static const char counter_word[] = "__COUNTER__";
+
+static void find_counters(unit_text *text) {
+    const source *s = text->unit->source;
+    if (!s)
+        return;
+    const size_t length = sizeof counter_word - 1;
+    const char *end = s->text + s->length, *at = s->text;
+    while ((size_t)(end - at) >= length && (at = memchr(at, '_', (size_t)(end - at)))) {
+        if ((size_t)(end - at) >= length && memcmp(at, counter_word, length) == 0)
+            VECTOR_PUSH(text->memory, &text->counters, (uint32_t)(at - s->text));
+        at++;
+    }
+}
+
+unit_text *unit_text_new(arena *a, const ir_unit *unit) {
+    unit_text *text = ARENA_NEW(a, unit_text);
+    text->memory = a;
+    text->unit = unit;
+    for (unsigned i = 0; i < unit->directive_count && !text->fenv_access; i++) {
+        const char *words = unit->directives[i].text;
+        if (words && strstr(words, "FENV_ACCESS") && strstr(words, "ON"))
+            text->fenv_access = &unit->directives[i];
+    }
+    find_counters(text);
+    return text;
+}
+
+const ir_directive *unit_text_fenv_access(const unit_text *text) {
+    return text->fenv_access;
+}
+
+unsigned unit_text_first_directive(const unit_text *text, uint32_t offset) {
+    unsigned low = 0, high = text->unit->directive_count;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (text->unit->directives[middle].range.begin < offset)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+bool unit_text_has_counter(const unit_text *text, ir_range range) {
+    for (unsigned i = 0; i < text->counters.count; i++) {
+        const uint32_t at = text->counters.items[i];
+        if (at >= range.begin && at + sizeof counter_word - 1 <= range.end)
+            return true;
+    }
+    return false;
+}
+
+static bool find_obstacle(ir_node *node, void *context) {
+    unit_text *text = context;
+    if (text->obstacle)
+        return false;
+    const ir_variable *variable = node->variable;
+    if ((node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR) && variable && variable->name &&
+        strncmp(variable->name, "redcc__", 7) == 0) {
+        text->obstacle = node;
+        text->obstacle_name = variable->name;
+        text->is_setjmp = false;
+    } else if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION) {
+        const char *name = node->children[0]->function->name;
+        if (strstr(name, "setjmp")) {
+            text->obstacle = node;
+            text->obstacle_name = name;
+            text->is_setjmp = true;
+        }
+    }
+    return true;
+}
+
+const ir_node *unit_text_obstacle(unit_text *text, const ir_function *function, const char **name,
+                                  bool *is_setjmp) {
+    if (text->searched != function) {
+        text->searched = function;
+        text->obstacle = NULL;
+        ir_walk(function->body, find_obstacle, text);
+    }
+    *name = text->obstacle_name;
+    *is_setjmp = text->is_setjmp;
+    return text->obstacle;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the judgement of a loop's text asks about the whole file or function, found once: asked
+ *  anew for each loop, the cost would grow with the square of the file's size. */
+#ifndef ANALYSIS_UNIT_TEXT_H
+#define ANALYSIS_UNIT_TEXT_H
+
+#include "ir/ir.h"
+
+typedef struct unit_text unit_text;
+
+/** Lives in the arena, and borrows the unit. */
+unit_text *unit_text_new(arena *a, const ir_unit *unit);
+
+/** A directive that switches FENV_ACCESS on, or NULL. */
+const ir_directive *unit_text_fenv_access(const unit_text *text);
+
+/** Index of the first directive that begins at `offset` or behind it. */
+unsigned unit_text_first_directive(const unit_text *text, uint32_t offset);
+
+/** Is __COUNTER__ written in this range of the file? */
+bool unit_text_has_counter(const unit_text *text, ir_range range);
+
+/** A node of the function that names what is reserved for generated text (*is_setjmp: that calls
+ *  setjmp), with the name; or NULL. */
+const ir_node *unit_text_obstacle(unit_text *text, const ir_function *function, const char **name,
+                                  bool *is_setjmp);
+
+#endif
