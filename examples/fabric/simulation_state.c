@@ -116,16 +116,28 @@ static int build(simulation *sim) {
     return 0;
 }
 
+static int all_finite(const mesh *m) {
+    for (int i = 0; i < m->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            if (!isfinite(m->position[i][a]) || (a < 2 && !isfinite(m->material[i][a])))
+                return 0;
+    return 1;
+}
+
 simulation *simulation_new(const mesh *m, const scene *s, char *error) {
     const char *reason = "out of memory";
-    simulation *sim = calloc(1, sizeof *sim);
+    simulation *sim = NULL;
+    if (!all_finite(m))
+        reason = "a position is not finite";
+    else
+        sim = calloc(1, sizeof *sim);
     if (sim) {
         sim->mesh = m;
         sim->scene = s;
         if (build(sim) == 0) {
-            if (isfinite(sim->monitor.strain))
+            if (isfinite(sim->monitor.energy) && isfinite(sim->total_mass))
                 return sim;
-            reason = "a position is not finite";
+            reason = "their mass or energy is not finite";
         }
     }
     simulation_free(sim);

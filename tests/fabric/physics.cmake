@@ -19,7 +19,7 @@ endforeach()
 
 # The same sources with OpenMP's pragmas alive: the bits must not depend on the thread count.
 add_library(fabric_physics_openmp STATIC ${FABRIC_PHYSICS_SOURCES})
-target_link_libraries(fabric_physics_openmp PUBLIC fabric_flags OpenMP::OpenMP_C m
+target_link_libraries(fabric_physics_openmp PUBLIC fabric_mesh fabric_flags OpenMP::OpenMP_C m
                       PRIVATE redcc_warnings)
 add_executable(test_fabric_threads physics/test_threads.c)
 target_link_libraries(test_fabric_threads PRIVATE fabric_physics_openmp fabric_physics_tests

@@ -5,25 +5,25 @@
 #include <stdlib.h>
 
 #include "chunk_sum.h"
+#include "mesh_rest.h"
 #include "vector.h"
 
 static const double pi = 3.14159265358979323846;
 
-static double rest_area(const double (*material)[2], int i, int j, int k) {
-    const double u1 = material[j][0] - material[i][0], v1 = material[j][1] - material[i][1];
-    const double u2 = material[k][0] - material[i][0], v2 = material[k][1] - material[i][1];
-    return fabs(u1 * v2 - u2 * v1) / 2;
+/* The area of a flat triangle, and its first edge's length squared. */
+static double rest_area(const double uv[3][2], double *square) {
+    *square = uv[1][0] * uv[1][0] + uv[1][1] * uv[1][1];
+    return fabs(uv[1][0] * uv[2][1] - uv[2][0] * uv[1][1]) / 2;
 }
 
-/* 3 |e|^2 / a, or 0 for a hinge without area. */
-static double rest_weight(const double (*material)[2], const int corner[4]) {
-    const double u = material[corner[1]][0] - material[corner[0]][0];
-    const double v = material[corner[1]][1] - material[corner[0]][1];
-    const double square = u * u + v * v;
-    const double one = rest_area(material, corner[0], corner[1], corner[2]);
-    const double other = rest_area(material, corner[0], corner[1], corner[3]);
-    if (!(one > 1e-12 * square) || !(other > 1e-12 * square))
+/* 3 |e|^2 / a, or 0 where a triangle has no rest shape. */
+static double rest_weight(const mesh *m, const int corner[4]) {
+    double left[3][2], right[3][2], square, same;
+    if (mesh_rest_triangle(m, corner[0], corner[1], corner[2], left) == MESH_REST_NONE ||
+        mesh_rest_triangle(m, corner[0], corner[1], corner[3], right) == MESH_REST_NONE)
         return 0;
+    const double one = rest_area((const double(*)[2])left, &square);
+    const double other = rest_area((const double(*)[2])right, &same);
     return 3 * square / (one + other);
 }
 
@@ -54,7 +54,7 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
     }
     for (int t = 0; t < m->hinge_count; t++) {
         const int n = e->count;
-        e->weight[n] = rest_weight((const double(*)[2])m->material, m->hinge[t]);
+        e->weight[n] = rest_weight(m, m->hinge[t]);
         if (e->weight[n] <= 0)
             continue;
         for (int p = 0; p < 4; p++)

@@ -33,8 +33,8 @@ typedef struct triangle_material {
     double stretch_damping, shear_damping; /* N s/m */
 } triangle_material;
 
-/** The mesh's triangles. Those without area in material coordinates (slivers below 1e-12 of their
- *  longest edge squared) carry no force and are left out. 0, or -1: out of memory. */
+/** The mesh's triangles. Those without a rest shape (mesh_rest.h) carry no force and are left out.
+ *  0, or -1: out of memory. */
 int triangle_elements_init(triangle_elements *e, const mesh *m);
 /** Fills `block`. 0, or -1: out of memory. */
 int triangle_elements_place(triangle_elements *e, const block_matrix *A);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "chunk_sum.h"
+#include "mesh_rest.h"
 #include "vector.h"
 
 static void sort_three(const int in[3], int out[3]) {
@@ -15,16 +16,14 @@ static void sort_three(const int in[3], int out[3]) {
     out[1] = in[2] < low ? low : (in[2] > high ? high : in[2]);
 }
 
-/* cu, cv invert the material coordinates of the triangle's edges. 0 if it has no area. */
-static int rest_shape(const double (*material)[2], const int vertex[3], triangle_rest *rest) {
-    const double *o = material[vertex[0]], *p = material[vertex[1]], *q = material[vertex[2]];
-    const double u1 = p[0] - o[0], v1 = p[1] - o[1];
-    const double u2 = q[0] - o[0], v2 = q[1] - o[1];
-    const double determinant = u1 * v2 - u2 * v1;
-    const double first = u1 * u1 + v1 * v1, second = u2 * u2 + v2 * v2;
-    const double longest = first > second ? first : second;
-    if (!(fabs(determinant) > 1e-12 * longest))
+/* cu, cv invert the flat triangle's edges. 0 if it has no rest shape. */
+static int rest_shape(const mesh *m, const int vertex[3], triangle_rest *rest) {
+    double uv[3][2];
+    if (mesh_rest_triangle(m, vertex[0], vertex[1], vertex[2], uv) == MESH_REST_NONE)
         return 0;
+    const double u1 = uv[1][0], v1 = uv[1][1];
+    const double u2 = uv[2][0], v2 = uv[2][1];
+    const double determinant = u1 * v2 - u2 * v1;
     rest->cu[1] = v2 / determinant;
     rest->cu[2] = -v1 / determinant;
     rest->cu[0] = -(rest->cu[1] + rest->cu[2]);
@@ -45,8 +44,7 @@ int triangle_elements_init(triangle_elements *e, const mesh *m) {
     }
     for (int t = 0; t < m->triangle_count; t++) {
         sort_three(m->triangle[t], e->vertex[e->count]);
-        e->count +=
-            rest_shape((const double(*)[2])m->material, e->vertex[e->count], &e->rest[e->count]);
+        e->count += rest_shape(m, e->vertex[e->count], &e->rest[e->count]);
     }
     return 0;
 }

@@ -1,0 +1,349 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Hard cases of meshes: slivers, topology, refinement, numbering. The names are those of
+ * docs/fabric-hard-cases.md. */
+#include "stage.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "mesh_rest.h"
+#include "vector.h"
+
+enum { columns = 12, slivers = 10 };
+
+/* A sheet, ten of whose triangles have a vertex inside that is nearer to an edge than 1e-2 to 1e-6
+ * of its length, and an eleventh has one on the edge: in each place a sliver and two triangles. The
+ * slivers are the last triangles. */
+static mesh sheet_with_slivers(void) {
+    mesh sheet = cloth_sheet(columns, columns, 0.1, 0.3, 1);
+    const int triangles = sheet.triangle_count, added = slivers + 1;
+    double(*material)[2] = calloc(columns * columns + slivers + 1, sizeof *material);
+    int(*triangle)[3] = calloc((size_t)(triangles + 2 * added), sizeof *triangle);
+    memcpy(material, sheet.material, sizeof *material * columns * columns);
+    memcpy(triangle, sheet.triangle, sizeof *triangle * (size_t)triangles);
+    for (int n = 0; n < added; n++) {
+        const int inner = columns * columns + n, split = 1 + n * (triangles / added);
+        const int a = triangle[split][0], b = triangle[split][1], c = triangle[split][2];
+        const double height = n < slivers ? pow(10, -2 - 4.0 * n / (slivers - 1)) : 0;
+        for (int k = 0; k < 2; k++) {
+            const double foot = (material[a][k] + material[b][k]) / 2;
+            material[inner][k] = foot + height * (material[c][k] - foot);
+        }
+        const int right[3] = {b, c, inner}, left[3] = {c, a, inner};
+        memcpy(triangle[split], right, sizeof right);
+        memcpy(triangle[triangles + n], left, sizeof left);
+        triangle[triangles + added + n][0] = a;
+        triangle[triangles + added + n][1] = b;
+        triangle[triangles + added + n][2] = inner;
+    }
+    mesh m = cloth_of(columns * columns + added, (const double(*)[2])material,
+                      triangles + 2 * added, (const int(*)[3])triangle);
+    free(material);
+    free(triangle);
+    cloth_free(&sheet);
+    return m;
+}
+
+static stage held(mesh m) {
+    static pin hold = {{-0.01, -1}, {0.01, 100}, {0, 0, 0}};
+    stage on = stage_of(m, cloth_scene());
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.tolerance = 1e-4;
+    return on;
+}
+
+static void S12_slivers(void **state) {
+    (void)state;
+    stage regular = held(cloth_sheet(12, 12, 0.1, 0.3, 1)), on = held(sheet_with_slivers());
+    stage_begin(&regular);
+    stage_begin(&on);
+    stage_run(&regular, 200);
+    stage_run(&on, 200);
+    stage_assert_finite(&on);
+    const double ratio =
+        (double)simulation_iterations(on.sim) / (double)simulation_iterations(regular.sim);
+    print_message("S12 iterations against a regular mesh: %.2f; rejected: %ld\n", ratio,
+                  simulation_steps_rejected(on.sim));
+    assert_below(ratio, 5);
+    mesh_problem found[MESH_PROBLEM_COUNT];
+    char error[256];
+    assert_int_equal(mesh_clean(&on.m, found, error), 0);
+    assert_int_equal(mesh_check(&on.m, found), 0);
+    assert_int_equal(found[MESH_FLAT_TRIANGLE].count,
+                     on.m.triangle_count - on.sim->triangles.count);
+    assert_in_range(found[MESH_FLAT_TRIANGLE].count, 5, slivers + 1);
+    assert_in_range(found[MESH_FLAT_TRIANGLE].first, on.m.triangle_count - slivers - 1,
+                    on.m.triangle_count - 1);
+    assert_int_equal(found[MESH_FLIPPED].count, 0);
+    stage_end(&regular);
+    stage_end(&on);
+}
+
+/* Two sheets side by side as one mesh: each moves as it would alone. */
+static void S30_components_are_independent(void **state) {
+    (void)state;
+    enum { each = 25 };
+    mesh one = cloth_sheet(5, 5, 0.1, 0.3, 1);
+    double material[2 * each][2];
+    int(*triangle)[3] = calloc(2 * (size_t)one.triangle_count, sizeof *triangle);
+    int place[each];
+    for (int i = 0; i < each; i++) {
+        place[i] = each + i;
+        for (int a = 0; a < 2; a++) {
+            material[i][a] = one.material[i][a];
+            material[each + i][a] = one.material[i][a] + (a == 1 ? 10 : 0);
+        }
+    }
+    for (int t = 0; t < one.triangle_count; t++)
+        for (int p = 0; p < 3; p++) {
+            triangle[t][p] = one.triangle[t][p];
+            triangle[one.triangle_count + t][p] = each + one.triangle[t][p];
+        }
+    stage both = held(cloth_of(2 * each, (const double(*)[2])material, 2 * one.triangle_count,
+                               (const int(*)[3])triangle));
+    stage alone = held(one);
+    both.s.tolerance = alone.s.tolerance = 1e-12;
+    stage_begin(&both);
+    stage_begin(&alone);
+    stage_run(&both, 20);
+    stage_run(&alone, 20);
+    for (int i = 0; i < each; i++)
+        both.sim->x[place[i]][1] -= 10;
+    const double first = stage_distance(&alone, &both, NULL);
+    const double second = stage_distance(&alone, &both, place);
+    print_message("S30 components differ from single runs by %.3g and %.3g m\n", first, second);
+    assert_below(first, 1e-9);
+    assert_below(second, 1e-9);
+    free(triangle);
+    stage_end(&both);
+    stage_end(&alone);
+}
+
+/* How far the free edge of a sheet of 0.8 m hangs below the one that is held, at rest. */
+static double drop(int across) {
+    stage on = held(cloth_sheet(across, across, 0.8 / (across - 1), 0, 1));
+    double lowest = 0;
+    on.s.bend = 0.05;
+    on.s.bend_damping = 0;
+    on.s.step = 0.1;
+    on.s.drag = 3;
+    stage_begin(&on);
+    stage_run(&on, 120);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        lowest = fmin(lowest, on.sim->x[i][2]);
+    double speed = 0;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        speed = fmax(speed, vector_length(on.sim->v[i]));
+    print_message("S32 %d x %d: drop %.6f m, speed %.2g m/s, rejected %ld\n", across, across,
+                  -lowest, speed, simulation_steps_rejected(on.sim));
+    stage_end(&on);
+    return -lowest;
+}
+
+static void S32_refinement_converges(void **state) {
+    (void)state;
+    double depth[4];
+    for (int k = 0; k < 4; k++)
+        depth[k] = drop((2 << k) + 1);
+    for (int k = 0; k + 2 < 4; k++) {
+        const double ratio = fabs(depth[k] - depth[k + 1]) / fabs(depth[k + 1] - depth[k + 2]);
+        print_message("S32 difference shrinks by %.3f\n", ratio);
+        assert_true(ratio >= 1.7);
+    }
+}
+
+/* The same cloth with vertices and triangles in another order. */
+static mesh permuted(const mesh *from, unsigned seed, int *place) {
+    const int n = from->vertex_count, triangles = from->triangle_count;
+    double(*material)[2] = calloc((size_t)n, sizeof *material);
+    int(*triangle)[3] = calloc((size_t)triangles, sizeof *triangle);
+    for (int i = 0; i < n; i++) {
+        const int other = (int)((random_number(&seed) + 1) / 2 * (i + 1));
+        place[i] = place[other];
+        place[other] = i;
+    }
+    for (int i = 0; i < n; i++)
+        memcpy(material[place[i]], from->material[i], sizeof *material);
+    for (int t = 0; t < triangles; t++) {
+        const int other = (int)((random_number(&seed) + 1) / 2 * (t + 1));
+        memcpy(triangle[t], triangle[other], sizeof *triangle);
+        for (int p = 0; p < 3; p++)
+            triangle[other][p] = place[from->triangle[t][p]];
+    }
+    mesh m = cloth_of(n, (const double(*)[2])material, triangles, (const int(*)[3])triangle);
+    free(material);
+    free(triangle);
+    return m;
+}
+
+static void S33_numbering_does_not_matter(void **state) {
+    (void)state;
+    int place[100];
+    double worst = 0;
+    for (unsigned seed = 1; seed <= 5; seed++) {
+        stage on = held(cloth_sheet(10, 10, 0.1, 0.3, 1));
+        stage other = held(permuted(&on.m, seed, place));
+        on.s.tolerance = other.s.tolerance = 1e-12;
+        stage_begin(&on);
+        stage_begin(&other);
+        stage_run(&on, 10);
+        stage_run(&other, 10);
+        worst = fmax(worst, stage_distance(&on, &other, place));
+        stage_end(&on);
+        stage_end(&other);
+    }
+    print_message("S33 another numbering moves a vertex by %.3g m\n", worst);
+    assert_below(worst, 1e-9);
+}
+
+/* S11. A corner turned in: one triangle lies on the others, with its lengths as they were. */
+static void S11_inverted_triangle(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(10, 10, 0.1, 0.3, 1), cloth_scene());
+    mesh_problem found[MESH_PROBLEM_COUNT];
+    char error[256];
+    int corner = -1, of = 0;
+    /* A corner of the sheet that one triangle has. */
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        int triangles = 0, last = 0;
+        for (int t = 0; t < on.m.triangle_count; t++)
+            for (int p = 0; p < 3; p++)
+                if (on.m.triangle[t][p] == i) {
+                    triangles++;
+                    last = t;
+                }
+        if (triangles == 1) {
+            corner = i;
+            of = last;
+        }
+    }
+    assert_true(corner >= 0);
+    assert_int_equal(mesh_clean(&on.m, found, error), 0);
+    assert_int_equal(mesh_check(&on.m, found), 0);
+    assert_int_equal(found[MESH_FLIPPED].count, 0);
+    for (int p = 0; p < 3; p++)
+        if (on.m.triangle[of][p] == corner) /* to the other side of the edge across */
+            for (int a = 0; a < 3; a++)
+                on.m.position[corner][a] = on.m.position[on.m.triangle[of][(p + 1) % 3]][a] +
+                                           on.m.position[on.m.triangle[of][(p + 2) % 3]][a] -
+                                           on.m.position[corner][a];
+    assert_int_equal(mesh_check(&on.m, found), 0);
+    assert_int_equal(found[MESH_FLIPPED].count, 1);
+    assert_int_equal(found[MESH_FLIPPED].first, of);
+    stage_begin(&on);
+    stage_run(&on, 50);
+    stage_assert_finite(&on);
+    assert_int_equal(simulation_steps_rejected(on.sim), 0);
+    stage_end(&on);
+}
+
+static void scale_material(mesh *m, double u, double v) {
+    for (int i = 0; i < m->vertex_count; i++) {
+        m->material[i][0] *= u;
+        m->material[i][1] *= v;
+    }
+}
+
+/* S13. No material coordinates, coordinates of another unit, mirrored ones. What these sheets do
+ * comes from a push at the start. Without coordinates each triangle has its own weave, along an
+ * edge. */
+static void S13_material_coordinates(void **state) {
+    (void)state;
+    const double scale[4][2] = {{1, 1}, {0, 0}, {1e-6, 1e-6}, {-1, 1}};
+    stage run[4];
+    unsigned seed = 5;
+    double push[36][3];
+    for (int i = 0; i < 36; i++)
+        for (int a = 0; a < 3; a++)
+            push[i][a] = 0.2 * random_number(&seed);
+    for (int k = 0; k < 4; k++) {
+        mesh_problem found[MESH_PROBLEM_COUNT];
+        char error[256];
+        run[k] = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
+        scale_material(&run[k].m, scale[k][0], scale[k][1]);
+        assert_int_equal(mesh_clean(&run[k].m, found, error), 0);
+        assert_int_equal(mesh_check(&run[k].m, found), 0);
+        const int generated = k == 1 || k == 2;
+        assert_int_equal(found[MESH_NO_MATERIAL].count, generated ? run[k].m.triangle_count : 0);
+        run[k].s.tolerance = 1e-13;
+        stage_begin(&run[k]);
+        memcpy(run[k].sim->v, push, sizeof push);
+        stage_changed(&run[k]);
+        stage_run(&run[k], 20);
+        stage_assert_finite(&run[k]);
+    }
+    print_message("S13 no material against another unit: %.3g m; mirrored against not: %.3g m, "
+                  "energies differ by %.3g\n",
+                  stage_distance(&run[1], &run[2], NULL), stage_distance(&run[0], &run[3], NULL),
+                  fabs(stage_energy(&run[0]) / stage_energy(&run[3]) - 1));
+    assert_below(stage_distance(&run[1], &run[2], NULL), 1e-12);
+    assert_below(stage_distance(&run[0], &run[3], NULL), 1e-12);
+    assert_below(fabs(stage_energy(&run[0]) / stage_energy(&run[3]) - 1), 1e-12);
+    for (int k = 0; k < 4; k++)
+        stage_end(&run[k]);
+}
+
+/* S30. An edge of three triangles, a triangle twice, one with a vertex twice, a lone vertex. */
+static void S30_bad_topology(void **state) {
+    (void)state;
+    const double material[6][2] = {{0, 0}, {0, 1}, {1, 0.5}, {-1, 0.5}, {-0.9, 0.4}, {7, 7}};
+    const int triangle[5][3] = {{0, 2, 1}, {0, 1, 3}, {0, 1, 4}, {1, 3, 0}, {2, 2, 1}};
+    stage on = stage_of(cloth_of(6, material, 5, triangle), cloth_scene());
+    mesh_problem found[MESH_PROBLEM_COUNT];
+    char error[256] = "";
+    int non_manifold;
+    on.m.position[4][2] = 0.5;
+    assert_int_equal(mesh_clean(&on.m, found, error), 0);
+    assert_int_equal(mesh_connect(&on.m, &non_manifold, error), 0);
+    assert_int_equal(mesh_check(&on.m, found), 0);
+    assert_int_equal(on.m.triangle_count, 3);
+    assert_int_equal(found[MESH_DUPLICATE].count, 1);
+    assert_int_equal(found[MESH_DUPLICATE].first, 3);
+    assert_int_equal(found[MESH_REPEATED_VERTEX].count, 1);
+    assert_int_equal(found[MESH_REPEATED_VERTEX].first, 4);
+    assert_int_equal(found[MESH_LONE_VERTEX].count, 1);
+    assert_int_equal(found[MESH_LONE_VERTEX].first, 5);
+    assert_int_equal(non_manifold, 1);
+    assert_int_equal(on.m.hinge_count, 1);
+    stage_begin(&on);
+    stage_run(&on, 50);
+    stage_assert_finite(&on);
+    simulation_free(on.sim);
+    mesh_free(&on.m);
+}
+
+/* What is no mesh is refused, and said to be so. */
+static void S30_no_mesh(void **state) {
+    (void)state;
+    const double material[3][2] = {{0, 0}, {0, 1}, {1, 0.5}};
+    const int triangle[1][3] = {{0, 1, 2}};
+    mesh_problem found[MESH_PROBLEM_COUNT];
+    char error[256] = "";
+    mesh m = cloth_of(3, material, 1, triangle);
+    m.material[1][0] = NAN;
+    assert_int_equal(mesh_clean(&m, found, error), -1);
+    assert_string_equal(error, "vertex 2 has a coordinate that is not finite");
+    m.material[1][0] = 0;
+    m.triangle[0][2] = 3;
+    assert_int_equal(mesh_clean(&m, found, error), -1);
+    assert_string_equal(error, "triangle 1 names vertex 4 of 3");
+    m.triangle[0][2] = 1;
+    assert_int_equal(mesh_clean(&m, found, error), -1);
+    assert_string_equal(error, "no triangle is left");
+    cloth_free(&m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(S11_inverted_triangle),
+        cmocka_unit_test(S12_slivers),
+        cmocka_unit_test(S13_material_coordinates),
+        cmocka_unit_test(S30_bad_topology),
+        cmocka_unit_test(S30_no_mesh),
+        cmocka_unit_test(S30_components_are_independent),
+        cmocka_unit_test(S32_refinement_converges),
+        cmocka_unit_test(S33_numbering_does_not_matter),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
