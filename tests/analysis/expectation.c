@@ -7,6 +7,13 @@
 
 #include "support/buffer.h"
 
+/* " h(+)"; where the order is kept " h(+,kept)" or, of no operator, " h(kept)". */
+static void describe_array(buffer *out, const reduction_array *array) {
+    const char *op = reduction_operator_spelling(array->op);
+    buffer_format(out, " %s(%s%s%s)", array->name, op ? op : "",
+                  op && array->order_is_kept ? "," : "", array->order_is_kept ? "kept" : "");
+}
+
 const char *expectation_describe(arena *a, const loop_verdict *verdict) {
     buffer out = {0};
     const loop_facts *facts = verdict->facts;
@@ -19,8 +26,7 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
         unsigned outside = 0;
         buffer_text(&out, "transform");
         for (unsigned i = 0; i < facts->array_count; i++)
-            buffer_format(&out, " %s(%s)", facts->arrays[i].name,
-                          reduction_operator_spelling(facts->arrays[i].op));
+            describe_array(&out, &facts->arrays[i]);
         for (unsigned i = 0; i < facts->source_count; i++)
             guards += facts->sources[i].needs_guard;
         for (unsigned i = 0; i < facts->private_count; i++)

@@ -19,11 +19,6 @@ void other_element(int n, const int *k, double *h) {
         h[k[t]] += h[k[t] + 1];
 }
 
-void same_element(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
-        h[k[t]] += h[k[t]] * 0.5;
-}
-
 void in_subscript(int n, const int *k, int *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse array-read
         h[h[k[t]]] += 1;
@@ -57,30 +52,6 @@ static double first_of(const double *v) {
 void through_callee(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
         h[k[t]] += first_of(h);
-}
-
-void stored(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
-        h[t] = 0.0;
-        h[k[t]] += 1.0;
-    }
-}
-
-void stored_under_condition(int n, const int *k, double *h, double limit) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse array-stored
-        if (limit > 1.0)
-            h[k[t]] = limit;
-        h[k[t]] += 1.0;
-    }
-}
-
-static double table[100];
-void global_by_two_names(int n, const int *k) {
-    double *other = table + 5;
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        table[k[t]] += 1.0;
-        other[t] = 2.0;
-    }
 }
 
 void bytes_of_it(int n, const int *k, double *h) {

@@ -29,9 +29,3 @@ void assigned_in_subscript(int n, const int *k, double *h) {
         h[j = k[t + j]] += 1.0;
 }
 
-void stored_elsewhere(int n, const int *k, double *h, int *out) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        h[k[t]] += 1.0;
-        out[k[t] / 2] = t;
-    }
-}

@@ -81,16 +81,6 @@ void parents(int n, struct node *const *leaf) {
         leaf[t]->parent->load += 1.0;
 }
 
-void mixed(int n, const int *k, int *h, const double *v) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse mixed-types
-        h[k[t]] += v[t];
-}
-
-void mixed_factor(int n, const int *k, int *h) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse mixed-types
-        h[k[t]] *= 0.5;
-}
-
 typedef double four __attribute__((vector_size(32)));
 void vectors(int n, const int *k, four *h, four v) {
     for (int t = 0; t < n; t++) // EXPECT: refuse element-type

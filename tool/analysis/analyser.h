@@ -25,6 +25,7 @@ typedef enum access_class {
     CLASS_OPEN,      /* not decided */
     CLASS_SCALAR,    /* of a variable of the iteration's own, or one that nothing can change */
     CLASS_REDUCTION, /* an update of arrays[number] */
+    CLASS_SELF,      /* a read, by an update's statement, of the element that it updates */
     CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
 } access_class;
 
@@ -32,8 +33,9 @@ typedef struct judged_access {
     access access;
     location where;
     access_class class;
-    unsigned array;   /* CLASS_REDUCTION */
-    bool needs_guard; /* CLASS_SHARED: may overlap an array as far as is known */
+    unsigned array;        /* CLASS_REDUCTION */
+    reduction_operator op; /* CLASS_REDUCTION */
+    bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known */
 } judged_access;
 
 typedef struct judged_array {

@@ -59,23 +59,28 @@ typedef enum reduction_operator {
     REDUCTION_MAXIMUM,
     REDUCTION_AND,
     REDUCTION_OR,
-    REDUCTION_XOR
+    REDUCTION_XOR,
+    REDUCTION_NONE /* stores and functions of the old value that are no operator of these */
 } reduction_operator;
 
-const char *reduction_operator_spelling(reduction_operator op); /* as the JSON report wants it */
+/** As the JSON report wants it; NULL for REDUCTION_NONE. */
+const char *reduction_operator_spelling(reduction_operator op);
 
 typedef struct reduction_array {
     const ir_node *base;    /* loop-invariant lvalue: `b`, `s->b`; array or pointer type */
     const char *name;       /* its text */
     const ir_type *element; /* scalar */
-    reduction_operator op;
-    int64_t unit;        /* bytes of its largest row (update.row) */
+    reduction_operator op;  /* of its first update, if order_is_kept */
+    bool order_is_kept;     /* its updates do not commute: only methods that execute the updates of
+                               each element in the order of the loop will do, without copies */
+    int64_t unit;           /* bytes of its largest row (update.row) */
     bool is_interleaved; /* other things than these elements lie between them, or are read through
                             base: no private copies can be made (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;
 
 typedef struct reduction_update {
-    const ir_node *statement; /* IR_EXPRESSION (or IR_IF of min/max): what the guarded form wraps */
+    const ir_node *statement; /* IR_EXPRESSION, or an IR_IF that reads the element in its condition:
+                                 what the guarded form wraps; writes nothing but the element */
     const ir_node *target;    /* the lvalue updated: b[i][c] */
     const ir_node *row; /* the part of it whose address is told to the inspector: b[i] where all
                            that follows is proved to stay inside the row; else target itself */

@@ -39,6 +39,15 @@ bool expression_same(const ir_node *a, const ir_node *b) {
     return true;
 }
 
+unsigned expression_occurrences(const ir_node *node, const ir_node *part) {
+    if (expression_same(node, part))
+        return 1;
+    unsigned count = 0;
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += expression_occurrences(node->children[i], part);
+    return count;
+}
+
 bool expression_mentions(const ir_node *node, const ir_variable *variable) {
     if (!node)
         return false;

@@ -9,6 +9,9 @@
  *  they have the same value is the caller's to know. Opaque nodes equal nothing. */
 bool expression_same(const ir_node *a, const ir_node *b);
 
+/** How often the same tree as `part` stands in `node`, itself included. */
+unsigned expression_occurrences(const ir_node *node, const ir_node *part);
+
 /** Is it the integer constant *value? */
 bool expression_constant(const ir_node *node, int64_t *value);
 

@@ -16,15 +16,12 @@ static const reason_entry reasons[REASON_COUNT] = {
 
 /* What the user could change, where there is something simple to say. */
 static const char *const advices[REASON_COUNT] = {
-    [REASON_SEVERAL_OPERATORS] = "update each array by one operator; split the loop in two",
-    [REASON_OPERATOR] = "write the update with += -= *= &= |= ^= ++ or --",
     [REASON_UPDATE_VALUE_USED] = "where the value is a place to store at, count first, then place",
     [REASON_UPDATE_IN_EXPRESSION] = "make the update a statement of its own",
     [REASON_ARRAY_READ] = "read from a copy made before the loop",
     [REASON_ARRAY_STORED] = "store in a loop of its own, before or after",
     [REASON_BASE_VARIES] = "use one array for all iterations",
     [REASON_ROW_POINTERS] = "use one contiguous array: double (*a)[m] instead of double **a",
-    [REASON_MIXED_TYPES] = "convert the value to the array's type before it is added",
     [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
     [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",

@@ -425,13 +425,16 @@ const ir_node *slice_place(const judgement *j, const ir_node *node) {
     if (place && place->kind == IR_DECLARATOR && place->parent && place->parent->parent &&
         place->parent->parent->kind == IR_FOR)
         place = place->parent->parent;
+    for (unsigned i = 0; place && i < j->updates.count; i++) /* an update is one statement */
+        if (ir_contains(j->updates.items[i].statement, place))
+            place = j->updates.items[i].statement;
     return place && place != j->loop && ir_contains(j->loop, place) ? place : NULL;
 }
 
 static bool is_under_condition(const ir_node *node, const ir_node *place) {
     for (const ir_node *up = node; up != place && up->parent; up = up->parent) {
         const ir_node *parent = up->parent;
-        if (parent->kind == IR_CONDITIONAL && parent->children[0] != up)
+        if ((parent->kind == IR_CONDITIONAL || parent->kind == IR_IF) && parent->children[0] != up)
             return true;
         if (parent->kind == IR_BINARY && (parent->op == IR_OP_AND || parent->op == IR_OP_OR) &&
             parent->children[1] == up)

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/update_form.h"
 
-#include <string.h>
-
 #include "analysis/expression.h"
 
 static bool operator_of(ir_operator op, reduction_operator *reduction) {
@@ -28,15 +26,6 @@ static bool operator_of(ir_operator op, reduction_operator *reduction) {
     }
 }
 
-static unsigned occurrences(const ir_node *value, const ir_node *target) {
-    if (expression_same(value, target))
-        return 1;
-    unsigned count = 0;
-    for (unsigned i = 0; i < value->child_count; i++)
-        count += occurrences(value->children[i], target);
-    return count;
-}
-
 /* Goes down the spine of one operator (+ and - together) to where the target stands, always on the
  * side that keeps its sign. */
 static const ir_node *find_self(const ir_node *value, const ir_node *target,
@@ -59,7 +48,7 @@ static update_form assignment_form(const ir_node *node) {
         form.has_operator = operator_of(node->op, &form.op);
         return form;
     }
-    unsigned count = occurrences(form.value, form.target);
+    unsigned count = expression_occurrences(form.value, form.target);
     if (count == 0 || form.target->kind == IR_VARIABLE || !expression_is_plain(form.target))
         return form;
     form.is_update = true;
@@ -81,41 +70,4 @@ update_form update_form_of(const ir_node *node) {
         form.target = node->children[0];
     }
     return form;
-}
-
-/* ---- minimum and maximum -------------------------------------------------------------------- */
-
-static const ir_node *only_statement(const ir_node *node) {
-    while (node->kind == IR_BLOCK && node->child_count == 1)
-        node = node->children[0];
-    return node->kind == IR_EXPRESSION ? node->children[0] : node;
-}
-
-static bool compares(const ir_node *condition, const ir_node *target) {
-    return condition->kind == IR_BINARY && condition->op >= IR_OP_LESS &&
-           condition->op <= IR_OP_GREATER_EQUAL &&
-           (expression_same(condition->children[0], target) ||
-            expression_same(condition->children[1], target));
-}
-
-const ir_node *update_form_extremum(const ir_node *node) {
-    if (node->kind == IR_IF && node->child_count == 2) {
-        const ir_node *store = only_statement(node->children[1]);
-        if (store->kind == IR_ASSIGN && store->op == IR_OP_NONE &&
-            compares(node->children[0], store->children[0]))
-            return store->children[0];
-    }
-    if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE) {
-        const ir_node *value = node->children[1];
-        if (value->kind == IR_CONDITIONAL && compares(value->children[0], node->children[0]))
-            return node->children[0];
-        if (value->kind == IR_CALL && value->child_count == 3 &&
-            value->children[0]->kind == IR_FUNCTION &&
-            (strstr(value->children[0]->function->name, "fmax") ||
-             strstr(value->children[0]->function->name, "fmin")) &&
-            (expression_same(value->children[1], node->children[0]) ||
-             expression_same(value->children[2], node->children[0])))
-            return node->children[0];
-    }
-    return NULL;
 }

@@ -17,7 +17,4 @@ typedef struct update_form {
 /** Looks at an IR_ASSIGN or IR_UNARY; a plain store has is_update false. */
 update_form update_form_of(const ir_node *node);
 
-/** Is it `if (R < v) R = v` or R = R < v ? v : R, or R = fmax(R, v)? Returns the target. */
-const ir_node *update_form_extremum(const ir_node *node);
-
 #endif

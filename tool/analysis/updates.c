@@ -3,6 +3,8 @@
 #include "analysis/analyser.h"
 #include "analysis/bases.h"
 #include "analysis/expression.h"
+#include "analysis/extremum.h"
+#include "analysis/update_statement.h"
 #include "analysis/variation.h"
 
 /* ---- private or not ---------------------------------------------------------------------------
@@ -18,6 +20,10 @@ static private_variable *find_private(judgement *j, const ir_variable *variable)
         if (j->privates.items[i].variable == variable)
             return &j->privates.items[i];
     return NULL;
+}
+
+static bool is_element(const ir_node *lvalue) {
+    return lvalue->kind != IR_VARIABLE;
 }
 
 static bool is_own_object(const judgement *j, const location *where) {
@@ -66,25 +72,29 @@ static bool decides_subscripts(const judgement *j, const judged_access *store) {
     return false;
 }
 
+/* A read of the memory stored to, other than by the statement that stores; NULL: there is none. */
+static const judged_access *other_read(const judgement *j, const judged_access *store) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        if (read->access.kind == ACCESS_READ && !is_read_of_own_element(j, read) &&
+            locations_overlap(&j->an->rules, &store->where, &read->where) == OVERLAP_SAME)
+            return read;
+    }
+    return NULL;
+}
+
 static bool refuse_store(judgement *j, const judged_access *store) {
     const ir_node *node = store->access.node;
     const char *name = judgement_name(j, store->access.lvalue);
     if (store->access.callee)
         return judgement_refuse(j, REASON_CALLEE_UPDATES, node, store->access.callee->name);
-    const ir_node *assignment = node->parent;
-    if (assignment && update_form_extremum(assignment))
-        return judgement_refuse(j, REASON_MIN_MAX, node, name);
-    const ir_node *statement = assignment ? expression_place(assignment) : NULL;
-    if (statement && statement->parent) {
-        const ir_node *outer =
-            statement->parent->kind == IR_BLOCK ? statement->parent->parent : statement->parent;
-        if (outer && update_form_extremum(outer))
-            return judgement_refuse(j, REASON_MIN_MAX, node, name);
-    }
     if (is_updated_too(j, store))
         return judgement_refuse(j, REASON_ARRAY_STORED, node, name);
     if (decides_subscripts(j, store))
         return judgement_refuse(j, REASON_INDEX_ARRAY_WRITTEN, node, name);
+    const judged_access *read = other_read(j, store);
+    if (read && variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
+        return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, name);
     return judgement_refuse(j, REASON_OTHER_STORE, node, name);
 }
 
@@ -115,8 +125,12 @@ static bool has_other_effect(const judgement *j, const ir_node *statement,
                              const judged_access *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const judged_access *other = &j->accesses[i];
-        if (other != update && other->access.kind != ACCESS_READ &&
-            is_inside_node(statement, other->access.node))
+        if (other == update || other->access.kind == ACCESS_READ ||
+            !is_inside_node(statement, other->access.node))
+            continue;
+        bool is_same_element = statement->kind == IR_IF && !other->access.callee &&
+                               expression_same(other->access.lvalue, update->access.lvalue);
+        if (!is_same_element)
             return true;
     }
     return false;
@@ -132,12 +146,9 @@ static bool judge_element(judgement *j, const judged_access *update, const char 
         return judgement_refuse(j, REASON_UNION, target, name);
     if (type->is_volatile || type->is_atomic)
         return judgement_refuse(j, REASON_VOLATILE, target, name);
-    if (type->kind != IR_INTEGER && type->kind != IR_FLOATING && type->kind != IR_COMPLEX)
+    if (type->kind != IR_INTEGER && type->kind != IR_FLOATING && type->kind != IR_COMPLEX &&
+        type->kind != IR_BOOLEAN)
         return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
-    if (value && type->kind != IR_COMPLEX && value->type &&
-        (value->type->kind == IR_COMPLEX ||
-         (type->kind == IR_INTEGER && value->type->kind == IR_FLOATING)))
-        return judgement_refuse(j, REASON_MIXED_TYPES, target, name);
     if (value && value->type && !ir_type_is_scalar(value->type))
         return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
     return true;
@@ -146,10 +157,10 @@ static bool judge_element(judgement *j, const judged_access *update, const char 
 static bool judge_statement(judgement *j, const judged_access *update, const char *name,
                             const ir_node **statement) {
     const ir_node *assignment = update->access.form.target->parent;
-    *statement = assignment->parent;
+    *statement = update_statement(j, update->access.form.target);
     if (ir_value_is_used(assignment))
         return judgement_refuse(j, REASON_UPDATE_VALUE_USED, assignment, name);
-    if (!*statement || (*statement)->kind != IR_EXPRESSION || (*statement)->child_count != 1)
+    if (!*statement)
         return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
     if ((*statement)->parent && (*statement)->parent->kind == IR_FOR &&
         (*statement)->parent->children[3] != *statement)
@@ -159,6 +170,43 @@ static bool judge_statement(judgement *j, const judged_access *update, const cha
     if ((*statement)->range.begin >= (*statement)->range.end)
         return judgement_refuse(j, REASON_NO_RANGE, *statement, name);
     return true;
+}
+
+/* ---- does the order of the updates matter? ------------------------------------------------------
+ */
+
+typedef struct update_kind {
+    reduction_operator op;
+    bool needs_order;
+} update_kind;
+
+static bool reads_itself(const judgement *j, const ir_node *statement, const ir_node *target) {
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (update_statement_reads_itself(&j->accesses[i], statement, target))
+            return true;
+    return false;
+}
+
+/* A floating value added to an integer is rounded at each step; so are sums in a _Bool. */
+static bool rounds_to_integer(const ir_type *type, const ir_node *value) {
+    if (type->kind == IR_BOOLEAN)
+        return true;
+    return value && type->kind != IR_COMPLEX && value->type &&
+           (value->type->kind == IR_COMPLEX ||
+            (type->kind == IR_INTEGER && value->type->kind == IR_FLOATING));
+}
+
+static update_kind kind_of_update(const judgement *j, const judged_access *update,
+                                  const ir_node *statement) {
+    const update_form *form = &update->access.form;
+    if (form->has_operator && statement->kind == IR_EXPRESSION)
+        return (update_kind){form->op, rounds_to_integer(form->target->type, form->value) ||
+                                           reads_itself(j, statement, form->target)};
+    extremum found =
+        extremum_of(statement->kind == IR_EXPRESSION ? statement->children[0] : statement);
+    if (found.target && found.has_operator)
+        return (update_kind){found.op, !found.commutes};
+    return (update_kind){REDUCTION_NONE, true};
 }
 
 static bool judge_base(judgement *j, const judged_access *update, const char *name) {
@@ -198,18 +246,20 @@ static const ir_node *base_of(const ir_node *target, const ir_node *base) {
 /* ---- arrays -------------------------------------------------------------------------------------
  */
 
-static bool add_array(judgement *j, const judged_access *update, unsigned *number) {
+static bool add_array(judgement *j, const judged_access *update, update_kind kind,
+                      unsigned *number) {
     const ir_node *target = update->access.form.target;
-    reduction_operator op = update->access.form.op;
     for (unsigned i = 0; i < j->arrays.count; i++) {
         judged_array *known = &j->arrays.items[i];
         if (!expression_same(known->array.base, update->where.base))
             continue;
         /* Behind one base lies one array; different fields of its elements do not meet. */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
-        bool differs = known->array.op != op || !ir_type_equal(known->array.element, target->type);
-        if (meets != OVERLAP_NO && differs)
-            return judgement_refuse(j, REASON_SEVERAL_OPERATORS, target, known->array.name);
+        bool other_type = !ir_type_equal(known->array.element, target->type);
+        bool differs = known->array.op != kind.op || other_type;
+        if (meets != OVERLAP_NO && other_type)
+            return judgement_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
+        known->array.order_is_kept |= kind.needs_order || (meets != OVERLAP_NO && differs);
         known->array.is_interleaved |= differs;
         *number = i;
         return true;
@@ -218,10 +268,49 @@ static bool add_array(judgement *j, const judged_access *update, unsigned *numbe
     item.array = (reduction_array){.base = update->where.base,
                                    .name = expression_text(j->an->memory, update->where.base),
                                    .element = target->type,
-                                   .op = op};
+                                   .op = kind.op,
+                                   .order_is_kept = kind.needs_order};
     *number = j->arrays.count;
     VECTOR_PUSH(j->an->memory, &j->arrays, item);
     return true;
+}
+
+/* Against the array's other updates: add_array compared with the first only, which may be of
+ * another field. */
+static bool judge_neighbours(judgement *j, const judged_access *update, update_kind kind,
+                             judged_array *array, unsigned number) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other->class != CLASS_REDUCTION || other->array != number ||
+            locations_overlap(&j->an->rules, &other->where, &update->where) == OVERLAP_NO)
+            continue;
+        if (!ir_type_equal(other->where.type, update->where.type))
+            return judgement_refuse(j, REASON_TYPE_PUNNED, update->access.lvalue,
+                                    array->array.name);
+        if (other->op != kind.op)
+            array->array.order_is_kept = true;
+    }
+    return true;
+}
+
+static void take_update(judgement *j, judged_access *update, update_kind kind,
+                        const ir_node *statement, unsigned number) {
+    const ir_node *target = update->access.form.target;
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (update_statement_reads_itself(&j->accesses[i], statement, target))
+            j->accesses[i].class = CLASS_SELF;
+    update->class = CLASS_REDUCTION;
+    update->array = number;
+    update->op = kind.op;
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (j->updates.items[i].statement == statement)
+            return; /* if (R < v) R = v; else R = 0; is one update */
+    reduction_array *array = &j->arrays.items[number].array;
+    reduction_update item = {statement, target, access_row(target), number};
+    int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
+    if (unit > array->unit)
+        array->unit = unit;
+    VECTOR_PUSH(j->an->memory, &j->updates, item);
 }
 
 static bool judge_update(judgement *j, judged_access *update) {
@@ -229,41 +318,31 @@ static bool judge_update(judgement *j, judged_access *update) {
     unsigned number;
     const ir_node *target = update->access.form.target;
     const char *name = judgement_name(j, target);
-    if (!update->access.form.has_operator)
-        return judgement_refuse(
-            j, update_form_extremum(target->parent) ? REASON_MIN_MAX : REASON_OPERATOR, target,
-            name);
     if (update->where.base && is_inside_node(target, update->where.base))
         update->where.base = base_of(target, update->where.base);
     if (!judge_statement(j, update, name, &statement) || !judge_element(j, update, name) ||
-        !judge_base(j, update, name) || !add_array(j, update, &number))
+        !judge_base(j, update, name))
         return false;
-    judged_array *array = &j->arrays.items[number];
-    reduction_update item = {statement, target, access_row(target), number};
-    /* Two fields of which each was compared with the first only: */
-    for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
-        if (other->class == CLASS_REDUCTION && other->array == number &&
-            (other->access.form.op != update->access.form.op ||
-             !ir_type_equal(other->where.type, target->type)) &&
-            locations_overlap(&j->an->rules, &other->where, &update->where) != OVERLAP_NO)
-            return judgement_refuse(j, REASON_SEVERAL_OPERATORS, target, array->array.name);
-    }
-    int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
-    if (unit > array->array.unit)
-        array->array.unit = unit;
-    VECTOR_PUSH(j->an->memory, &j->updates, item);
-    update->class = CLASS_REDUCTION;
-    update->array = number;
+    update_kind kind = kind_of_update(j, update, statement);
+    if (!add_array(j, update, kind, &number) ||
+        !judge_neighbours(j, update, kind, &j->arrays.items[number], number))
+        return false;
+    take_update(j, update, kind, statement, number);
     return true;
+}
+
+/* A plain store: each element's last one counts, so their order must be kept. */
+static bool judge_store(judgement *j, judged_access *store) {
+    if (store->access.callee || !is_element(store->access.lvalue) || other_read(j, store))
+        return refuse_store(j, store);
+    if (judge_update(j, store))
+        return true;
+    j->why = (reason){0};
+    return refuse_store(j, store);
 }
 
 static bool is_own_scalar(const judgement *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
-}
-
-static bool is_element(const ir_node *lvalue) {
-    return lvalue->kind != IR_VARIABLE;
 }
 
 static bool judge_write(judgement *j, judged_access *write) {
@@ -284,7 +363,7 @@ static bool judge_write(judgement *j, judged_access *write) {
         return judgement_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
                                 write->access.node, where->object->name);
     }
-    return is_update ? judge_update(j, write) : refuse_store(j, write);
+    return is_update ? judge_update(j, write) : judge_store(j, write);
 }
 
 /* A read of what is updated says more than a store beside it. */
@@ -293,7 +372,7 @@ static bool judge_plain_reads(judgement *j) {
         const judged_access *read = &j->accesses[i];
         for (unsigned k = 0;
              read->access.kind == ACCESS_READ && !read->access.callee && k < j->arrays.count; k++)
-            if (!is_own_scalar(j, &read->where) &&
+            if (!is_own_scalar(j, &read->where) && !is_read_of_own_element(j, read) &&
                 locations_overlap(&j->an->rules, &read->where, &j->arrays.items[k].where) ==
                     OVERLAP_SAME)
                 return judgement_refuse(j, REASON_ARRAY_READ, read->access.node,

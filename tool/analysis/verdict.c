@@ -36,7 +36,7 @@ const char *reduction_operator_spelling(reduction_operator op) {
     static const char *const spellings[] = {
         [REDUCTION_SUM] = "+",       [REDUCTION_PRODUCT] = "*", [REDUCTION_MINIMUM] = "min",
         [REDUCTION_MAXIMUM] = "max", [REDUCTION_AND] = "&",     [REDUCTION_OR] = "|",
-        [REDUCTION_XOR] = "^"};
+        [REDUCTION_XOR] = "^",       [REDUCTION_NONE] = NULL};
     return spellings[op];
 }
 
@@ -160,6 +160,20 @@ typedef struct loop_search {
     VECTOR(loop_verdict) verdicts;
 } loop_search;
 
+/* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
+static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
+    if (node->kind == IR_EXPRESSION)
+        node = node->children[0];
+    if (node->kind == IR_ASSIGN && node->children[0]->kind != IR_VARIABLE &&
+        expression_occurrences(condition, node->children[0]))
+        return node->children[0];
+    const ir_node *found = NULL;
+    for (unsigned i = 0; node->kind == IR_BLOCK && i < node->child_count && !found; i++)
+        if (node->children[i]->kind == IR_EXPRESSION)
+            found = stored_if(condition, node->children[i]);
+    return found;
+}
+
 /* What an update looks like whose loop is listed: its target; or NULL. */
 static const ir_node *updated_target(const ir_node *node) {
     if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
@@ -167,8 +181,7 @@ static const ir_node *updated_target(const ir_node *node) {
         if (form.is_update && form.target->kind != IR_VARIABLE)
             return form.target;
     }
-    const ir_node *extremum = update_form_extremum(node);
-    return extremum && extremum->kind != IR_VARIABLE ? extremum : NULL;
+    return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
 }
 
 /* Does the call update, through a pointer given to it, an element that is irregular in `loop`? */

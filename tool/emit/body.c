@@ -29,6 +29,11 @@ static const char *local_name(const ir_node *node, void *context) {
     return array >= 0 ? loop->arrays[array].local : NULL;
 }
 
+/** Not to catch an `else` of its own, nor to look as if it did. */
+static bool needs_braces(const reduction_update *update) {
+    return update->statement->kind != IR_EXPRESSION;
+}
+
 /** `{ if (redcc_owns(...)) `: what goes before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
@@ -36,8 +41,13 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
         return "";
     }
-    return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) ",
-                        loop->arrays[update->array].owner, target);
+    return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) %s",
+                        loop->arrays[update->array].owner, target,
+                        needs_braces(update) ? "{ " : "");
+}
+
+static const char *guard_end(const reduction_update *update) {
+    return needs_braces(update) ? "} }" : "}";
 }
 
 static const reduction_update *update_of(const loop_facts *facts, const ir_node *statement) {
@@ -58,7 +68,7 @@ static bool print_guard(printer *p, const ir_node *statement) {
     copy->guarding = statement;
     print_statement(p, statement);
     copy->guarding = NULL;
-    writer_line(p->out, "}");
+    writer_line(p->out, "%s", guard_end(update));
     return true;
 }
 
@@ -169,7 +179,8 @@ static void guard_updates(body_copy *copy) {
         edit_insert(loop->arena, &copy->edits, update->statement->range.begin,
                     guard_text(loop, update));
         edit_insert(loop->arena, &copy->edits,
-                    syntax_statement_end(loop->unit->source, update->statement), " }");
+                    syntax_statement_end(loop->unit->source, update->statement),
+                    arena_format(loop->arena, " %s", guard_end(update)));
     }
 }
 

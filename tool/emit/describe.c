@@ -3,11 +3,12 @@
 #include "emit/loop.h"
 #include "ir/ir_position.h"
 
-static const char *operator_name(reduction_operator op) {
+/** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
+static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {"REDCC_SUM",     "REDCC_PRODUCT", "REDCC_MINIMUM",
                                         "REDCC_MAXIMUM", "REDCC_AND",     "REDCC_OR",
-                                        "REDCC_XOR"};
-    return names[op];
+                                        "REDCC_XOR",     "REDCC_SUM"};
+    return names[array->order_is_kept ? REDUCTION_NONE : array->op];
 }
 
 static const char *integer_name(const ir_type *type) {
@@ -39,10 +40,11 @@ static const char *element_name(const ir_type *type) {
     return "REDCC_OTHER_TYPE";
 }
 
-/** Private copies hold elements side by side. Where other things lie between them, the runtime is
- *  told of a type that it cannot copy. */
+/** Private copies hold elements side by side. Where other things lie between them, or where updates
+ *  of copies could not be brought together, the runtime is told of a type that it cannot copy. */
 static const char *runtime_type(const reduction_array *array) {
-    return array->is_interleaved ? "REDCC_OTHER_TYPE" : element_name(array->element);
+    return array->is_interleaved || array->order_is_kept ? "REDCC_OTHER_TYPE"
+                                                         : element_name(array->element);
 }
 
 /** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
@@ -67,7 +69,7 @@ static void write_arrays(loop_text *loop, writer *out) {
         if (!array->element->spelling)
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
         writer_line(out, "    {%s, %s, %s, sizeof(%s), %s}%s",
-                    text_quoted(loop->arena, array->name), operator_name(array->op),
+                    text_quoted(loop->arena, array->name), operator_name(array),
                     runtime_type(array), array->element->spelling, unit_text(loop, i),
                     i + 1 < count ? "," : "};");
     }
@@ -153,11 +155,25 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
+static bool needs_order(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (facts->arrays[i].order_is_kept)
+            return true;
+    return false;
+}
+
 static const char *flags_text(const loop_text *loop) {
-    const bool verifiable = is_verifiable(loop->facts);
-    if (loop->options->order_is_explicit)
-        return verifiable ? "REDCC_VERIFIABLE | REDCC_ORDER_EXPLICIT" : "REDCC_ORDER_EXPLICIT";
-    return verifiable ? "REDCC_VERIFIABLE" : "0";
+    const struct {
+        bool is_set;
+        const char *name;
+    } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
+                 {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
+                 {needs_order(loop->facts), "REDCC_ORDER_NEEDED"}};
+    const char *text = NULL;
+    for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
+        if (flags[i].is_set)
+            text = text ? arena_format(loop->arena, "%s | %s", text, flags[i].name) : flags[i].name;
+    return text ? text : "0";
 }
 
 static void write_loop_object(loop_text *loop, writer *out) {

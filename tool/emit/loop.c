@@ -101,9 +101,11 @@ static void write_attempt(loop_text *loop, writer *out) {
 
 static const char *heading(loop_text *loop) {
     buffer out = {0};
-    for (unsigned i = 0; i < loop->facts->array_count; i++)
-        buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", loop->facts->arrays[i].name,
-                      reduction_operator_spelling(loop->facts->arrays[i].op));
+    for (unsigned i = 0; i < loop->facts->array_count; i++) {
+        const reduction_array *array = &loop->facts->arrays[i];
+        buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
+                      array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
+    }
     /* a name is C text: it holds no end of a comment but in a string or comment of its own */
     const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
     buffer_free(&out);

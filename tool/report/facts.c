@@ -42,12 +42,18 @@ text_list verdict_guards(arena *a, const loop_verdict *verdict) {
     return guards;
 }
 
+static void append_array(buffer *out, const reduction_array *array, bool follows) {
+    const char *op = reduction_operator_spelling(array->op);
+    buffer_format(out, "%s%s (", follows ? ", " : "", array->name);
+    if (op)
+        buffer_format(out, "%s ", op);
+    buffer_format(out, "%s%s)", element_word(array), array->order_is_kept ? ", order kept" : "");
+}
+
 static const char *array_list(arena *a, const loop_facts *facts) {
     buffer out = {0};
     for (unsigned i = 0; i < facts->array_count; i++)
-        buffer_format(&out, "%s%s (%s %s)", i > 0 ? ", " : "", facts->arrays[i].name,
-                      reduction_operator_spelling(facts->arrays[i].op),
-                      element_word(&facts->arrays[i]));
+        append_array(&out, &facts->arrays[i], i > 0);
     const char *text = arena_copy(a, out.length > 0 ? out.data : "", out.length);
     buffer_free(&out);
     return text;

@@ -13,8 +13,11 @@ static json_t *arrays_of(const loop_verdict *verdict) {
         const reduction_array *array = &facts->arrays[i];
         json_t *one = json_object();
         json_object_set_new(one, "name", json_text(array->name));
-        json_object_set_new(one, "operator", json_text(reduction_operator_spelling(array->op)));
+        const char *op = reduction_operator_spelling(array->op);
+        json_object_set_new(one, "operator", op ? json_text(op) : json_null());
         json_object_set_new(one, "type", json_text(element_word(array)));
+        if (array->order_is_kept)
+            json_object_set_new(one, "order", json_text("kept"));
         json_array_append_new(arrays, one);
     }
     return arrays;

@@ -116,7 +116,7 @@ void outer_refused(int n, const int *s, const double *v, double *h, double *x) {
         for (int i = 0; i < n; i++) // EXPECT: transform h(+)
             h[s[i]] += v[i];
         for (int i = 0; i < n; i++) { // EXPECT: refuse other-store
-            x[i] = 0;
+            x[0] = i;
             h[s[i]] += 1.0;
         }
         for (int i = 0; i < n; i++)

@@ -52,7 +52,7 @@ void not_optional(int n, const int *s, struct output *o) {
 
 void other_store(int n, const int *s, double *restrict h, double *restrict o) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse other-store
-        o[i] = 1.0;
+        o[0] = i;
         h[s[i]] += 1.0;
     }
 }

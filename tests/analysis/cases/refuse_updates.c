@@ -1,39 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* R1xx. Covers: rows 22 to 25, 27, 28, 31, 32, 34 to 37, 39, 43, 44, 48, 49 of the construct table. */
+/* R1xx. Covers: rows 24, 25, 28, 31, 32, 34 to 37, 39, 43, 44, 48, 49 of the construct table. */
 #include <math.h>
 #include <stdbool.h>
-
-void several_operators(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse several-operators
-        h[s[i]] += 2.0;
-        h[s[i]] *= 2.0;
-    }
-}
-
-void divide(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse operator
-        h[s[i]] /= 2.0;
-}
-
-void reversed(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse operator
-        h[s[i]] = 1.0 - h[s[i]];
-}
-
-void shifted(int n, const int *s, unsigned *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse operator
-        h[s[i]] <<= 1;
-}
-
-void twice(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse operator
-        h[s[i]] = h[s[i]] + h[s[i]];
-}
-
-void boolean(int n, const int *s, bool *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse element-type
-        h[s[i]] |= 1;
-}
 
 void pointers(int n, const int *s, const char **h) {
     for (int i = 0; i < n; i++) // EXPECT: refuse element-type
@@ -111,13 +79,6 @@ double whole_struct(int n, const int *s, struct cell *p) {
     return sum;
 }
 
-void stored(int n, const int *s, double *h) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse array-stored
-        h[i] = 0;
-        h[s[i]] += 1.0;
-    }
-}
-
 void base_varies(int n, const int *s, double *a, double *b) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse base-varies
         double *h = i & 1 ? a : b;
@@ -151,19 +112,57 @@ void bit_field(int n, const int *s, struct bits *h) {
         h[s[i]].a += 1;
 }
 
-void mixed(int n, const int *s, int *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse mixed-types
-        h[s[i]] += 0.5;
+void place_of_maximum(int n, const int *s, const double *e, double *h, int *at) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse array-read
+        if (h[s[i]] < e[i]) {
+            h[s[i]] = e[i];
+            at[s[i]] = i;
+        }
 }
 
-void maximum(int n, const int *s, const double *e, double *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse min-max
+void maximum_read_again(int n, const int *s, const double *e, double *h, double *o) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-read
         if (h[s[i]] < e[i])
             h[s[i]] = e[i];
-    for (int i = 0; i < n; i++) // EXPECT: refuse min-max
-        h[s[i]] = h[s[i]] < e[i] ? e[i] : h[s[i]];
-    for (int i = 0; i < n; i++) // EXPECT: refuse min-max
-        h[s[i]] = fmax(h[s[i]], e[i]);
+        o[i] = h[s[i]];
+    }
+}
+
+void maximum_at_times(int n, const int *s, const double *e, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse array-read
+        if (i > 0 && h[s[i - 1]] < e[i])
+            h[s[i - 1]] = e[i];
+}
+
+int maximum_counted(int n, const int *s, const double *e, double *h) {
+    int changes = 0;
+    for (int i = 0; i < n; i++) // EXPECT: refuse array-read
+        if (h[s[i]] < e[i]) {
+            h[s[i]] = e[i];
+            changes++;
+        }
+    return changes;
+}
+
+void stored_and_used(int n, const int *s, double *h) {
+    double x = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-stored
+        x = h[i] = 0;
+        h[s[i]] += 1.0;
+    }
+    h[0] = x;
+}
+
+void stored_in_subscript(int n, int *s, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse side-effect
+        h[s[i] = i / 2] += 1.0;
+}
+
+void stored_first(int n, const int *s, double *h) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-stored
+        h[0] = i;
+        h[s[i]] *= 2.0;
+    }
 }
 
 void index_written(int n, int *s, const int *key, double *h) {

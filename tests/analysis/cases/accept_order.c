@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Updates that do not commute: the order of each element is kept. Covers: rows 22, 23, 27, 28, 37,
+ * 39 of the construct table, and the note on methods that keep the order. */
+#include <math.h>
+#include <stdbool.h>
+
+#define MAX(a, b) ((a) > (b) ? (a) : (b))
+
+void several_operators(int n, const int *s, double *h) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+,kept)
+        h[s[i]] += 2.0;
+        h[s[i]] *= 2.0;
+    }
+}
+
+void no_operator(int n, const int *s, const double *e, double *restrict h, unsigned *restrict u) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        h[s[i]] /= 2.0;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        h[s[i]] = e[i] - h[s[i]];
+    for (int i = 0; i < n; i++) // EXPECT: transform u(kept)
+        u[s[i]] <<= 1;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        h[s[i]] = h[s[i]] + h[s[i]];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        h[s[i]] = sqrt(h[s[i]] + 1.0);
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+,kept)
+        h[s[i]] += 0.5 * h[s[i]];
+}
+
+void rounded(int n, const int *s, int *h, bool *seen) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+,kept)
+        h[s[i]] += 0.5;
+    for (int i = 0; i < n; i++) // EXPECT: transform seen(|,kept)
+        seen[s[i]] |= 1;
+}
+
+void minima(int n, const int *s, const double *e, double *restrict h) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        if (h[s[i]] < e[i])
+            h[s[i]] = e[i];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        if (e[i] > h[s[i]]) {
+            h[s[i]] = e[i];
+        }
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        h[s[i]] = h[s[i]] < e[i] ? e[i] : h[s[i]];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(min,kept)
+        h[s[i]] = fmin(h[s[i]], e[i]);
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        h[s[i]] = MAX(h[s[i]], e[i]);
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] < e[i])
+            h[s[i]] = e[i] + 1.0;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(kept)
+        if (h[s[i]] > 100.0)
+            h[s[i]] = 0.0;
+        else
+            h[s[i]] += e[i];
+}
+
+void integer_minima(int n, const int *s, const int *e, int *restrict h, const short *small) {
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max)
+        if (h[s[i]] < e[i])
+            h[s[i]] = e[i];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(min)
+        h[s[i]] = e[i] >= h[s[i]] ? h[s[i]] : e[i];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        if (h[s[i]] < small[i])
+            h[s[i]] = small[i];
+    for (int i = 0; i < n; i++) // EXPECT: transform h(max,kept)
+        if (h[s[i]] < h[s[i]] + e[i])
+            h[s[i]] = h[s[i]] + e[i];
+}
+
+void stored(int n, const int *s, double *h, double *restrict o) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+,kept)
+        h[i] = 0;
+        h[s[i]] += 1.0;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) o(kept)
+        o[i] = i;
+        h[s[i]] += 1.0;
+    }
+}
+
+void rows(int n, const int *start, const int *col, double *restrict y) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform y(+,kept)
+        y[i] = 0;
+        for (int p = start[i]; p < start[i + 1]; p++)
+            y[col[p]] += 1.0;
+    }
+}
