@@ -101,8 +101,14 @@ static bool restrict_parts(const alias_rules *rules, const location *a, const lo
     return (x && b->object) || (y && a->object);
 }
 
+/* An object defined const: no write to it is defined (C17 6.7.3p7), through whatever pointer. */
+static bool is_constant(const location *l) {
+    const ir_type *type = l->object ? ir_type_innermost(l->object->type) : NULL;
+    return type && (type->is_const || l->object->type->is_const) && !type->is_volatile;
+}
+
 overlap locations_overlap(const alias_rules *rules, const location *a, const location *b) {
-    if (a->is_string || b->is_string)
+    if (a->is_string || b->is_string || is_constant(a) || is_constant(b))
         return OVERLAP_NO;
     if (a->object && b->object) {
         if (a->object != b->object)

@@ -133,7 +133,7 @@ static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_
     for (unsigned i = 1; i < call->child_count; i++)
         if (call->children[i] == argument)
             return i - 1 >= callee->function->parameter_count ||
-                   !must_write_parameter(all->prover, callee->function, i - 1).is_known;
+                   must_write_parameter(all->prover, callee->function, i - 1).keeps_address;
     return true;
 }
 
