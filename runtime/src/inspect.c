@@ -15,7 +15,8 @@
 #include <unistd.h>
 
 enum {
-    SAMPLED_ITERATIONS = 4096, /* by all threads together */
+    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
+    SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768
 };
 
@@ -63,9 +64,12 @@ static redcc_int share_end(const struct member *member) {
     return redcc_share(member->execution->request.trip, member->threads, member->thread + 1);
 }
 
-/* Iterations 0, stride, 2 stride, ... are sampled, whatever the number of threads. */
+/* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
+ * odd, or it might meet the same corner of each element again and again. Sorting more touches than
+ * few owners need would cost more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct execution *execution) {
-    return execution->request.trip / SAMPLED_ITERATIONS | 1;
+    const redcc_int wanted = (redcc_int)execution->partition.owners * SAMPLED_FOR_AN_OWNER;
+    return execution->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
 }
 
 /* How many of them lie before this thread's share. */
