@@ -28,7 +28,9 @@ static int lay_out_system(simulation *sim) {
         lists[count++] = (element_list){sim->hinges.count, 4, &sim->hinges.vertex[0][0]};
     if (system_init(&sim->system, sim->mesh->vertex_count, count, lists) != 0)
         return -1;
-    return sim->has_triangle_forces ? triangle_elements_place(&sim->triangles, &sim->system.A) : 0;
+    if (sim->has_triangle_forces && triangle_elements_place(&sim->triangles, &sim->system.A) != 0)
+        return -1;
+    return sim->has_hinge_forces ? hinge_elements_place(&sim->hinges, &sim->system.A) : 0;
 }
 
 static int allocate_state(simulation *sim) {

@@ -61,16 +61,16 @@ void hinge_forces(const hinge_elements *e, const hinge_material *material, doubl
             s->b[k][c] += f[2][c];
             s->b[l][c] += f[3][c];
         }
-        ii = s->A.row_start[i];
-        ij = block_find(&s->A, i, j);
-        ik = block_find(&s->A, i, k);
-        il = block_find(&s->A, i, l);
-        jj = s->A.row_start[j];
-        jk = block_find(&s->A, j, k);
-        jl = block_find(&s->A, j, l);
-        kk = s->A.row_start[k];
-        kl = block_find(&s->A, k, l);
-        ll = s->A.row_start[l];
+        ii = e->block[t][0];
+        ij = e->block[t][1];
+        ik = e->block[t][2];
+        il = e->block[t][3];
+        jj = e->block[t][4];
+        jk = e->block[t][5];
+        jl = e->block[t][6];
+        kk = e->block[t][7];
+        kl = e->block[t][8];
+        ll = e->block[t][9];
         /* A loop a block: ten blocks at once are more addresses than there are registers. */
         for (r = 0; r < 3; r++)
             for (c = 0; c < 3; c++)

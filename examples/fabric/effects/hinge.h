@@ -18,6 +18,7 @@ typedef struct hinge_elements {
     int (*corner)[4]; /* [count] the edge's two vertices, then the wings' */
     int (*vertex)[4]; /* [count] the same ascending, for A's stored half */
     int (*role)[4];   /* [count] which corner each of `vertex` is */
+    int (*block)[10]; /* [count] where A keeps (i,i) (i,j) (i,k) (i,l) (j,j) ... (l,l) */
     double *weight;   /* [count] */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
 } hinge_elements;
@@ -30,6 +31,8 @@ typedef struct hinge_material {
 /** The mesh's hinges; those whose triangles have no rest area are left out. 0, or -1: out of
  *  memory. */
 int hinge_elements_init(hinge_elements *e, const mesh *m);
+/** Notes where A keeps each hinge's blocks. 0, or -1: out of memory. */
+int hinge_elements_place(hinge_elements *e, const block_matrix *A);
 void hinge_elements_free(hinge_elements *e);
 
 /** Brings e->angle to positions x: the angle nearest to the one remembered that differs from

@@ -65,7 +65,19 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
     return 0;
 }
 
+int hinge_elements_place(hinge_elements *e, const block_matrix *A) {
+    e->block = calloc((size_t)e->count + 1, sizeof *e->block);
+    if (!e->block)
+        return -1;
+    for (int t = 0; t < e->count; t++)
+        for (int p = 0, m = 0; p < 4; p++)
+            for (int q = p; q < 4; q++, m++)
+                e->block[t][m] = block_find(A, e->vertex[t][p], e->vertex[t][q]);
+    return 0;
+}
+
 void hinge_elements_free(hinge_elements *e) {
+    free(e->block);
     free(e->corner);
     free(e->vertex);
     free(e->role);

@@ -35,6 +35,7 @@ static bench bench_of(mesh m) {
                                    {b.hinges.count, 4, &b.hinges.vertex[0][0]}};
     assert_int_equal(system_init(&b.system, b.n, 2, lists), 0);
     assert_int_equal(triangle_elements_place(&b.triangles, &b.system.A), 0);
+    assert_int_equal(hinge_elements_place(&b.hinges, &b.system.A), 0);
     b.no_mass = calloc((size_t)b.n, sizeof *b.no_mass);
     b.rest = calloc((size_t)b.n, sizeof *b.rest);
     return b;
