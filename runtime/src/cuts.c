@@ -65,14 +65,6 @@ static void sort_by_address(struct work *work) {
     }
 }
 
-/* The begin of the unit that holds `address`. */
-static uintptr_t unit_of(const struct partition *partition, uint32_t group, uintptr_t address) {
-    const uintptr_t base = partition->base[group], unit = partition->arrays[group].unit;
-    if (address >= base)
-        return base + (address - base) / unit * unit;
-    return base - (base - address + unit - 1) / unit * unit;
-}
-
 static void close_cuts(const struct partition *partition, uint32_t group) {
     uintptr_t *cut = redcc_cuts(partition, group);
     cut[0] = 0;
@@ -89,7 +81,8 @@ static uint32_t cut_at_quantiles(struct work *work, uint32_t group) {
     uint32_t different = 0;
     for (uint32_t owner = 1; owner < partition->owners; owner++) {
         const size_t rank = work->count * owner / partition->owners;
-        cut[owner] = work->count ? unit_of(partition, group, work->point[rank].address) : 0;
+        cut[owner] =
+            work->count ? redcc_unit_begin(partition, group, work->point[rank].address) : 0;
         different += cut[owner] != cut[owner - 1];
     }
     close_cuts(partition, group);
@@ -132,7 +125,7 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
     const size_t place = first + (last - first) / 2;
     if (place == work->count) /* everything is below: nothing is left to the owners above */
         return UINTPTR_MAX;
-    return unit_of(work->partition, group, work->point[place].address);
+    return redcc_unit_begin(work->partition, group, work->point[place].address);
 }
 
 static void cut_beside_leader(struct work *work, uint32_t group) {
@@ -151,7 +144,7 @@ static void cut_beside_leader(struct work *work, uint32_t group) {
 }
 
 static void cut_all(struct work *work, size_t iterations) {
-    const struct partition *partition = work->partition;
+    struct partition *partition = work->partition;
     uint32_t leader = UINT32_MAX, most = 0, groups = 0;
     for (uint32_t group = 0; group < partition->array_count; group++) {
         if (!redcc_leads_group(partition, group))
@@ -165,6 +158,7 @@ static void cut_all(struct work *work, size_t iterations) {
         }
         groups++;
     }
+    partition->leader = leader == UINT32_MAX ? 0 : leader;
     if (groups < 2 || partition->owners < 2)
         return;
     gather(work, leader);

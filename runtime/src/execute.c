@@ -29,15 +29,32 @@ static void place_bases(struct member *member, int number) {
     }
 }
 
+/* What a thread owns of an array whose units have a map. */
+static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const char *base,
+                                uint32_t owner) {
+    const struct group_map *it = &plan->mapped[group];
+    if (it->count == 0)
+        return (redcc_owner){.first = base};
+    return (redcc_owner){.first = base + it->first,
+                         .size = (redcc_size)it->count * it->bytes,
+                         .map = plan->map + it->begin,
+                         .unit = it->bytes,
+                         .self = owner};
+}
+
 static void place_owners(struct member *member) {
     const struct plan *plan = member->plan;
     const uint32_t owner = (uint32_t)member->thread;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
         const uintptr_t base = (uintptr_t)member->execution->request.bases[group];
-        member->owner[array] = (redcc_owner){(const char *)base, 0};
+        member->owner[array] = (redcc_owner){.first = (const char *)base};
         if (owner >= plan->owners)
             continue; /* a method with fewer owners than threads: nothing is guarded */
+        if (plan->map) {
+            member->owner[array] = mapped_owner(plan, group, (const char *)base, owner);
+            continue;
+        }
         const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1) + owner;
         member->owner[array].first = (const char *)(base + (uintptr_t)bound[0]);
         member->owner[array].size = (redcc_size)(bound[1] - bound[0]);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Inspection, in the threads of the region: a sample of the iterations, from which the arrays are
- * cut; then all of them, which gives the access summary, the exact extents and the guard; then each
- * thread prepares its part of the plan. All threads walk through the same phases.
+ * cut; then all of them, which gives the access summary, the exact extents and the guard; where the
+ * owners are to be cut from the access graph, all of them once more (gather.c); then each thread
+ * prepares its part of the plan. All threads walk through the same phases.
  */
-#include "loop.h"
+#include "inspect.h"
 
 #include "cuts.h"
 #include "guard.h"
@@ -20,7 +21,7 @@ enum {
     SAMPLED_TOUCHES = 32768
 };
 
-static void refuse(struct execution *execution, enum reason reason) {
+void redcc_refuse(struct execution *execution, enum reason reason) {
     execution->reason = reason;
     execution->next = PHASE_OVER;
 }
@@ -52,15 +53,14 @@ static void begin_inspection(struct execution *execution) {
     if (!redcc_partition_begin(&execution->partition, execution->request.loop,
                                execution->request.bases, owners) ||
         !execution->samples || !execution->summaries || !execution->seen)
-        refuse(execution, REASON_NO_MEMORY);
+        redcc_refuse(execution, REASON_NO_MEMORY);
 }
 
-/* Own iterations: a consecutive share. */
-static redcc_int share_begin(const struct member *member) {
+redcc_int redcc_own_begin(const struct member *member) {
     return redcc_share(member->execution->request.trip, member->threads, member->thread);
 }
 
-static redcc_int share_end(const struct member *member) {
+redcc_int redcc_own_end(const struct member *member) {
     return redcc_share(member->execution->request.trip, member->threads, member->thread + 1);
 }
 
@@ -75,7 +75,7 @@ static redcc_int sample_stride(const struct execution *execution) {
 /* How many of them lie before this thread's share. */
 static redcc_int sampled_before(const struct member *member) {
     const redcc_int stride = sample_stride(member->execution);
-    return (share_begin(member) + stride - 1) / stride;
+    return (redcc_own_begin(member) + stride - 1) / stride;
 }
 
 /* Where results must not depend on the number of threads, each has room for whatever of its share
@@ -99,20 +99,21 @@ static bool begin_member(struct member *member) {
         return false;
     for (uint32_t array = 0; array < partition->array_count; array++) {
         member->seen[array] = redcc_nowhere;
-        member->owner[array] = (redcc_owner){0, 0}; /* of a sample, all touches are entered */
+        member->owner[array] = (redcc_owner){.first = 0}; /* of a sample, all touches are entered */
     }
     for (uint32_t s = 0; s < member->execution->request.loop->source_count; s++)
         member->sources[s] = (redcc_extent){0, 0};
     return true;
 }
 
-static int hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_int stride) {
+int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_int stride,
+                   const redcc_owner *window) {
     struct member *member = worker->execution;
     worker->first = first;
     worker->last = last;
     worker->stride = stride;
     worker->sources = member->sources;
-    worker->window = member->phase == PHASE_SAMPLED ? member->owner : member->sweep.window;
+    worker->window = window;
     worker->inside = worker->outside = 0;
     worker->alike = 0;
     worker->entry = member->entries;
@@ -126,9 +127,9 @@ static int hand_out_sample(redcc_worker *worker) {
     const redcc_int first = stride * sampled_before(member);
     member->failed = !begin_member(member);
     member->phase = PHASE_SAMPLED;
-    if (member->failed || first >= share_end(member))
+    if (member->failed || first >= redcc_own_end(member))
         return 0;
-    return hand_out(worker, first, share_end(member), stride);
+    return redcc_hand_out(worker, first, redcc_own_end(member), stride, member->owner);
 }
 
 static void take_sample(struct member *member, const redcc_entry *end) {
@@ -178,7 +179,7 @@ static void cut_and_sweep(struct execution *execution) {
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
     if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads))
-        refuse(execution, REASON_NO_MEMORY);
+        redcc_refuse(execution, REASON_NO_MEMORY);
 }
 
 /* One item stands for as many touches in all samples, and all have SAMPLED_TOUCHES at most. */
@@ -200,13 +201,13 @@ static void thin_samples(struct execution *execution) {
 
 static void after_sample(struct execution *execution) {
     if (some_failed(execution)) {
-        refuse(execution, REASON_NO_MEMORY);
+        redcc_refuse(execution, REASON_NO_MEMORY);
         return;
     }
     thin_samples(execution);
     gather_touched(execution);
     if (redcc_partition_merge(&execution->partition, execution->touched) == MERGE_REFUSED)
-        refuse(execution, REASON_OUT_OF_STEP);
+        redcc_refuse(execution, REASON_OUT_OF_STEP);
     else
         cut_and_sweep(execution);
 }
@@ -216,7 +217,7 @@ static void begin_sweep(struct member *member) {
     memset(member->executed, 0, member->execution->partition.owners * sizeof *member->executed);
     member->failed =
         !redcc_sweep_begin(&member->sweep, &member->execution->partition, member->seen);
-    member->next = share_begin(member);
+    member->next = redcc_own_begin(member);
     member->handed = 0;
     member->told_all = true;
     member->phase = PHASE_SWEEPING;
@@ -224,13 +225,13 @@ static void begin_sweep(struct member *member) {
 
 static int hand_out_block(redcc_worker *worker) {
     struct member *member = worker->execution;
-    const redcc_int end = share_end(member), first = member->next;
+    const redcc_int end = redcc_own_end(member), first = member->next;
     if (member->failed || !member->told_all || first == end)
         return 0;
     member->handed = end - first < REDCC_BLOCK ? end - first : REDCC_BLOCK;
     member->next = first + member->handed;
     redcc_sweep_open_block(&member->sweep, first);
-    return hand_out(worker, first, member->next, 1);
+    return redcc_hand_out(worker, first, member->next, 1, member->sweep.window);
 }
 
 static void close_block(redcc_worker *worker) {
@@ -308,23 +309,36 @@ static enum reason objection(const struct execution *execution, const struct met
     return REASON_NONE;
 }
 
-static void begin_plan(struct execution *execution) {
-    const struct method *method = execution->method ? execution->method : choose_method(execution);
-    const enum reason reason = objection(execution, method);
-    if (reason != REASON_NONE) {
-        refuse(execution, reason);
-        return;
-    }
+void redcc_make_plan(struct execution *execution) {
+    const struct method *method = execution->chosen;
     const int parameter = execution->method ? execution->parameter : method->usual;
     execution->plan = redcc_plan_new(method, parameter, execution->threads, &execution->request,
                                      &execution->partition, execution->touched, execution->sources);
     for (int thread = 0; thread < execution->threads; thread++) {
-        execution->summaries[thread] = &execution->state->member[thread]->sweep.summary;
-        execution->seen[thread] = execution->state->member[thread]->seen;
+        const struct member *member = execution->state->member[thread];
+        execution->summaries[thread] =
+            execution->divided ? &execution->divide.sweep[thread].summary : &member->sweep.summary;
+        execution->seen[thread] = member->seen;
     }
     execution->next = PHASE_PREPARE;
+    if (execution->plan && execution->divided &&
+        !redcc_plan_take_map(execution->plan, &execution->partition, &execution->divide)) {
+        redcc_plan_free(execution->plan);
+        execution->plan = NULL;
+    }
     if (!execution->plan)
-        refuse(execution, REASON_NO_MEMORY);
+        redcc_refuse(execution, REASON_NO_MEMORY);
+}
+
+static void choose_and_go_on(struct execution *execution) {
+    const struct method *method = execution->method ? execution->method : choose_method(execution);
+    const enum reason reason = objection(execution, method);
+    execution->chosen = method;
+    execution->divided = false;
+    if (reason != REASON_NONE)
+        redcc_refuse(execution, reason);
+    else if (!method->by_graph || !redcc_begin_gathering(execution))
+        redcc_make_plan(execution);
 }
 
 static void after_sweep(struct execution *execution) {
@@ -332,7 +346,7 @@ static void after_sweep(struct execution *execution) {
     for (int thread = 0; thread < execution->threads; thread++)
         told_all = told_all && execution->state->member[thread]->told_all;
     if (some_failed(execution) || !told_all) {
-        refuse(execution, some_failed(execution) ? REASON_NO_MEMORY : REASON_INSPECTOR);
+        redcc_refuse(execution, some_failed(execution) ? REASON_NO_MEMORY : REASON_INSPECTOR);
         return;
     }
     gather_touched(execution);
@@ -340,18 +354,18 @@ static void after_sweep(struct execution *execution) {
     if (!redcc_guard(execution->sources, execution->request.loop->source_count, execution->touched,
                      execution->partition.array_count, &execution->clash_source,
                      &execution->clash_array)) {
-        refuse(execution, REASON_OVERLAP);
+        redcc_refuse(execution, REASON_OVERLAP);
         return;
     }
     switch (redcc_partition_merge(&execution->partition, execution->touched)) {
     case MERGE_REFUSED:
-        refuse(execution, REASON_OUT_OF_STEP);
+        redcc_refuse(execution, REASON_OUT_OF_STEP);
         break;
     case MERGE_DONE:
         cut_and_sweep(execution);
         break;
     case MERGE_NOTHING:
-        begin_plan(execution);
+        choose_and_go_on(execution);
         break;
     }
 }
@@ -372,7 +386,7 @@ static void after_prepare(struct execution *execution) {
     if (some_failed(execution)) {
         redcc_plan_free(execution->plan);
         execution->plan = NULL;
-        refuse(execution, REASON_NO_MEMORY);
+        redcc_refuse(execution, REASON_NO_MEMORY);
         return;
     }
     redcc_plan_finish(execution->plan);
@@ -424,6 +438,16 @@ int redcc_inspect(redcc_worker *worker) {
                 redcc_sweep_count(&member->sweep, member->executed);
             redcc_meet(member, after_sweep);
             break;
+        case PHASE_GATHER:
+            redcc_gather(member);
+            break;
+        case PHASE_GATHERING:
+            if (redcc_gathering(worker))
+                return 1;
+            break;
+        case PHASE_DIVIDE:
+            redcc_divide_share(member);
+            break;
         case PHASE_PREPARE:
             prepare(member);
             redcc_meet(member, after_prepare);
@@ -441,6 +465,9 @@ void redcc_flush(redcc_worker *worker) {
     struct member *member = worker->execution;
     if (member->phase == PHASE_SAMPLED)
         take_sample(member, worker->entry);
+    else if (member->phase == PHASE_GATHERING)
+        redcc_told_take(&member->execution->divide.told[member->thread], member->entries,
+                        worker->entry);
     else {
         redcc_sweep_take_window(&member->sweep, worker->alike, worker->inside);
         redcc_sweep_take(&member->sweep, member->entries, worker->entry);

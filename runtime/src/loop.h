@@ -10,6 +10,7 @@
 #define REDCC_LOOP_H
 
 #include "choose.h"
+#include "graph/divide.h"
 #include "plan.h"
 #include "report.h"
 #include "sample.h"
@@ -25,8 +26,11 @@ enum phase {
     PHASE_SAMPLED,  /* ... done */
     PHASE_SWEEP,    /* tell all iterations' addresses */
     PHASE_SWEEPING, /* ... a block of them is told */
-    PHASE_PREPARE,  /* make a plan of it */
-    PHASE_RUN,      /* begin to execute */
+    PHASE_GATHER,   /* tell them once more, to be kept: for ownership by the access graph */
+    PHASE_GATHERING,
+    PHASE_DIVIDE,  /* the units among the owners */
+    PHASE_PREPARE, /* make a plan of it */
+    PHASE_RUN,     /* begin to execute */
     PHASE_RUNNING,
     PHASE_OVER /* done, or not to be done in parallel */
 };
@@ -77,6 +81,9 @@ struct execution {
     uint32_t clash_source; /* REASON_OVERLAP: which overlap */
     uint32_t clash_array;
     struct partition partition;
+    const struct method *chosen; /* of this inspection */
+    struct divide divide;
+    bool divided;          /* it is done, and the plan's owners are to be those */
     struct range *touched; /* [array_count] by all threads */
     struct range *sources; /* [source_count] where they lie */
     const struct sample **samples;

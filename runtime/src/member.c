@@ -67,6 +67,7 @@ void redcc_inspection_end(struct execution *execution) {
         member->seen = NULL;
         member->executed = NULL;
     }
+    redcc_divide_end(&execution->divide);
     redcc_partition_end(&execution->partition);
     redcc_memory_give(execution->samples);
     redcc_memory_give(execution->summaries);

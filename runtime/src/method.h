@@ -41,6 +41,9 @@ struct method {
                               used by one thread as well */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
+    bool by_graph; /* owners are cut from the access graph (graph/divide.h), where that can be done;
+                      else, as without it, by address */
+
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
     /** The value without a colon. */
@@ -59,6 +62,7 @@ struct method {
 
 extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;
+extern const struct method redcc_method_graph_localwrite;
 extern const struct method redcc_method_expansion;
 extern const struct method redcc_method_pseudo_expansion;
 extern const struct method redcc_method_dwa_lip;

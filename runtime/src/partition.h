@@ -43,6 +43,7 @@ struct partition {
     uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is
                            where owner o begins; the first is 0, the last UINTPTR_MAX */
     bool mixed;         /* some group's arrays differ in type or operator */
+    uint32_t leader;    /* the group that the others are cut beside */
 };
 
 /** Every array a group of its own, not yet cut. False: no memory (end it all the same). */
@@ -84,6 +85,15 @@ static inline uint32_t redcc_owner_of(const struct partition *partition, uint32_
             high = middle;
     }
     return low;
+}
+
+/** The begin of the unit of group `group` that holds `address`. */
+static inline uintptr_t redcc_unit_begin(const struct partition *partition, uint32_t group,
+                                         uintptr_t address) {
+    const uintptr_t base = partition->base[group], unit = partition->arrays[group].unit;
+    if (address >= base)
+        return base + (address - base) / unit * unit;
+    return base - (base - address + unit - 1) / unit * unit;
 }
 
 #endif

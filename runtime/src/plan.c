@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan.h"
 
+#include "graph/divide.h"
 #include "memory.h"
 
 #include <string.h>
@@ -95,6 +96,23 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     return plan;
 }
 
+bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
+                         struct divide *divide) {
+    plan->mapped = redcc_memory_take_zeroed(plan->array_count, sizeof *plan->mapped);
+    if (!plan->mapped)
+        return false;
+    for (uint32_t group = 0; group < plan->array_count; group++) {
+        const struct group_units *units = &divide->units.of[group];
+        if (units->count > 0)
+            plan->mapped[group] =
+                (struct group_map){(ptrdiff_t)(units->first - partition->base[group]), units->begin,
+                                   units->count, units->bytes};
+    }
+    plan->map = divide->owner;
+    divide->owner = NULL;
+    return true;
+}
+
 void redcc_plan_free(struct plan *plan) {
     if (!plan)
         return;
@@ -106,6 +124,8 @@ void redcc_plan_free(struct plan *plan) {
     redcc_memory_give(plan->shift);
     redcc_memory_give(plan->touched);
     redcc_memory_give(plan->bound);
+    redcc_memory_give(plan->map);
+    redcc_memory_give(plan->mapped);
     redcc_memory_give(plan->source);
     redcc_memory_give(plan->schedule);
     redcc_memory_give(plan->stages);
@@ -232,7 +252,8 @@ bool redcc_plan_reusable(const struct plan *plan, const redcc_loop *loop) {
 size_t redcc_plan_bytes(const struct plan *plan) {
     size_t bytes = redcc_memory_size(plan) + redcc_memory_size(plan->bound) +
                    redcc_memory_size(plan->schedule) + redcc_memory_size(plan->team_barrier) +
-                   redcc_memory_size(plan->flags);
+                   redcc_memory_size(plan->flags) + redcc_memory_size(plan->map) +
+                   redcc_memory_size(plan->mapped);
     for (int thread = 0; thread < plan->threads; thread++)
         bytes += redcc_memory_size(plan->schedule[thread].run) +
                  redcc_memory_size(plan->schedule[thread].chunk) +

@@ -13,6 +13,8 @@
 #include "method.h"
 #include "schedule.h"
 
+struct divide;
+
 /** What one call brings; the pointers are owned by the loop's state. */
 struct request {
     const redcc_loop *loop;
@@ -30,6 +32,14 @@ struct source_record {
     struct fingerprint fingerprint;
 };
 
+/** Where the owners of a group's units stand in a plan's map. */
+struct group_map {
+    ptrdiff_t first; /* of the units, relative to the group's base */
+    uint32_t begin;  /* in the map */
+    uint32_t count;  /* of units */
+    uint32_t bytes;  /* of a unit */
+};
+
 struct plan {
     const struct method *method;
     int parameter;
@@ -44,7 +54,10 @@ struct plan {
     ptrdiff_t *shift;             /* [array_count] bytes from its group's base to its own */
     struct offsets *touched;      /* [array_count] of each group, relative to its base */
     ptrdiff_t *bound;             /* [array_count * (owners + 1)] owner o of group g writes from
-                                     bound[g * (owners + 1) + o] up to the next, relative to its base */
+                                     bound[g * (owners + 1) + o] up to the next, relative to its base;
+                                     not where there is a map */
+    unsigned char *map;           /* the owner of each unit of all groups; NULL: none */
+    struct group_map *mapped;     /* [array_count] of each group; with the map */
     struct source_record *source; /* [source_count] */
     struct schedule *schedule;    /* [threads] */
     uint32_t *stages;             /* [teams] */
@@ -69,6 +82,11 @@ int redcc_team_of(int threads, int teams, int thread);
 struct plan *redcc_plan_new(const struct method *method, int parameter, int threads,
                             const struct request *request, const struct partition *partition,
                             const struct range *touched, const struct range *sources);
+
+/** From now on the owners are those of units, as they were divided; the map in `divide` becomes the
+ *  plan's. False: no memory. */
+bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
+                         struct divide *divide);
 
 /** Gives back a plan; NULL does nothing. */
 void redcc_plan_free(struct plan *plan);

@@ -42,27 +42,30 @@ static void list_owner(struct sweep *sweep, uint32_t owner) {
     sweep->list[sweep->listed++] = owner;
 }
 
-/* A touch outside the window: of another owner, of several, or wider than what was seen. */
-static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
-    const struct range touch = {address, address + bytes};
-    sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);
-    const uint32_t first = redcc_owner_of(sweep->partition, group, address);
-    const uint32_t last = redcc_owner_of(sweep->partition, group, address + bytes - 1);
-    if (first == last && (!sweep->touched || (!sweep->mixed && first == sweep->current))) {
+void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner) {
+    if (!sweep->touched || (!sweep->mixed && owner == sweep->current)) {
         sweep->touched = true;
-        look_at_owner(sweep, first);
+        sweep->current = owner;
         return;
     }
     if (!sweep->mixed) {
         sweep->mixed = true;
         sweep->listed = 0;
         sweep->iteration++;
-        if (sweep->touched)
-            list_owner(sweep, sweep->current);
+        list_owner(sweep, sweep->current);
     }
+    list_owner(sweep, owner);
+    sweep->current = owner;
+}
+
+/* A touch outside the window: of another owner, of several, or wider than what was seen. */
+static void take_stray(struct sweep *sweep, uint32_t group, uintptr_t address, uint32_t bytes) {
+    const struct range touch = {address, address + bytes};
+    sweep->seen[group] = redcc_range_union(sweep->seen[group], touch);
+    const uint32_t first = redcc_owner_of(sweep->partition, group, address);
+    const uint32_t last = redcc_owner_of(sweep->partition, group, address + bytes - 1);
     for (uint32_t owner = first; owner <= last; owner++)
-        list_owner(sweep, owner);
-    sweep->touched = true;
+        redcc_sweep_take_owner(sweep, owner);
     look_at_owner(sweep, last);
 }
 
@@ -103,7 +106,7 @@ static void add_iterations(struct sweep *sweep, uint32_t set, redcc_int count) {
     sweep->done += count;
 }
 
-static void end_iteration(struct sweep *sweep) {
+void redcc_sweep_end_iteration(struct sweep *sweep) {
     uint32_t set = sweep->touched ? 1 + sweep->current : 0;
     if (sweep->mixed) {
         sort_list(sweep);
@@ -134,7 +137,7 @@ void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside) 
 void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end) {
     for (const redcc_entry *entry = first; entry != end && !sweep->failed; entry++) {
         if (entry->array == REDCC_END_OF_ITERATION) {
-            end_iteration(sweep);
+            redcc_sweep_end_iteration(sweep);
             continue;
         }
         const redcc_owner window = sweep->window[entry->array];

@@ -46,6 +46,12 @@ void redcc_sweep_take_window(struct sweep *sweep, redcc_int alike, bool inside);
 /** Takes entries [first, end) in; an iteration's may come in several calls. */
 void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc_entry *end);
 
+/** The iteration at hand touches something of this owner's. */
+void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner);
+
+/** The iteration at hand is told. */
+void redcc_sweep_end_iteration(struct sweep *sweep);
+
 /** The block is at its end. Returns false where another number of iterations than `expected` was
  *  told, or where there was no memory. */
 bool redcc_sweep_close_block(struct sweep *sweep, redcc_int expected);

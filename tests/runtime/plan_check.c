@@ -8,9 +8,21 @@
 
 #include <cmocka.h>
 
+/* The owner of the byte at `offset` from the group's first element, by the map of its units. */
+static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t offset) {
+    const struct group_map *mapped = &plan->mapped[group];
+    const ptrdiff_t unit = (offset - mapped->first) / (ptrdiff_t)mapped->bytes;
+    assert_in_range(unit, 0, (ptrdiff_t)mapped->count - 1);
+    const uint32_t owner = plan->map[mapped->begin + (size_t)unit];
+    assert_in_range(owner, 0, plan->owners - 1);
+    return owner;
+}
+
 /* The one owner of the byte at `offset` from the array's first element. */
 static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offset) {
     const uint32_t group = plan->group_of[array];
+    if (plan->map)
+        return owner_in_map(plan, group, offset + plan->shift[array]);
     const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1);
     uint32_t found = 0, count = 0;
     for (uint32_t owner = 0; owner < plan->owners; owner++)
@@ -78,7 +90,7 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
         int times = 0;
         for (int thread = 0; thread < plan->threads; thread++)
             times += visit[thread];
-        if (plan->method != &redcc_method_localwrite) {
+        if (plan->method->keeps != REDCC_ORDER_SERIAL) {
             assert_true(times == 1 || (times == 0 && owners == 0 && t + 1 < problem->trip));
             continue;
         }

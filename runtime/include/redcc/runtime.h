@@ -134,10 +134,14 @@ typedef struct redcc_run {
     redcc_u32 count_and_guard; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
 } redcc_run;
 
-/** The elements of one array that a thread owns. */
+/** The elements of one array that a thread owns: those at [first, first + size), where there is a
+ *  map only those in units that it gives to `self`. */
 typedef struct redcc_owner {
     const char *first;
     redcc_size size;
+    const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
+    redcc_size unit;          /* bytes; of a map */
+    redcc_u32 self;
 } redcc_owner;
 
 /** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration.
@@ -280,7 +284,8 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 
 /** Executor, guarded form: may this thread write at `address`? */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
-    return (redcc_size)((const char *)address - owner->first) < owner->size;
+    const redcc_size into = (redcc_size)((const char *)address - owner->first);
+    return into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self);
 }
 
 #endif

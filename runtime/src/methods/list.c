@@ -2,6 +2,8 @@
 #include "method.h"
 
 const struct method *const redcc_methods[] = {
-    &redcc_method_serial,           &redcc_method_localwrite,      &redcc_method_expansion,
-    &redcc_method_pseudo_expansion, &redcc_method_dwa_lip,         &redcc_method_pe_dwa_lip,
-    &redcc_method_dwa_lip_fixed,    &redcc_method_expansion_fixed, NULL};
+    &redcc_method_serial,           &redcc_method_localwrite,
+    &redcc_method_graph_localwrite, &redcc_method_expansion,
+    &redcc_method_pseudo_expansion, &redcc_method_dwa_lip,
+    &redcc_method_pe_dwa_lip,       &redcc_method_dwa_lip_fixed,
+    &redcc_method_expansion_fixed,  NULL};

@@ -6,8 +6,9 @@
  *
  * Each element gets its contributions in the order of the loop: the bits of the sequential loop.
  */
+#include "localwrite.h"
+
 #include "memory.h"
-#include "plan.h"
 
 enum { SKIP, PLAIN, GUARDED };
 
@@ -40,7 +41,7 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
     return enough;
 }
 
-static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     struct schedule *schedule = &plan->schedule[thread];
     for (int from = 0; from < evidence->threads; from++)
         if (!select_from(schedule, evidence->summary[from], (uint32_t)thread))
@@ -53,4 +54,4 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
 }
 
 const struct method redcc_method_localwrite = {
-    .name = "localwrite", .keeps = REDCC_ORDER_SERIAL, .prepare = prepare};
+    .name = "localwrite", .keeps = REDCC_ORDER_SERIAL, .prepare = redcc_localwrite_prepare};

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Inspection, the phases that lead to owners cut from the access graph (graph/divide.h). */
+#include "inspect.h"
+
+/* About how many touches of leading or of further groups a thread will tell, by the sample. */
+static size_t expected_touches(const struct member *member, bool leading) {
+    const struct execution *execution = member->execution;
+    const struct partition *partition = &execution->partition;
+    double touches = 0, iterations = 1;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        const struct sample *sample = &execution->state->member[thread]->sample;
+        for (size_t i = 0; i < sample->count; i++)
+            if ((partition->group_of[sample->item[i].array] == partition->leader) == leading)
+                touches += (double)sample->keep_each;
+        iterations += sample->iterations;
+    }
+    const double share = (double)(redcc_own_end(member) - redcc_own_begin(member));
+    const double expected = share * (touches / iterations) * 1.02;
+    return (size_t)expected + (size_t)share / 16;
+}
+
+bool redcc_begin_gathering(struct execution *execution) {
+    switch (redcc_divide_begin(&execution->divide, &execution->partition, execution->touched,
+                               execution->threads, execution->request.trip)) {
+    case DIVIDE_NO_MEMORY:
+        redcc_refuse(execution, REASON_NO_MEMORY);
+        return true;
+    case DIVIDE_UNSUITABLE:
+        execution->chosen = &redcc_method_localwrite;
+        return false;
+    case DIVIDE_DONE:
+        break;
+    }
+    execution->divide.barrier = &execution->barrier;
+    execution->next = PHASE_GATHER;
+    return true;
+}
+
+void redcc_gather(struct member *member) {
+    struct divide *divide = &member->execution->divide;
+    member->failed = !redcc_told_begin(
+        &divide->told[member->thread], &divide->units, divide->partition, redcc_own_begin(member),
+        expected_touches(member, true), expected_touches(member, false), divide->most_told);
+    for (uint32_t array = 0; array < divide->partition->array_count; array++)
+        member->owner[array] = (redcc_owner){.first = 0}; /* all touches are entered */
+    member->handed = 0;
+    member->phase = PHASE_GATHERING;
+}
+
+static void after_gathering(struct execution *execution) {
+    const struct divide *divide = &execution->divide;
+    bool failed = false, too_much = false;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        const struct member *member = execution->state->member[thread];
+        const struct told *told = &divide->told[thread];
+        failed = failed || member->failed || told->failed;
+        too_much = too_much || told->too_much ||
+                   told->iterations != redcc_own_end(member) - redcc_own_begin(member);
+    }
+    execution->next = PHASE_DIVIDE;
+    if (failed)
+        redcc_refuse(execution, REASON_NO_MEMORY);
+    else if (too_much) { /* owners by address will do */
+        execution->chosen = &redcc_method_localwrite;
+        redcc_make_plan(execution);
+    }
+}
+
+int redcc_gathering(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const redcc_int begin = redcc_own_begin(member), end = redcc_own_end(member);
+    if (!member->failed && member->handed == 0 && begin < end) {
+        member->handed = end - begin;
+        return redcc_hand_out(worker, begin, end, 1, member->owner);
+    }
+    if (member->handed > 0)
+        redcc_flush(worker);
+    redcc_meet(member, after_gathering);
+    return 0;
+}
+
+static void after_divide(struct execution *execution) {
+    if (!execution->divide.going) {
+        redcc_refuse(execution, REASON_NO_MEMORY);
+        return;
+    }
+    execution->divided = true;
+    redcc_divide_tidy(&execution->divide);
+    redcc_make_plan(execution);
+}
+
+void redcc_divide_share(struct member *member) {
+    redcc_divide(&member->execution->divide, member->thread, member->seen);
+    redcc_meet(member, after_divide);
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the phases of an inspection share (inspect.c, gather.c). */
+#ifndef REDCC_INSPECT_H
+#define REDCC_INSPECT_H
+
+#include "loop.h"
+
+/** The iterations that a member inspects: a consecutive share, [begin, end). */
+redcc_int redcc_own_begin(const struct member *member);
+redcc_int redcc_own_end(const struct member *member);
+
+/** Has the worker tell iterations first, first + stride, ... < last; returns 1. A touch within
+ *  `window` [array_count] makes no entry. */
+int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_int stride,
+                   const redcc_owner *window);
+
+/** To be called by one thread, while the others wait: nothing is to be done in parallel. */
+void redcc_refuse(struct execution *execution, enum reason reason);
+
+/** To be called by one thread, when all iterations are told: an empty plan by the method chosen,
+ *  and all go on to prepare it. */
+void redcc_make_plan(struct execution *execution);
+
+/** To be called by one thread, instead of redcc_make_plan: sends all to tell their iterations once
+ *  more, for ownership by the access graph. False: that cannot be had here. */
+bool redcc_begin_gathering(struct execution *execution);
+
+/** A member's steps on that way, by phase: GATHER, GATHERING (returns 1 where iterations are to be
+ *  told) and DIVIDE. */
+void redcc_gather(struct member *member);
+int redcc_gathering(redcc_worker *worker);
+void redcc_divide_share(struct member *member);
+
+#endif

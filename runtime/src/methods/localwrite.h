@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef REDCC_LOCALWRITE_H
+#define REDCC_LOCALWRITE_H
+
+#include "plan.h"
+
+/** Fills the schedule of `thread` with the iterations that touch what it owns, in ascending order;
+ *  those that touch others' too are guarded. False: no memory. */
+bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread);
+
+#endif
