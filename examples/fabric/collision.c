@@ -11,51 +11,156 @@
  * shake cloth at rest). */
 enum { patience = 2 };
 
-static void find_pins(collisions *c, const mesh *m, const double *mass) {
+/* Is what lasts from `from` until `until` (0: for good) there? */
+static int lasts(double from, double until, double time) {
+    return time >= from && (until <= 0 || time < until);
+}
+
+/* The vertices that pins hold at `time`; a vertex without mass is held by the last, which stays. */
+static void find_pins(collisions *c, double time) {
     const scene *s = c->scene;
-    for (int i = 0; i < m->vertex_count; i++) {
-        const double *at = m->material[i];
-        c->pin_of[i] = mass[i] > 0 ? -1 : s->pin_count;
+    c->pinned = 0;
+    for (int i = 0; i < c->vertex_count; i++) {
+        const double *at = c->mesh->material[i];
+        c->pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
         for (int p = s->pin_count - 1; p >= 0; p--)
-            if (at[0] >= s->pins[p].low[0] && at[0] <= s->pins[p].high[0] &&
-                at[1] >= s->pins[p].low[1] && at[1] <= s->pins[p].high[1])
+            if (lasts(0, s->pins[p].until, time) && at[0] >= s->pins[p].low[0] &&
+                at[0] <= s->pins[p].high[0] && at[1] >= s->pins[p].low[1] &&
+                at[1] <= s->pins[p].high[1])
                 c->pin_of[i] = p;
-        for (int a = 0; a < 3; a++)
-            c->pinned_at[i][a] = m->position[i][a];
+        c->pinned += c->pin_of[i] >= 0;
     }
 }
 
+void collisions_follow(collisions *c, double time) {
+    find_pins(c, time);
+    for (int n = 0; n < c->scene->collider_count; n++)
+        c->there[n] =
+            (unsigned char)lasts(c->scene->colliders[n].from, c->scene->colliders[n].until, time);
+}
+
+/* For how many seconds a pin has moved by `time`. */
+static double moving_time(const pin *p, double time) {
+    const double end = p->move_until > 0 && time > p->move_until ? p->move_until : time;
+    return end > p->move_from ? end - p->move_from : 0;
+}
+
+static void set_pin_speeds(collisions *c, double time, double h) {
+    for (int p = 0; p < c->scene->pin_count; p++) {
+        const pin *of = &c->scene->pins[p];
+        const double moving = moving_time(of, time + h) - moving_time(of, time);
+        const int always = of->move_from <= 0 && of->move_until <= 0;
+        for (int a = 0; a < 3; a++)
+            c->pin_speed[p][a] = of->velocity[a] * (always ? 1 : moving / h);
+    }
+}
+
+static int allocate(collisions *c) {
+    const size_t n = (size_t)c->vertex_count + 1;
+    const size_t pins = (size_t)c->scene->pin_count + 1;
+    const size_t colliders = (size_t)c->scene->collider_count + 1;
+    c->pin_of = calloc(n, sizeof *c->pin_of);
+    c->pinned_at = calloc(n, sizeof *c->pinned_at);
+    c->pin_speed = calloc(pins, sizeof *c->pin_speed);
+    c->there = calloc(colliders, 1);
+    c->near = calloc(colliders, 1);
+    if (!c->pin_of || !c->pinned_at || !c->pin_speed || !c->there || !c->near)
+        return -1;
+    if (c->scene->collider_count == 0)
+        return 0;
+    c->before = calloc(n, sizeof *c->before);
+    c->now = calloc(n, sizeof *c->now);
+    return c->before && c->now ? 0 : -1;
+}
+
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass) {
-    const size_t n = (size_t)m->vertex_count + 1;
-    *c = (collisions){.scene = s, .vertex_count = m->vertex_count};
+    *c = (collisions){.scene = s,
+                      .mesh = m,
+                      .mass = mass,
+                      .vertex_count = m->vertex_count,
+                      .now_empty = 1,
+                      .before_empty = 1};
     c->stick_speed = 0.01 * s->step * vector_length(s->gravity);
     if (!(c->stick_speed > 1e-5))
         c->stick_speed = 1e-5;
-    c->pin_of = calloc(n, sizeof *c->pin_of);
-    c->pinned_at = calloc(n, sizeof *c->pinned_at);
-    if (s->collider_count > 0) {
-        c->before = calloc(n, sizeof *c->before);
-        c->now = calloc(n, sizeof *c->now);
-    }
-    if (!c->pin_of || !c->pinned_at || (s->collider_count > 0 && (!c->before || !c->now))) {
+    if (allocate(c) != 0) {
         collisions_free(c);
         return -1;
     }
-    find_pins(c, m, mass);
+    for (int i = 0; i < m->vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            c->pinned_at[i][a] = m->position[i][a];
+    collisions_follow(c, 0);
+    set_pin_speeds(c, 0, s->step);
+    for (int n = 0; n < s->collider_count; n++) {
+        c->near[n] = c->there[n];
+        c->any_near += c->near[n];
+    }
     return 0;
 }
 
 void collisions_free(collisions *c) {
     free(c->pin_of);
     free(c->pinned_at);
+    free(c->pin_speed);
+    free(c->there);
+    free(c->near);
     free(c->before);
     free(c->now);
     *c = (collisions){0};
 }
 
-static const double *pin_velocity(const collisions *c, int i) {
-    static const double held[3] = {0, 0, 0};
-    return c->pin_of[i] < c->scene->pin_count ? c->scene->pins[c->pin_of[i]].velocity : held;
+/* A ball around the cloth and the longest way a vertex goes in the step: dv NULL is 0. */
+typedef struct cloth_ball {
+    double center[3], radius, way;
+} cloth_ball;
+
+static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3],
+                              const double (*v)[3], const double (*dv)[3]) {
+    cloth_ball ball = {{0, 0, 0}, 0, 0};
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double radius = 0, way = 0;
+    for (int i = 0; i < c->vertex_count; i++)
+        for (int a = 0; a < 3; a++) {
+            low[a] = x[i][a] < low[a] ? x[i][a] : low[a];
+            high[a] = x[i][a] > high[a] ? x[i][a] : high[a];
+        }
+    for (int a = 0; a < 3; a++) {
+        ball.center[a] = (low[a] + high[a]) / 2;
+        radius += (high[a] - low[a]) * (high[a] - low[a]) / 4;
+    }
+    for (int i = 0; i < c->vertex_count; i++) {
+        double speed[3] = {v[i][0], v[i][1], v[i][2]};
+        if (dv)
+            vector_add_scaled(v[i], 1, dv[i], speed);
+        const double square = vector_dot(speed, speed);
+        way = !(square <= way) ? square : way;
+    }
+    ball.radius = sqrt(radius);
+    ball.way = h * sqrt(way);
+    return ball;
+}
+
+/* Finds which colliders may touch the cloth within the step: the others cost no more than this. */
+static void find_near(collisions *c, double time, double h, const double (*x)[3],
+                      const double (*v)[3], const double (*dv)[3]) {
+    int there = 0;
+    c->any_near = 0;
+    for (int n = 0; n < c->scene->collider_count; n++)
+        there += c->there[n];
+    if (there == 0)
+        return;
+    const cloth_ball ball = ball_around(c, h, x, v, dv);
+    for (int n = 0; n < c->scene->collider_count; n++) {
+        const collider *k = &c->scene->colliders[n];
+        double p[3], normal[3];
+        for (int a = 0; a < 3; a++)
+            p[a] = ball.center[a] - k->position[a] - time * k->velocity[a];
+        const double reach =
+            1.01 * (ball.radius + ball.way + h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
+        c->near[n] = c->there[n] && !(shape_distance(k, p, normal) > reach);
+        c->any_near += c->near[n];
+    }
 }
 
 /* Would a vertex at x with velocity v come too near to the collider in the next h seconds? */
@@ -108,10 +213,24 @@ static void add_friction(const contact *touch, const collider *k, double h, cons
     }
 }
 
+static void clear_contacts(collisions *c) {
+    for (int i = 0; i < c->vertex_count && !c->now_empty; i++)
+        c->now[i].count = 0;
+    c->now_empty = 1;
+}
+
 void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
                        const double (*v)[3], const double (*dv)[3]) {
+    set_pin_speeds(c, time, h);
     if (!c->now)
         return;
+    find_near(c, time, h, x, v, dv);
+    if (!c->any_near) {
+        clear_contacts(c);
+        return;
+    }
+    c->now_empty = 0;
+    c->visits += (long)c->vertex_count * c->any_near;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->vertex_count; i++) {
         double expected[3];
@@ -123,7 +242,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
             const collider *k = &c->scene->colliders[n];
             const contact *before = find_contact(&c->before[i], n);
             approach found;
-            if ((before && before->pulls >= patience) ||
+            if (!c->near[n] || (before && before->pulls >= patience) ||
                 !would_touch(k, time, h, x[i], expected, &found))
                 continue;
             add_contact(&c->now[i], before, &found, n, k, h);
@@ -131,19 +250,22 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
     }
 }
 
-void collisions_add_friction(const collisions *c, double h, const double (*v)[3],
-                             linear_system *system) {
-    if (!c->now)
+void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system) {
+    long visits = 0;
+    if (!c->now || c->now_empty)
         return;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) reduction(+ : visits)
     for (int i = 0; i < c->vertex_count; i++)
         for (int n = 0; n < c->now[i].count; n++) {
             const int number = c->now[i].list[n].collider;
             const contact *before = find_contact(&c->before[i], number);
-            if (before && !before->sticks && before->force > 0)
-                add_friction(before, &c->scene->colliders[number], h, v[i],
-                             system->A.value[system->A.row_start[i]], system->b[i]);
+            if (!before || before->sticks || !(before->force > 0))
+                continue;
+            add_friction(before, &c->scene->colliders[number], h, v[i],
+                         system->A.value[system->A.row_start[i]], system->b[i]);
+            visits++;
         }
+    c->friction_visits += visits;
 }
 
 /* Normals first: they win over the tangents of a contact that sticks. */
@@ -180,9 +302,9 @@ void collisions_constrain(const collisions *c, const double (*v)[3], constraints
         double change[CONTACTS_PER_VERTEX + 3];
         int count = 0;
         if (c->pin_of[i] >= 0) {
-            vector_subtract(pin_velocity(c, i), v[i], change);
+            vector_subtract(c->pin_speed[c->pin_of[i]], v[i], change);
             count = 3;
-        } else if (c->now) {
+        } else if (c->now && !c->now_empty) {
             count = demands(c, &c->now[i], v[i], d, change);
         }
         if (count > 0)
@@ -197,6 +319,10 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     int added = 0;
     if (!c->now)
         return 0;
+    find_near(c, time, h, x, v, dv);
+    if (!c->any_near)
+        return 0;
+    c->now_empty = 0;
 #pragma omp parallel for schedule(static) reduction(+ : added)
     for (int i = 0; i < c->vertex_count; i++) {
         double after[3];
@@ -206,8 +332,9 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
         for (int n = 0; n < c->scene->collider_count; n++) {
             const collider *k = &c->scene->colliders[n];
             approach found;
-            if (c->now[i].count == CONTACTS_PER_VERTEX || find_contact(&c->now[i], n) ||
-                !would_touch(k, time, h, x[i], after, &found) || !(found.beyond > 0))
+            if (!c->near[n] || c->now[i].count == CONTACTS_PER_VERTEX ||
+                find_contact(&c->now[i], n) || !would_touch(k, time, h, x[i], after, &found) ||
+                !(found.beyond > 0))
                 continue;
             add_contact(&c->now[i], NULL, &found, n, k, h);
             added++;
@@ -223,7 +350,7 @@ static int keep_out(const collisions *c, int i, double time, double h, const dou
     for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
         const collider *k = &c->scene->colliders[n];
         approach found;
-        if (find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
+        if (!c->near[n] || find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
             !(found.beyond > 0))
             continue;
         const double lacking = given_speed(k, &found, h) - vector_dot(found.normal, v);
@@ -235,11 +362,14 @@ static int keep_out(const collisions *c, int i, double time, double h, const dou
     return changed;
 }
 
-double collisions_keep_out(const collisions *c, double time, double h, const double *mass,
+double collisions_keep_out(collisions *c, double time, double h, const double *mass,
                            const double (*x)[3], double (*v)[3]) {
     const int count = c->vertex_count;
     double sum[CHUNK_SUM_MOST] = {0};
     if (!c->now)
+        return 0;
+    find_near(c, time, h, x, (const double(*)[3])v, NULL);
+    if (!c->any_near)
         return 0;
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
@@ -252,13 +382,18 @@ double collisions_keep_out(const collisions *c, double time, double h, const dou
 }
 
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]) {
+    if (c->pinned == 0)
+        return;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->vertex_count; i++) {
-        if (c->pin_of[i] < 0)
+        const int p = c->pin_of[i];
+        if (p < 0)
             continue;
+        const double moving = p < c->scene->pin_count ? moving_time(&c->scene->pins[p], time) : 0;
         for (int a = 0; a < 3; a++) {
-            v[i][a] = pin_velocity(c, i)[a];
-            x[i][a] = c->pinned_at[i][a] + time * v[i][a];
+            v[i][a] = c->pin_speed[p][a];
+            x[i][a] = c->pinned_at[i][a] +
+                      (p < c->scene->pin_count ? moving * c->scene->pins[p].velocity[a] : 0);
         }
     }
 }
@@ -288,6 +423,11 @@ static void judge(contact *touch, const collider *k, double stick_speed, double 
 void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
                        const double (*residual)[3]) {
     if (!c->now)
+        return;
+    const int before_empty = c->before_empty;
+    c->before_empty = c->now_empty;
+    c->now_empty = before_empty;
+    if (c->before_empty && c->now_empty)
         return;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->vertex_count; i++) {

@@ -36,18 +36,31 @@ typedef struct vertex_contacts {
 
 typedef struct collisions {
     const scene *scene;
+    const mesh *mesh;
+    const double *mass; /* [vertices] kg */
     int vertex_count;
-    int *pin_of;             /* [vertices] index of the pin that holds it; -1: none */
-    double (*pinned_at)[3];  /* [vertices] m, where a pinned vertex was at time 0 */
-    double stick_speed;      /* m/s, slower than this a sliding vertex sticks */
-    vertex_contacts *before; /* [vertices] of the last accepted step; NULL without colliders */
-    vertex_contacts *now;    /* [vertices] of the step being taken */
+    int *pin_of;            /* [vertices] index of the pin that holds it; -1: none */
+    int pinned;             /* how many are held */
+    double (*pinned_at)[3]; /* [vertices] m, where a pinned vertex was at time 0 */
+    double (*pin_speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
+    unsigned char *there;   /* [colliders] it exists at present */
+    unsigned char *near;    /* [colliders] it may touch the cloth in the step being taken */
+    int any_near;
+    int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
+    long visits;                 /* vertices held against a collider, in all */
+    long friction_visits;        /* contacts with friction, in all */
+    double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
+    vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
+    vertex_contacts *now;        /* [vertices] of the step being taken */
 } collisions;
 
-/** The scene by reference. mass [vertices] kg; a vertex without mass, of no triangle, is held in
- *  place. 0, or -1: out of memory. */
+/** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held
+ *  in place. 0, or -1: out of memory. */
 int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
 void collisions_free(collisions *c);
+
+/** Takes up the pins and colliders that there are at `time`. */
+void collisions_follow(collisions *c, double time);
 
 /** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.
  *  Finds what vertices would come too near to a collider. */
@@ -55,8 +68,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
                        const double (*v)[3], const double (*dv)[3]);
 
 /** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
-void collisions_add_friction(const collisions *c, double h, const double (*v)[3],
-                             linear_system *system);
+void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system);
 
 /** Turns contacts and pins into constraints on dv. */
 void collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
@@ -67,7 +79,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
 
 /** Last resort for what was still missed: changes v so that x + h v stays out. Returns the work
  *  that takes, J; mass [vertices] kg. */
-double collisions_keep_out(const collisions *c, double time, double h, const double *mass,
+double collisions_keep_out(collisions *c, double time, double h, const double *mass,
                            const double (*x)[3], double (*v)[3]);
 
 /** Puts pinned vertices exactly where they are at `time`. */

@@ -22,7 +22,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
             if (given->given[i] > 0) /* the constraint gives -residual to the stage */
                 sum[chunk] -= h / stage_h * vector_dot(residual[i], v[i]);
-            for (int n = 0; c->now && n < c->now[i].count; n++) {
+            for (int n = 0; c->now && !c->now_empty && n < c->now[i].count; n++) {
                 const contact *touch = &c->now[i].list[n];
                 sum[chunk] += friction_work(touch, &c->scene->colliders[touch->collider], h);
             }
@@ -32,13 +32,15 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
 
 double collisions_depth(const collisions *c, double time, const double (*x)[3]) {
     double deepest = 0;
-    if (!c->now)
+    if (!c->now || !c->any_near)
         return 0;
 #pragma omp parallel for schedule(static) reduction(max : deepest)
     for (int i = 0; i < c->vertex_count; i++)
         for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
             const collider *k = &c->scene->colliders[n];
             double p[3], normal[3];
+            if (!c->near[n])
+                continue;
             for (int a = 0; a < 3; a++)
                 p[a] = x[i][a] - k->position[a] - time * k->velocity[a];
             const double depth = -shape_distance(k, p, normal);

@@ -5,40 +5,57 @@
 #include "effects/drag.h"
 #include "simulation_state.h"
 
+static const unsigned triangle_effects = 1u << EFFECT_STRETCH | 1u << EFFECT_SHEAR |
+                                         1u << EFFECT_STRETCH_DAMPING | 1u << EFFECT_SHEAR_DAMPING;
+static const unsigned hinge_effects = 1u << EFFECT_BEND | 1u << EFFECT_BEND_DAMPING;
+
+static void visit(simulation *sim, int effect) {
+    if (effect_is_on(sim, effect))
+        sim->effects[effect].visited += sim->effects[effect].elements;
+}
+
 static void add_triangle_forces(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
     triangle_forces(&sim->triangles, &sim->triangle_material, at->h, at->x, at->lag, &sim->system);
     /* One loop makes both: where both are active each is charged half. */
     const double seconds = clock_seconds() - start;
-    const int both = sim->effects[EFFECT_STRETCH].active && sim->effects[EFFECT_SHEAR].active;
-    if (!sim->effects[EFFECT_SHEAR].active || both)
-        sim->effects[EFFECT_STRETCH].seconds += both ? seconds / 2 : seconds;
-    if (sim->effects[EFFECT_SHEAR].active)
-        sim->effects[EFFECT_SHEAR].seconds += both ? seconds / 2 : seconds;
+    const int stretch =
+        effect_is_on(sim, EFFECT_STRETCH) || effect_is_on(sim, EFFECT_STRETCH_DAMPING);
+    const int shear = effect_is_on(sim, EFFECT_SHEAR) || effect_is_on(sim, EFFECT_SHEAR_DAMPING);
+    for (int effect = EFFECT_STRETCH; effect <= EFFECT_SHEAR_DAMPING; effect++)
+        if (effect != EFFECT_BEND)
+            visit(sim, effect);
+    sim->effects[EFFECT_STRETCH].seconds += stretch && shear ? seconds / 2 : stretch * seconds;
+    sim->effects[EFFECT_SHEAR].seconds += stretch && shear ? seconds / 2 : shear * seconds;
 }
 
 static void add_hinge_forces(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
     hinge_update_angles(&sim->hinges, at->x);
     hinge_forces(&sim->hinges, &sim->hinge_material, at->h, at->x, at->lag, &sim->system);
+    visit(sim, EFFECT_BEND);
+    visit(sim, EFFECT_BEND_DAMPING);
     sim->effects[EFFECT_BEND].seconds += clock_seconds() - start;
 }
 
 static void add_drag(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
-    drag_forces(&sim->triangles, sim->scene->drag, sim->scene->wind, at->h, at->x, at->v,
-                &sim->system);
+    drag_forces(&sim->triangles, sim->scene->drag, sim->wind, at->h, at->x, at->v, &sim->system);
+    visit(sim, EFFECT_DRAG);
+    visit(sim, EFFECT_WIND);
     sim->effects[EFFECT_DRAG].seconds += clock_seconds() - start;
 }
 
 void forces_assemble(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
     system_reset(&sim->system, sim->mass, sim->scene->gravity, at->h);
+    visit(sim, EFFECT_GRAVITY);
     sim->effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
-    if (sim->has_triangle_forces)
+    if (sim->has_triangle_forces &&
+        ((unsigned)FABRIC_WITHOUT & triangle_effects) != triangle_effects)
         add_triangle_forces(sim, at);
-    if (sim->has_hinge_forces)
+    if (sim->has_hinge_forces && ((unsigned)FABRIC_WITHOUT & hinge_effects) != hinge_effects)
         add_hinge_forces(sim, at);
-    if (sim->effects[EFFECT_DRAG].active)
+    if (effect_is_on(sim, EFFECT_DRAG))
         add_drag(sim, at);
 }

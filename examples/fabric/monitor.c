@@ -52,8 +52,8 @@ static double outside_work(const monitored_step *step, const scene *s) {
     double work = 0;
     if (vector_length(s->gravity) > 0)
         work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
-    if (s->drag > 0 && vector_length(s->wind) > 0)
-        work += drag_work(step->triangles, s->drag, s->wind, step->h, step->x, step->v_next);
+    if (s->drag > 0 && vector_length(step->wind) > 0)
+        work += drag_work(step->triangles, s->drag, step->wind, step->h, step->x, step->v_next);
     return work + step->push_work +
            collisions_work(step->collisions, step->given, step->h, step->stage_h, step->v_next,
                            step->residual);

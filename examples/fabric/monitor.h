@@ -34,6 +34,7 @@ typedef struct monitored_step {
     double time;      /* s, at the step's begin */
     double push_work; /* J, that collisions_keep_out did */
     const double *mass;
+    const double *wind; /* [3] m/s, at present */
     const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
     const double (*residual)[3]; /* of the solver, see solver.h */
     const constraints *given;

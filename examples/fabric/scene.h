@@ -20,13 +20,16 @@ typedef struct collider {
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
     double gap;         /* m, cloth rests at this distance */
+    double from, until; /* s, it is there from then until then; until 0: for good */
 } collider;
 
 /** Pins hold the vertices whose material coordinates lie within [low, high]. */
 typedef struct pin {
     double low[2];
     double high[2];
-    double velocity[3]; /* m/s; 0: held where they are */
+    double velocity[3];           /* m/s; 0: held where they are */
+    double move_from, move_until; /* s, it moves from then until then; until 0: for good */
+    double until;                 /* s, it lets go then; 0: never */
 } pin;
 
 /** What a step may do before it is taken again at half the length (see monitor.h). */
@@ -52,9 +55,10 @@ typedef struct scene {
     double bend;                                         /* N m */
     double stretch_damping, shear_damping, bend_damping; /* s times the stiffness' unit */
     /* surroundings */
-    double gravity[3]; /* m/s^2 */
-    double drag;       /* kg/(m^2 s): force per area and relative velocity */
-    double wind[3];    /* m/s */
+    double gravity[3];            /* m/s^2 */
+    double drag;                  /* kg/(m^2 s): force per area and relative velocity */
+    double wind[3];               /* m/s */
+    double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
     int pin_count;
     pin *pins;
     int collider_count;

@@ -56,7 +56,10 @@ static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
 
 static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
                                               NUMBER(scene, drag, 0, NOT_NEGATIVE),
-                                              VECTOR(scene, wind, 0, 3), END};
+                                              VECTOR(scene, wind, 0, 3),
+                                              NUMBER(scene, wind_from, 0, NOT_NEGATIVE),
+                                              NUMBER(scene, wind_until, 0, NOT_NEGATIVE),
+                                              END};
 
 static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
                                       WHOLE(scene, steps, 1, BETWEEN(0, 1e9)),
@@ -75,8 +78,13 @@ static const scene_key solution_keys[] = {
 static const scene_key monitor_keys[] = {LIMIT(energy), LIMIT(growth), LIMIT(strain),
                                          LIMIT(penetration), END};
 
-static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2), VECTOR(pin, high, 1, 2),
-                                     VECTOR(pin, velocity, 0, 3), END};
+static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2),
+                                     VECTOR(pin, high, 1, 2),
+                                     VECTOR(pin, velocity, 0, 3),
+                                     NUMBER(pin, move_from, 0, NOT_NEGATIVE),
+                                     NUMBER(pin, move_until, 0, NOT_NEGATIVE),
+                                     NUMBER(pin, until, 0, NOT_NEGATIVE),
+                                     END};
 
 #define OF(kind) (1u << COLLIDER_##kind)
 static const scene_key collider_keys[] = {
@@ -93,6 +101,8 @@ static const scene_key collider_keys[] = {
      NULL, NULL},
     NUMBER(collider, friction, 0, NOT_NEGATIVE),
     NUMBER(collider, gap, 0, NOT_NEGATIVE),
+    NUMBER(collider, from, 0, NOT_NEGATIVE),
+    NUMBER(collider, until, 0, NOT_NEGATIVE),
     END};
 
 static const pin pin_defaults;

@@ -28,10 +28,14 @@ void collisionDetection(simulation *sim) {
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++)
             sim->dv[i][a] = scale * sim->guess[i][a];
+    if (effect_is_on(sim, EFFECT_PINS))
+        sim->effects[EFFECT_PINS].visited += sim->collisions.pinned;
     collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
                       read_only(sim->v), read_only(sim->dv));
     collisions_add_friction(&sim->collisions, sim->stage_h, read_only(sim->v), &sim->system);
     collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
+    sim->effects[EFFECT_CONTACT].visited = sim->collisions.visits;
+    sim->effects[EFFECT_FRICTION].visited = sim->collisions.friction_visits;
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
 }
 
@@ -42,6 +46,7 @@ monitored_step simulation_monitored(const simulation *sim) {
         .push_work = sim->push_work,
         .time = simulation_time(sim),
         .mass = sim->mass,
+        .wind = sim->wind,
         .x = (const double(*)[3])sim->x,
         .v = (const double(*)[3])sim->v,
         .x_next = (const double(*)[3])sim->x_next,
@@ -126,6 +131,7 @@ int simulation_step(simulation *sim, char *error) {
     const long frame = sim->frame;
     while (sim->frame == frame) {
         const int shortest = sim->ticks == 1;
+        plan_follow(sim);
         run_phase(sim, PHASE_FORCES, evaluateForces);
         run_phase(sim, PHASE_COLLISIONS, collisionDetection);
         run_phase(sim, PHASE_SOLVE, solveSystem);

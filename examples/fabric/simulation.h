@@ -13,9 +13,11 @@ typedef struct phase {
 
 typedef struct effect_account {
     const char *name; /* "stretch", "shear", "bend", ... */
-    int active;
-    long elements;  /* triangles, hinges, ... it works on each step */
-    double seconds; /* wall */
+    int active;       /* the scene calls for it at some time */
+    int on;           /* it acts at present */
+    long elements;    /* triangles, hinges, ... it works on each step */
+    long visited;     /* elements it worked on, all steps together */
+    double seconds;   /* wall */
 } effect_account;
 
 typedef struct simulation simulation;

@@ -65,36 +65,6 @@ static void set_start(simulation *sim) {
     monitor_begin(&sim->monitor, s, &start);
 }
 
-static int pinned_count(const simulation *sim) {
-    int count = 0;
-    for (int i = 0; i < sim->mesh->vertex_count; i++)
-        count += sim->collisions.pin_of[i] >= 0;
-    return count;
-}
-
-static void set_effect(simulation *sim, int effect, const char *name, int active, int elements) {
-    sim->effects[effect] = (effect_account){name, active, active ? elements : 0, 0};
-}
-
-static void plan_effects(simulation *sim) {
-    const scene *s = sim->scene;
-    const triangle_material *t = &sim->triangle_material;
-    const int triangles = sim->triangles.count, vertices = sim->mesh->vertex_count;
-    const int damps_triangles = t->stretch_damping > 0 || t->shear_damping > 0;
-    const int damps_hinges = sim->hinge_material.bend_damping > 0;
-    const int pinned = pinned_count(sim);
-    set_effect(sim, EFFECT_STRETCH, "stretch", t->stretch > 0, triangles);
-    set_effect(sim, EFFECT_SHEAR, "shear", t->shear > 0, triangles);
-    set_effect(sim, EFFECT_BEND, "bend", sim->hinge_material.bend > 0, sim->hinges.count);
-    set_effect(sim, EFFECT_DAMPING, "damping", damps_triangles || damps_hinges,
-               (damps_triangles ? triangles : 0) + (damps_hinges ? sim->hinges.count : 0));
-    set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
-    set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
-    set_effect(sim, EFFECT_WIND, "wind", s->drag > 0 && vector_length(s->wind) > 0, triangles);
-    set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
-    set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
-}
-
 static int build(simulation *sim) {
     const scene *s = sim->scene;
     const int vertices = sim->mesh->vertex_count;
@@ -113,8 +83,8 @@ static int build(simulation *sim) {
         integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
         return -1;
+    plan_make(sim);
     set_start(sim);
-    plan_effects(sim);
     return 0;
 }
 

@@ -9,22 +9,10 @@
 #include "effects/triangle.h"
 #include "integrator.h"
 #include "monitor.h"
+#include "plan.h"
 #include "simulation.h"
 #include "solver.h"
 #include "system.h"
-
-enum {
-    EFFECT_STRETCH,
-    EFFECT_SHEAR,
-    EFFECT_BEND,
-    EFFECT_DAMPING, /* of the three above; its seconds are within theirs */
-    EFFECT_GRAVITY,
-    EFFECT_DRAG,
-    EFFECT_WIND, /* its seconds are within drag's */
-    EFFECT_PINS,
-    EFFECT_CONTACT,
-    EFFECT_COUNT
-};
 
 /** A step may be halved ten times: time within it is counted in these. */
 enum { TICKS_PER_STEP = 1024 };
@@ -39,7 +27,9 @@ struct simulation {
     triangle_material triangle_material;
     hinge_material hinge_material;
     int has_triangle_forces, has_hinge_forces;
-    double *mass; /* [vertices] kg */
+    double wind[3];    /* m/s, at present */
+    double next_event; /* s, when what is on changes next */
+    double *mass;      /* [vertices] kg */
     double total_mass;
 
     /* state, accepted */
@@ -72,9 +62,14 @@ struct simulation {
     /* accounts */
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
-    long iterations, steps_taken, steps_rejected;
+    long iterations, steps_taken, steps_rejected, plans_changed;
     rejection *rejections; /* [MOST_REJECTIONS] the first ones */
 };
+
+/** Does the effect act in the step being taken? */
+static inline int effect_is_on(const simulation *sim, int effect) {
+    return ((unsigned)FABRIC_WITHOUT >> effect & 1u) == 0 && sim->effects[effect].on;
+}
 
 /** What the monitor is to look at: the step being taken. */
 monitored_step simulation_monitored(const simulation *sim);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "commands/commands.h"
+#include "plan.h"
 #include "simulation.h"
 
 enum { ERROR_SIZE = 256 };
@@ -15,6 +16,17 @@ static const option plan_options[] = {
 
 static double mebibytes(double bytes) {
     return bytes / (1024.0 * 1024.0);
+}
+
+static void print_events(const scene *s) {
+    enum { MOST_EVENTS = 20 };
+    double time[MOST_EVENTS];
+    const int count = plan_events(s, time, MOST_EVENTS);
+    for (int k = 0; k < count && k < MOST_EVENTS; k++)
+        printf("%s %g s%s", k == 0 ? "something begins or ends at" : ",", time[k],
+               k == MOST_EVENTS - 1 && count > MOST_EVENTS ? ", ..." : "");
+    if (count > 0)
+        putchar('\n');
 }
 
 static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
@@ -32,8 +44,10 @@ static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
            blocks * 9.0 * sizeof(double), mebibytes(blocks * 9.0 * sizeof(double)));
     printf("%-20s %-8s %10s\n", "effect", "active", "elements");
     for (int k = 0; k < count; k++)
-        printf("%-20s %-8s %10ld\n", effects[k].name, effects[k].active ? "yes" : "no",
+        printf("%-20s %-8s %10ld\n", effects[k].name,
+               !effects[k].active ? "no" : (effects[k].on ? "yes" : "later"),
                effects[k].active ? effects[k].elements : 0);
+    print_events(s);
 }
 
 static int plan(const scene *s) {

@@ -34,10 +34,11 @@ static json_t *effects_of(const simulation *sim, int active) {
     for (int k = 0; k < count; k++) {
         if ((effects[k].active != 0) != active)
             continue;
-        json_array_append_new(list, active ? json_pack("{s:s, s:I, s:f}", "name", effects[k].name,
-                                                       "elements", (json_int_t)effects[k].elements,
-                                                       "seconds", effects[k].seconds)
-                                           : json_string(effects[k].name));
+        json_array_append_new(
+            list, active ? json_pack("{s:s, s:I, s:I, s:f}", "name", effects[k].name, "elements",
+                                     (json_int_t)effects[k].elements, "visited",
+                                     (json_int_t)effects[k].visited, "seconds", effects[k].seconds)
+                         : json_string(effects[k].name));
     }
     return list;
 }

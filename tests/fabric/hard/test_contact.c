@@ -114,7 +114,8 @@ static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
                     .size = {0.015, 2},
                     .friction = 0.3,
                     .gap = 0.004};
-    pin hold[2] = {{{-0.01, -1}, {0.01, 1}, {0, 0, 0}}, {{0.69, -1}, {0.71, 1}, {0, 0, 0}}};
+    pin hold[2] = {{.low = {-0.01, -1}, .high = {0.01, 1}, .velocity = {0, 0, 0}},
+                   {.low = {0.69, -1}, .high = {0.71, 1}, .velocity = {0, 0, 0}}};
     stage on = stage_of(cloth_sheet(8, 8, 0.1, 0.3, 1), cloth_scene());
     double deepest = 0;
     on.s.step = 0.033;

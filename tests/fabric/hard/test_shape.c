@@ -45,7 +45,7 @@ static mesh sheet_with_slivers(void) {
 }
 
 static stage held(mesh m) {
-    static pin hold = {{-0.01, -1}, {0.01, 100}, {0, 0, 0}};
+    static pin hold = {.low = {-0.01, -1}, .high = {0.01, 100}, .velocity = {0, 0, 0}};
     stage on = stage_of(m, cloth_scene());
     on.s.pins = &hold;
     on.s.pin_count = 1;

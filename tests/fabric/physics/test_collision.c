@@ -207,7 +207,7 @@ static void test_many_contacts_at_once(void **state) {
     (void)state;
     char error[256];
     collider walls[4];
-    pin held = {{-0.01, -0.01}, {0.01, 0.01}, {0, 0, 0}};
+    pin held = {.low = {-0.01, -0.01}, .high = {0.01, 0.01}, .velocity = {0, 0, 0}};
     mesh m = cloth_sheet(5, 5, 0.1, 0.2, 3);
     scene s = cloth_scene();
     const double normals[4][3] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}, {0, 0.6, 0.8}, {0, -0.6, 0.8}};

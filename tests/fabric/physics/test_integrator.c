@@ -272,7 +272,7 @@ static void test_damping_forces(void **state) {
  * nothing enters the ball. */
 static void test_pins_and_contacts(void **state) {
     (void)state;
-    pin hold = {{-0.01, -0.01}, {0.01, 0.01}, {0.1, 0, 0}};
+    pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 0.01}, .velocity = {0.1, 0, 0}};
     collider ball = {.kind = COLLIDER_SPHERE,
                      .position = {0.2, 0.15, -0.25},
                      .size = {0.15},

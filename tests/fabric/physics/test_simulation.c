@@ -154,8 +154,8 @@ static void test_collapsed_sheet_recovers(void **state) {
 /* S22: pins, at rest and moving, are exactly where they belong. */
 static void test_pins_are_exact(void **state) {
     (void)state;
-    pin pins[2] = {{{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}},
-                   {{0.49, -0.01}, {0.51, 0.51}, {0.03, -0.02, 0.05}}};
+    pin pins[2] = {{.low = {-0.01, -0.01}, .high = {0.01, 0.51}, .velocity = {0, 0, 0}},
+                   {.low = {0.49, -0.01}, .high = {0.51, 0.51}, .velocity = {0.03, -0.02, 0.05}}};
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     on.s.tolerance = 1e-4;
     on.s.pins = pins;
@@ -236,7 +236,7 @@ static void test_cloth_comes_to_rest(void **state) {
 static void test_far_collider_changes_no_bit(void **state) {
     (void)state;
     collider far = {.kind = COLLIDER_SPHERE, .position = {100, 0, 0}, .size = {1}, .gap = 0.01};
-    pin hold = {{-0.01, -0.01}, {0.01, 0.51}, {0, 0, 0}};
+    pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 0.51}, .velocity = {0, 0, 0}};
     stage with = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     stage without = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     with.s.pins = without.s.pins = &hold;

@@ -17,7 +17,7 @@ static double (*result(int threads))[3] {
                      .size = {0.3},
                      .friction = 0.4,
                      .gap = 0.01};
-    pin hold = {{-0.01, -0.01}, {0.01, 2}, {0, 0, 0.1}};
+    pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 2}, .velocity = {0, 0, 0.1}};
     mesh m = cloth_sheet(14, 13, 0.1, 0.3, 5);
     scene s = cloth_scene();
     s.step = 0.033;

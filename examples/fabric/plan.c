@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan.h"
+
+#include "simulation_state.h"
+#include "vector.h"
+
+/* The next time after `after` at which something begins or ends; infinite if nothing does. */
+static double next_event(const scene *s, double after) {
+    double next = INFINITY;
+#define CONSIDER(time)                                                                             \
+    if ((time) > after && (time) < next)                                                           \
+        next = (time);
+    CONSIDER(s->wind_from)
+    CONSIDER(s->wind_until)
+    for (int p = 0; p < s->pin_count; p++)
+        CONSIDER(s->pins[p].until)
+    for (int n = 0; n < s->collider_count; n++) {
+        CONSIDER(s->colliders[n].from)
+        CONSIDER(s->colliders[n].until)
+    }
+#undef CONSIDER
+    return next;
+}
+
+int plan_events(const scene *s, double *time, int most) {
+    int count = 0;
+    for (double at = next_event(s, 0); isfinite(at); at = next_event(s, at)) {
+        if (count < most)
+            time[count] = at;
+        count++;
+    }
+    return count;
+}
+
+static void set_effect(simulation *sim, int effect, const char *name, int active, long elements) {
+    sim->effects[effect] = (effect_account){
+        .name = name, .active = active, .on = active, .elements = active ? elements : 0};
+}
+
+static int has_friction(const scene *s) {
+    for (int n = 0; n < s->collider_count; n++)
+        if (s->colliders[n].friction > 0)
+            return 1;
+    return 0;
+}
+
+static int any_there(const simulation *sim) {
+    for (int n = 0; n < sim->scene->collider_count; n++)
+        if (sim->collisions.there[n])
+            return 1;
+    return 0;
+}
+
+/* What is on in a step that begins at `time`. */
+static void switch_effects(simulation *sim, double time) {
+    const scene *s = sim->scene;
+    const int blows = time >= s->wind_from && (s->wind_until <= 0 || time < s->wind_until);
+    sim->effects[EFFECT_WIND].on = sim->effects[EFFECT_WIND].active && blows;
+    for (int a = 0; a < 3; a++)
+        sim->wind[a] = sim->effects[EFFECT_WIND].on ? s->wind[a] : 0;
+    sim->effects[EFFECT_PINS].on = sim->collisions.pinned > 0;
+    sim->effects[EFFECT_CONTACT].on = any_there(sim);
+    sim->effects[EFFECT_FRICTION].on =
+        sim->effects[EFFECT_FRICTION].active && sim->effects[EFFECT_CONTACT].on;
+}
+
+void plan_make(simulation *sim) {
+    const scene *s = sim->scene;
+    const triangle_material *t = &sim->triangle_material;
+    const hinge_material *b = &sim->hinge_material;
+    const int triangles = sim->triangles.count, vertices = sim->mesh->vertex_count;
+    const int hinges = sim->hinges.count, pinned = sim->collisions.pinned;
+    set_effect(sim, EFFECT_STRETCH, "stretch", t->stretch > 0, triangles);
+    set_effect(sim, EFFECT_SHEAR, "shear", t->shear > 0, triangles);
+    set_effect(sim, EFFECT_BEND, "bend", b->bend > 0, hinges);
+    set_effect(sim, EFFECT_STRETCH_DAMPING, "stretch damping", t->stretch_damping > 0, triangles);
+    set_effect(sim, EFFECT_SHEAR_DAMPING, "shear damping", t->shear_damping > 0, triangles);
+    set_effect(sim, EFFECT_BEND_DAMPING, "bend damping", b->bend_damping > 0, hinges);
+    set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
+    set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
+    set_effect(sim, EFFECT_WIND, "wind", s->drag > 0 && vector_length(s->wind) > 0, triangles);
+    set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
+    set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
+    set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);
+    switch_effects(sim, 0);
+    sim->next_event = next_event(s, 0);
+}
+
+void plan_follow(simulation *sim) {
+    /* A grid of times in binary fractions of a step misses decimal ones by a rounding. */
+    const double time = simulation_time(sim) + 1e-9 * sim->scene->step;
+    if (time < sim->next_event)
+        return;
+    collisions_follow(&sim->collisions, time);
+    switch_effects(sim, time);
+    sim->next_event = next_event(sim->scene, time);
+    sim->plans_changed++;
+}

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Only the effects that a scene calls for: what is not on is not visited and changes no bit. */
+#include "stage.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "vector.h"
+
+static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
+
+static stage held_sheet(void) {
+    stage on = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
+    on.s.tolerance = 1e-4;
+    on.s.step = 0.02;
+    on.s.drag = 0.3;
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    return on;
+}
+
+static long visited(const stage *on, const char *name) {
+    int count;
+    const effect_account *all = simulation_effects(on->sim, &count);
+    for (int k = 0; k < count; k++)
+        if (strcmp(all[k].name, name) == 0)
+            return all[k].visited;
+    fail_msg("no effect is called %s", name);
+    return -1;
+}
+
+/* Runs the plain scene and the one that `change` made of it: not a bit differs, and the effect was
+ * not visited. */
+static void assert_changes_no_bit(void (*change)(scene *), const char *effect) {
+    stage plain = held_sheet(), with = held_sheet();
+    change(&with.s);
+    stage_begin(&plain);
+    stage_begin(&with);
+    stage_run(&plain, 25);
+    stage_run(&with, 25);
+    const size_t bytes = sizeof(double[3]) * (size_t)plain.m.vertex_count;
+    assert_memory_equal(plain.sim->x, with.sim->x, bytes);
+    assert_memory_equal(plain.sim->v, with.sim->v, bytes);
+    assert_int_equal(simulation_iterations(plain.sim), simulation_iterations(with.sim));
+    assert_int_equal(visited(&with, effect), 0);
+    stage_end(&plain);
+    stage_end(&with);
+}
+
+static collider shapes[] = {
+    {.kind = COLLIDER_PLANE, .position = {0, 0, -50}, .axis = {0, 0, 1}, .gap = 0.01},
+    {.kind = COLLIDER_BOX, .position = {0, 0, -50}, .size = {1, 1, 1}, .gap = 0.01},
+    {.kind = COLLIDER_SPHERE, .position = {50, 0, 0}, .size = {1}, .friction = 1, .gap = 0.01},
+    {.kind = COLLIDER_CYLINDER,
+     .position = {0, 50, 0},
+     .velocity = {0, 0, 9},
+     .axis = {0, 0, 1},
+     .size = {1, 2},
+     .friction = 1,
+     .gap = 0.01}};
+
+static void add_far_colliders(scene *s) {
+    s->colliders = shapes;
+    s->collider_count = sizeof shapes / sizeof *shapes;
+}
+
+static void add_later_collider(scene *s) {
+    static collider ball = {
+        .kind = COLLIDER_SPHERE, .position = {0.3, 0.3, -0.1}, .size = {0.2}, .from = 0.5};
+    s->colliders = &ball;
+    s->collider_count = 1;
+}
+
+static void add_later_wind(scene *s) {
+    s->wind[1] = 5;
+    s->wind_from = 0.5;
+}
+
+static void add_pin_of_nothing(scene *s) {
+    static pin pins[2];
+    pins[0] = hold;
+    pins[1] = (pin){.low = {7, 7}, .high = {8, 8}, .velocity = {1, 0, 0}};
+    s->pins = pins;
+    s->pin_count = 2;
+}
+
+static void test_far_colliders(void **state) {
+    (void)state;
+    assert_changes_no_bit(add_far_colliders, "contact");
+    assert_changes_no_bit(add_far_colliders, "friction");
+}
+
+static void test_later_effects(void **state) {
+    (void)state;
+    assert_changes_no_bit(add_later_collider, "contact");
+    assert_changes_no_bit(add_later_wind, "wind");
+}
+
+static void test_pin_of_nothing(void **state) {
+    (void)state;
+    assert_changes_no_bit(add_pin_of_nothing, "wind");
+}
+
+/* What is zero is absent: not visited, not stored. */
+static void test_absent_effects_cost_nothing(void **state) {
+    (void)state;
+    static const char *const names[] = {
+        "stretch", "shear", "bend", "stretch damping", "shear damping", "bend damping", "gravity",
+        "drag",    "wind",  "pins", "contact",         "friction"};
+    stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
+    on.s = (scene){.density = 0.2,
+                   .step = 0.01,
+                   .tolerance = 1e-4,
+                   .max_iterations = 100,
+                   .limits = on.s.limits};
+    on.s.gravity[2] = -9.81;
+    stage_begin(&on);
+    stage_run(&on, 3);
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        assert_int_equal(visited(&on, names[k]), strcmp(names[k], "gravity") == 0 ? 3 * 25 : 0);
+    assert_int_equal(simulation_matrix_blocks(on.sim), 25);
+    assert_int_equal(on.sim->hinges.count, 0);
+    assert_null(on.sim->collisions.now);
+    assert_null(on.sim->triangles.block);
+    stage_end(&on);
+}
+
+/* Wind that begins and ends: until then the bits of calm, and the grid of times is kept. */
+static void test_wind_begins_and_ends(void **state) {
+    (void)state;
+    stage calm = held_sheet(), windy = held_sheet();
+    const size_t bytes = sizeof(double[3]) * (size_t)calm.m.vertex_count;
+    windy.s.wind[1] = 5;
+    windy.s.wind_from = 0.2;
+    windy.s.wind_until = 0.3;
+    stage_begin(&calm);
+    stage_begin(&windy);
+    stage_run(&calm, 10);
+    stage_run(&windy, 10);
+    assert_memory_equal(calm.sim->x, windy.sim->x, bytes);
+    stage_run(&calm, 1);
+    stage_run(&windy, 1);
+    assert_true(stage_distance(&calm, &windy, NULL) > 1e-5);
+    stage_run(&windy, 14);
+    const long triangles = windy.sim->triangles.count;
+    assert_int_equal(visited(&windy, "wind"), 5 * triangles);
+    assert_int_equal(visited(&windy, "drag"), 25 * triangles);
+    assert_int_equal(windy.sim->plans_changed, 2);
+    assert_near(simulation_time(windy.sim), 0.5, 1e-15);
+    stage_end(&calm);
+    stage_end(&windy);
+}
+
+/* A pin that lets go after half a second: held until then, falling from there. */
+static void test_pin_is_released(void **state) {
+    (void)state;
+    stage kept = held_sheet(), released = held_sheet();
+    pin let_go = hold;
+    let_go.until = 0.3;
+    released.s.pins = &let_go;
+    stage_begin(&kept);
+    stage_begin(&released);
+    stage_run(&kept, 15);
+    stage_run(&released, 15);
+    const size_t bytes = sizeof(double[3]) * (size_t)kept.m.vertex_count;
+    assert_memory_equal(kept.sim->x, released.sim->x, bytes);
+    stage_run(&kept, 20);
+    stage_run(&released, 20);
+    for (int i = 0; i < kept.m.vertex_count; i++) {
+        if (kept.m.material[i][0] > 0.01)
+            continue;
+        assert_true(simulation_positions(kept.sim)[i][2] == 0);
+        assert_true(simulation_positions(released.sim)[i][2] < -0.3);
+    }
+    assert_int_equal(visited(&released, "pins"), 15 * 7);
+    assert_int_equal(released.sim->effects[EFFECT_PINS].on, 0);
+    stage_end(&kept);
+    stage_end(&released);
+}
+
+/* A pin that moves from 0.05 s to 0.15 s, in steps that do not meet those times. */
+static void test_pin_moves_for_a_while(void **state) {
+    (void)state;
+    stage on = held_sheet();
+    pin moving = hold;
+    moving.velocity[1] = 0.4;
+    moving.move_from = 0.05;
+    moving.move_until = 0.15;
+    on.s.pins = &moving;
+    on.s.step = 0.03;
+    stage_begin(&on);
+    for (int n = 1; n <= 10; n++) {
+        stage_run(&on, 1);
+        const double expected = 0.4 * fmin(0.1, fmax(0, n * 0.03 - 0.05));
+        for (int i = 0; i < on.m.vertex_count; i++)
+            if (on.m.material[i][0] < 0.01)
+                assert_near(on.sim->x[i][1] - on.m.position[i][1], expected, 1e-14);
+    }
+    stage_end(&on);
+}
+
+/* A table is taken away from under the cloth. */
+static void test_collider_is_removed(void **state) {
+    (void)state;
+    collider table = {.kind = COLLIDER_PLANE,
+                      .position = {0, 0, -0.01},
+                      .axis = {0, 0, 1},
+                      .friction = 0.5,
+                      .gap = 0.005,
+                      .until = 0.4};
+    stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
+    on.s.step = 0.02;
+    on.s.colliders = &table;
+    on.s.collider_count = 1;
+    stage_begin(&on);
+    stage_run(&on, 20);
+    const long until_then = visited(&on, "contact");
+    assert_near(on.sim->x[0][2], -0.005, 1e-6);
+    stage_run(&on, 10);
+    assert_true(on.sim->x[0][2] < -0.1);
+    assert_int_equal(visited(&on, "contact"), until_then);
+    stage_end(&on);
+}
+
+static void test_events_are_listed(void **state) {
+    (void)state;
+    double time[2];
+    collider ball = {.kind = COLLIDER_SPHERE, .from = 1, .until = 3};
+    pin let_go = {.until = 2};
+    scene s = cloth_scene();
+    s.colliders = &ball;
+    s.collider_count = 1;
+    s.pins = &let_go;
+    s.pin_count = 1;
+    s.wind_until = 2;
+    assert_int_equal(plan_events(&s, time, 2), 3);
+    assert_true(time[0] == 1 && time[1] == 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_far_colliders),
+        cmocka_unit_test(test_later_effects),
+        cmocka_unit_test(test_pin_of_nothing),
+        cmocka_unit_test(test_absent_effects_cost_nothing),
+        cmocka_unit_test(test_wind_begins_and_ends),
+        cmocka_unit_test(test_pin_is_released),
+        cmocka_unit_test(test_pin_moves_for_a_while),
+        cmocka_unit_test(test_collider_is_removed),
+        cmocka_unit_test(test_events_are_listed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
