@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# shellcheck shell=bash
+# What the tests of real programs share: Debian's source packages are fetched into a private folder,
+# each is built by the compiler alone and by redcc-cc, and its own tests must print the same.
+#
+# Given: PREFIX (an installed redcc), PACKAGES_FOLDER (sources and builds; kept between runs).
+# A package is a script NAME.sh, run in this shell, that sets `source_package` and defines
+#   build      configures and compiles in the current folder, with $CC; only `make_all COMMAND...`
+#              in it counts as build time
+#   check      runs the package's own tests and prints what must not depend on the compiler
+#   work       optional: what is timed, as the gain
+# and may set `build_rounds`, how often a build is timed (3).
+set -u
+export LC_ALL=C.UTF-8 OMP_WAIT_POLICY=passive
+real_compiler=${REAL_COMPILER:-gcc}
+jobs=${JOBS:-2}
+
+give_up() { echo "packages: $*" >&2; exit 1; }
+skip() { echo "SKIPPED: $*"; exit 77; }
+
+# apt with lists and settings of its own: nothing of the system's is read or changed but its keys.
+private_apt() {
+  local folder=$PACKAGES_FOLDER/apt
+  apt-get -qq -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=/dev/null \
+    -o Dir::State="$folder/state" -o Dir::Cache="$folder/cache" -o APT::Sandbox::User="$(id -un)" "$@"
+}
+
+prepare_apt() {
+  local folder=$PACKAGES_FOLDER/apt suite
+  suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
+  mkdir -p "$folder/state/lists/partial" "$folder/cache/archives/partial"
+  echo "deb-src ${DEBIAN_MIRROR:-http://deb.debian.org/debian} $suite main" >"$folder/sources.list"
+  [ -n "$(find "$folder/state/lists" -maxdepth 1 -name '*Sources*' -mtime -7)" ] || private_apt update
+}
+
+# The unpacked source of $source_package: $PACKAGES_FOLDER/sources/$source_package.
+fetch() {
+  local sources=$PACKAGES_FOLDER/sources
+  [ ! -d "$sources/$source_package" ] || return 0
+  command -v apt-get >/dev/null && command -v dpkg-source >/dev/null || skip "needs apt-get and dpkg-dev"
+  mkdir -p "$sources"
+  (
+    flock 9
+    prepare_apt && cd "$sources" && mkdir -p ".$source_package" && cd ".$source_package" &&
+      private_apt source --only-source "$source_package" && rm -f ./*.tar.* ./*.dsc &&
+      mv ./*/ "../$source_package" && rmdir "../.$source_package"
+  ) 9>"$sources/.lock" >"$sources/$source_package.log" 2>&1 ||
+    skip "the source of $source_package cannot be fetched: $(tail -n 1 "$sources/$source_package.log")"
+}
+
+# Runs a command, its user and system seconds appended to build-seconds: work done, whatever else
+# the machine is doing.
+make_all() {
+  local TIMEFORMAT='%U %S'
+  { time "$@" >>build.log 2>&1; } 2>>build-seconds
+}
+
+# build_with KIND COMPILER: a fresh copy of the source, built. KIND names the folder.
+build_with() {
+  local folder=$PACKAGES_FOLDER/builds/$package/$1
+  rm -rf "$folder"
+  mkdir -p "$(dirname "$folder")"
+  cp -r "$PACKAGES_FOLDER/sources/$source_package" "$folder"
+  (cd "$folder" && CC=$2 build >>build.log 2>&1) ||
+    give_up "$package does not build with $2: $(tail -n 3 "$folder/build.log")"
+}
+
+# check_with KIND THREADS: the package's own tests, what they print kept as KIND-THREADS.txt.
+check_with() {
+  local folder=$PACKAGES_FOLDER/builds/$package
+  (cd "$folder/$1" && OMP_NUM_THREADS=$2 REDCC_REPORT="$folder/run-$1-$2.json" check) \
+    >"$folder/$1-$2.txt" 2>"$folder/$1-$2.log" ||
+    give_up "$package: its tests fail, built by $1, $2 threads: $(tail -n 3 "$folder/$1-$2.log")"
+}
+
+# Seconds of wall time of `work`; $1 names the build, $2 the threads.
+time_work() {
+  local start end
+  start=$(date +%s%N)
+  (cd "$PACKAGES_FOLDER/builds/$package/$1" && OMP_NUM_THREADS=$2 work >/dev/null 2>&1) || give_up "$package: work"
+  end=$(date +%s%N)
+  echo $(((end - start) / 1000))
+}
+
+median() { sort -g | awk '{v[NR]=$1} END {if (NR) printf "%.3g\n", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2}'; }
+seconds_of() { awk '{s += $1 + $2} END {printf "%.2f\n", s}' "$PACKAGES_FOLDER/builds/$package/$1/build-seconds"; }
+
+# Loops of the build's report, files compiled twice counted once.
+loops() { jq -rs '[.[] | {file} + .loops[]] | unique | .[] | '"$1" "$PACKAGES_FOLDER/builds/$package/loops.jsonl"; }
+
+# How much longer the build takes; built again, so that the two stand beside each other in time.
+build_ratio() {
+  local round
+  for round in $(seq "${build_rounds:-3}"); do
+    build_with timed-plain "$real_compiler"
+    build_with timed-redcc "$PREFIX/bin/redcc-cc"
+    echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
+  done >"$PACKAGES_FOLDER/builds/$package/build-rounds"
+  awk '{print $1 / $2}' "$PACKAGES_FOLDER/builds/$package/build-rounds" | median
+}
+
+# Plain over redcc-cc at two threads; "-" where the package names no work.
+gain() {
+  declare -F work >/dev/null || { echo -; return; }
+  local round
+  for round in $(seq "${WORK_ROUNDS:-5}"); do
+    awk -v p="$(time_work plain 1)" -v r="$(time_work redcc 2)" 'BEGIN {print p / r}'
+  done | median
+}
+
+# The line of the table for docs/packages.md.
+table_line() {
+  local refusals builds
+  builds=$(build_ratio)
+  refusals=$(loops 'select(.verdict == "refused") | .reason.slug' | sort | uniq -c | sort -k1,1nr -k2 |
+    awk '{printf "%s%s %d", NR > 1 ? ", " : "", $2, $1}')
+  printf '| %s | %s | %s | %s | %s | %s | %s |\n' "$package" \
+    "$(jq -rs 'map(.file) | unique | length' "$PACKAGES_FOLDER/builds/$package/loops.jsonl")" \
+    "$(loops .verdict | wc -l)" "$(loops .verdict | grep -c transformed)" "${refusals:-none}" \
+    "$builds" "$(gain)"
+}
+
+# Builds and checks one package; with MEASURE=1 prints its line of the table as well.
+test_package() { # NAME
+  package=$1
+  . "${BASH_SOURCE[0]%/*}/$package.sh"
+  fetch
+  local folder=$PACKAGES_FOLDER/builds/$package threads
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  build_with plain "$real_compiler"
+  REDCC_REPORT=$folder/loops.jsonl build_with redcc "$PREFIX/bin/redcc-cc"
+  check_with plain 1
+  for threads in 1 2 4; do
+    check_with redcc $threads
+    cmp -s "$folder/plain-1.txt" "$folder/redcc-$threads.txt" ||
+      give_up "$package: its tests print something else with redcc-cc at $threads threads: $(
+        diff "$folder/plain-1.txt" "$folder/redcc-$threads.txt" | head -n 5)"
+  done
+  if grep -h 'redcc-cc: warning' "$folder/redcc/build.log"; then give_up "$package: warnings of redcc-cc"; fi
+  [ -z "${MEASURE:-}" ] || table_line
+}
