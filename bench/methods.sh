@@ -11,7 +11,7 @@ echo "loop,mesh,method,threads,serial_seconds,planned_seconds,speed_up,inspectio
 load_note
 for loop in heavy light; do
   for mesh in sorted shuffled; do
-    for method in auto localwrite expansion:a expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 dwa-lip-fixed \
+    for method in auto atomic localwrite expansion:a expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 dwa-lip-fixed \
       expansion-fixed; do
       line=$(REDCC_METHOD=$method OMP_NUM_THREADS=$threads "$loops" "$loop" "$mesh")
       echo "$line"

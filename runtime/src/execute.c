@@ -3,6 +3,8 @@
 #include "loop.h"
 
 #include "clock.h"
+#include "compensate.h"
+#include "settings.h"
 
 static struct barrier *team_barrier(const struct plan *plan, int team) {
     return &plan->team_barrier[team];
@@ -61,6 +63,29 @@ static void place_owners(struct member *member) {
     }
 }
 
+/* All threads are there, and none has written yet. */
+static void take_snapshot(struct member *member) {
+    struct execution *execution = member->execution;
+    if (!redcc_barrier_arrive(&execution->barrier, member->threads))
+        return;
+    redcc_validation_begin(&execution->validation, member->plan, execution->request.bases);
+    redcc_barrier_release(&execution->barrier);
+}
+
+static void install_hooks(struct member *member) {
+    struct execution *execution = member->execution;
+    const struct plan *plan = member->plan;
+    if (plan->lost) {
+        redcc_lost_clear(plan, member->thread, execution->request.bases);
+        redcc_barrier_wait(&execution->barrier, member->threads);
+    }
+    redcc_hooks_install(&member->hooks, plan, member->owner);
+}
+
+static bool is_hooked(const struct plan *plan) {
+    return plan->lost || plan->method->locks;
+}
+
 static void begin_running(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct plan *plan = member->plan;
@@ -69,6 +94,7 @@ static void begin_running(redcc_worker *worker) {
         execution->ready = redcc_seconds();
     member->phase = PHASE_RUNNING;
     member->stage = 0;
+    member->unhooked = member->unhooked_end = NULL;
     worker->position = 0;
     worker->base = member->base;
     worker->owner = member->owner;
@@ -79,6 +105,10 @@ static void begin_running(redcc_worker *worker) {
         return;
     }
     place_bases(member, redcc_copy_of(plan, member->thread));
+    if (redcc_settings()->validate && !execution->state->passing)
+        take_snapshot(member);
+    if (is_hooked(plan))
+        install_hooks(member);
     redcc_copies_fill(plan, member->thread);
     if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
         const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
@@ -86,24 +116,48 @@ static void begin_running(redcc_worker *worker) {
     }
 }
 
-/* COURSE_SOLO: the first thread executes all iterations in order. */
-static int next_solo(redcc_worker *worker) {
+/* Hands out all iterations in order. False: there are none left. */
+static bool hand_out_in_order(redcc_worker *worker) {
     struct member *member = worker->execution;
-    struct execution *execution = member->execution;
-    const redcc_int left = execution->request.trip - worker->position;
-    if (member->thread != 0 || left == 0) {
-        if (member->thread == 0)
-            execution->solo_seconds = redcc_seconds() - execution->ready;
-        member->phase = PHASE_OVER;
-        return 0;
-    }
+    const redcc_int left = member->execution->request.trip - worker->position;
     const redcc_int count = left < REDCC_RUN_MOST ? left : REDCC_RUN_MOST;
     member->solo_run = (redcc_run){0, 2 * (redcc_u32)count};
     worker->origin = worker->position;
     worker->run = &member->solo_run;
     worker->run_end = worker->run + 1;
     worker->position += count;
-    return 1;
+    return count > 0;
+}
+
+/* COURSE_SOLO: the first thread executes all iterations in order. */
+static int next_solo(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    struct execution *execution = member->execution;
+    if (member->thread == 0 && hand_out_in_order(worker))
+        return 1;
+    if (member->thread == 0)
+        execution->solo_seconds = redcc_seconds() - execution->ready;
+    member->phase = PHASE_OVER;
+    return 0;
+}
+
+/* The loop is executed; the first thread executes it once more, into the copies that were taken
+ * before. */
+static int next_to_check(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    if (hand_out_in_order(worker))
+        return 1;
+    member->phase = PHASE_OVER;
+    return 0;
+}
+
+static void begin_checking(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const struct plan *plan = member->plan;
+    member->phase = PHASE_CHECKING;
+    worker->position = 0;
+    for (uint32_t array = 0; array < plan->array_count; array++)
+        member->base[array] = redcc_validation_base(&member->execution->validation, plan, array);
 }
 
 /* Goes on to `stage` together with the others of the team. */
@@ -114,7 +168,8 @@ static void reach_stage(struct member *member, uint32_t stage) {
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
 }
 
-static void finish(struct member *member) {
+static void finish(redcc_worker *worker) {
+    struct member *member = worker->execution;
     const struct plan *plan = member->plan;
     struct execution *execution = member->execution;
     const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
@@ -124,7 +179,15 @@ static void finish(struct member *member) {
         redcc_barrier_wait(&execution->barrier, member->threads);
         redcc_copies_merge(plan, member->thread, execution->request.bases);
     }
+    if (plan->lost) {
+        redcc_barrier_wait(&execution->barrier, member->threads);
+        redcc_lost_bring(plan, member->thread);
+    }
     member->phase = PHASE_OVER;
+    if (execution->validation.began && member->thread == 0) {
+        execution->executed = redcc_seconds();
+        begin_checking(worker);
+    }
 }
 
 /* The flag of the chunk that was executed goes up. */
@@ -144,27 +207,63 @@ static void get_ready(struct member *member, const struct chunk *chunk) {
         place_bases(member, (int)chunk->copy);
 }
 
+/* Some runs of the chunk at hand, all of them guarded. False: there are none left. */
+static bool hand_out_hooked(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    redcc_run *to = member->hooked;
+    for (; member->unhooked != member->unhooked_end && to != member->hooked + REDCC_HOOKED; to++) {
+        *to = *member->unhooked++;
+        to->count_and_guard |= 1;
+    }
+    worker->run = member->hooked;
+    worker->run_end = to;
+    return to != member->hooked;
+}
+
+/* The next chunk of the schedule. False: there is none left. */
+static bool hand_out_chunk(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const struct schedule *schedule = &member->plan->schedule[member->thread];
+    if (worker->position > 0)
+        pass_on(member->plan, &schedule->chunk[worker->position - 1]);
+    if ((size_t)worker->position == schedule->chunk_count)
+        return false;
+    const struct chunk *chunk = &schedule->chunk[worker->position++];
+    get_ready(member, chunk);
+    worker->origin = chunk->origin;
+    worker->run = schedule->run + chunk->run_begin;
+    worker->run_end = schedule->run + chunk->run_end;
+    return true;
+}
+
+static bool hand_out(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    if (!is_hooked(member->plan))
+        return hand_out_chunk(worker);
+    redcc_hooks_settle(&member->hooks);
+    if (hand_out_hooked(worker))
+        return true;
+    if (!hand_out_chunk(worker))
+        return false;
+    member->unhooked = worker->run;
+    member->unhooked_end = worker->run_end;
+    return hand_out_hooked(worker);
+}
+
 int redcc_next(redcc_worker *worker) {
     struct member *member = worker->execution;
     if (!member || member->phase == PHASE_OVER)
         return 0;
     if (member->phase == PHASE_RUN)
         begin_running(worker);
+    if (member->phase == PHASE_CHECKING)
+        return next_to_check(worker);
     if (member->execution->course == COURSE_SOLO)
         return next_solo(worker);
-    const struct schedule *schedule = &member->plan->schedule[member->thread];
-    if (worker->position > 0)
-        pass_on(member->plan, &schedule->chunk[worker->position - 1]);
-    if ((size_t)worker->position == schedule->chunk_count) {
-        finish(member);
-        return 0;
-    }
-    const struct chunk *chunk = &schedule->chunk[worker->position++];
-    get_ready(member, chunk);
-    worker->origin = chunk->origin;
-    worker->run = schedule->run + chunk->run_begin;
-    worker->run_end = schedule->run + chunk->run_end;
-    return 1;
+    if (hand_out(worker))
+        return 1;
+    finish(worker);
+    return member->phase == PHASE_CHECKING ? next_to_check(worker) : 0;
 }
 
 int redcc_claims_last(redcc_worker *worker) {

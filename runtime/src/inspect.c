@@ -455,6 +455,7 @@ int redcc_inspect(redcc_worker *worker) {
             break;
         case PHASE_RUN:
         case PHASE_RUNNING:
+        case PHASE_CHECKING:
         case PHASE_OVER:
             return 0;
         }

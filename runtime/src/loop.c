@@ -3,8 +3,10 @@
 #include "loop.h"
 
 #include "clock.h"
+#include "compensate.h"
 #include "memory.h"
 #include "settings.h"
+#include "trace.h"
 
 #include <string.h>
 
@@ -81,7 +83,18 @@ void redcc_loop_forget(redcc_loop *loop) {
     loop->state = NULL;
 }
 
+static const char *text_of(enum reason reason) {
+    static const char *const texts[] = {
+#define REDCC_REASON(id, text) text,
+        REDCC_REASON_LIST(REDCC_REASON)
+#undef REDCC_REASON
+    };
+    return texts[reason];
+}
+
 static int serially(struct loop_state *state, enum reason reason) {
+    redcc_trace(TRACE_CHOICE, state->execution.request.loop, "the original loop%s%s",
+                reason == REASON_NONE ? "" : ": ", text_of(reason));
     if (reason != REASON_NONE)
         atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
                                   memory_order_relaxed);
@@ -104,11 +117,19 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
                loop->line, redcc_order_name(settings->method->keeps));
 }
 
-/* Is the order of the contributions one that the sequential loop does not have? Then one thread
- * executes the loop by a plan as well, also within a parallel region and beside other threads: the
- * bits are to be the same everywhere. */
+/* Does the sequential loop not have these bits: another order of the contributions, other sums?
+ * Then one thread executes the loop by a plan as well, also within a parallel region and beside
+ * other threads: the bits are to be the same everywhere. */
 static bool insists(const struct settings *settings) {
-    return settings->method && settings->method->keeps == REDCC_ORDER_FIXED;
+    return settings->compensated ||
+           (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
+}
+
+/* Compensated sums are added up in the order of the loop, each element by one thread. */
+static const struct method *method_of(const struct settings *settings) {
+    if (!settings->method && settings->compensated)
+        return &redcc_method_localwrite;
+    return settings->method;
 }
 
 /* What forbids running in parallel without a look at the loop's data. */
@@ -165,15 +186,15 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
                             const struct settings *settings, int threads, enum reason *reason) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
-    execution->method = settings->method;
+    execution->method = method_of(settings);
     execution->parameter = settings->parameter;
     execution->order = order_of(loop, settings);
     execution->course = COURSE_PARALLEL;
-    if (!settings->method)
+    if (!execution->method)
         execution->course =
             redcc_choose_course(&state->chooser, execution->request.trip, threads, reason);
-    else if (settings->method->keeps > execution->order)
-        execution->order = settings->method->keeps;
+    else if (execution->method->keeps > execution->order)
+        execution->order = execution->method->keeps;
     statistics->order = execution->order;
     if (execution->course == COURSE_SERIAL) {
         statistics->method = &redcc_method_serial;
@@ -187,6 +208,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->plan = NULL;
     execution->plan_is_kept = false;
     execution->inspected = false;
+    execution->validation = (struct validation){0};
     execution->reason = REASON_NONE;
     atomic_store_explicit(&execution->last_claimed, 0, memory_order_relaxed);
     return true;
@@ -219,6 +241,10 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, reason);
     }
     redcc_find_candidate(execution, threads);
+    redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
+                execution->course == COURSE_SOLO ? "by one thread, timed" : "in parallel",
+                execution->method ? " by " : "", execution->method ? execution->method->name : "",
+                threads);
     call->threads = threads;
     call->decided = 1;
     call->execution = execution;
@@ -252,6 +278,10 @@ static void count_fallback(struct execution *execution) {
     struct loop_state *state = execution->state;
     const redcc_loop *loop = execution->request.loop;
     if (execution->reason == REASON_OVERLAP)
+        redcc_trace(TRACE_CHOICE, loop, "the original loop: '%s' overlaps '%s'",
+                    loop->sources[execution->clash_source].name,
+                    loop->arrays[execution->clash_array].name);
+    if (execution->reason == REASON_OVERLAP)
         redcc_report_overlap(&state->reported.statistics,
                              loop->sources[execution->clash_source].name,
                              loop->arrays[execution->clash_array].name);
@@ -263,6 +293,22 @@ static void count_fallback(struct execution *execution) {
         redcc_drop_plans(state);
     if (!execution->method)
         redcc_choose_refused(&state->chooser, execution->request.trip, execution->reason);
+}
+
+static void trace_execution(const struct execution *execution, double now) {
+    const struct plan *plan = execution->plan;
+    const redcc_loop *loop = execution->request.loop;
+    const double trip = (double)(plan->trip > 0 ? plan->trip : 1);
+    if (redcc_traces(TRACE_PLAN))
+        redcc_trace(TRACE_PLAN, loop,
+                    "%s: %s, %d threads, %u owners, %.4f iterations executed for one, %u stages, "
+                    "%zu bytes; %.3g s",
+                    execution->plan_is_kept ? "used again" : "built", plan->method->name,
+                    plan->threads, plan->owners, (double)plan->executed / trip,
+                    redcc_plan_stages(plan), redcc_plan_bytes(plan),
+                    execution->ready - execution->entered);
+    redcc_trace(TRACE_EXECUTION, loop, "%lld iterations by %d threads; %.3g s", plan->trip,
+                execution->course == COURSE_SOLO ? 1 : execution->threads, now - execution->ready);
 }
 
 static void count_execution(struct execution *execution, double now) {
@@ -282,6 +328,8 @@ static void count_execution(struct execution *execution, double now) {
     statistics->executed += solo ? plan->trip : plan->executed;
     statistics->in_loops += plan->trip;
     statistics->stages = redcc_plan_stages(plan);
+    statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
+    trace_execution(execution, now);
     if (!execution->method)
         redcc_choose_learn(&state->chooser, execution->request.trip, execution->course,
                            solo ? execution->solo_seconds : now - execution->entered);
@@ -291,8 +339,13 @@ int redcc_leave(redcc_call *call) {
     if (!call->decided)
         return 0;
     struct execution *execution = call->execution;
-    const double now = redcc_seconds();
     const int done = execution->plan != NULL;
+    const bool validated = execution->validation.began;
+    const double now = validated ? execution->executed : redcc_seconds();
+    if (validated)
+        redcc_validation_end(&execution->validation, execution->plan, execution->request.loop,
+                             execution->request.bases,
+                             &execution->state->reported.statistics.validated);
     if (done)
         count_execution(execution, now);
     else

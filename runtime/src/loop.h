@@ -11,12 +11,14 @@
 
 #include "choose.h"
 #include "graph/divide.h"
+#include "hook.h"
 #include "plan.h"
 #include "report.h"
 #include "sample.h"
 #include "sweep.h"
+#include "validate.h"
 
-enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024 };
+enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024, REDCC_HOOKED = 64 };
 
 /** Where a thread stands, and what the last to arrive at the barrier sends all threads to. */
 enum phase {
@@ -32,7 +34,8 @@ enum phase {
     PHASE_PREPARE, /* make a plan of it */
     PHASE_RUN,     /* begin to execute */
     PHASE_RUNNING,
-    PHASE_OVER /* done, or not to be done in parallel */
+    PHASE_CHECKING, /* executed once more, sequentially, to be compared */
+    PHASE_OVER      /* done, or not to be done in parallel */
 };
 
 /** One thread's part. What only it writes; others look after the barrier. */
@@ -47,10 +50,14 @@ struct member {
     redcc_int next;          /* iterations handed out for inspection up to here */
     redcc_int handed;        /* in the block being inspected */
     uint32_t stage;          /* of execution */
-    redcc_run solo_run;      /* COURSE_SOLO */
-    redcc_entry *entries;    /* [REDCC_ENTRIES] */
-    struct range *seen;      /* [array_count] */
-    redcc_int *executed;     /* [owners] iterations of the own share, by owner */
+    redcc_run solo_run;      /* COURSE_SOLO, and the comparison with the sequential loop */
+    struct hooks hooks;
+    const redcc_run *unhooked; /* runs of the chunk that are still to be handed out, guarded */
+    const redcc_run *unhooked_end;
+    redcc_run hooked[REDCC_HOOKED];
+    redcc_entry *entries; /* [REDCC_ENTRIES] */
+    struct range *seen;   /* [array_count] */
+    redcc_int *executed;  /* [owners] iterations of the own share, by owner */
     struct sample sample;
     struct sweep sweep;
     redcc_extent *sources;           /* [source_count] told by redcc_read */
@@ -90,8 +97,10 @@ struct execution {
     const struct summary **summaries;
     const struct range **seen;
     atomic_int last_claimed;
+    struct validation validation;
     double entered;
-    double ready; /* seconds at which the plan was there */
+    double ready;    /* seconds at which the plan was there */
+    double executed; /* with validation: at which the loop was done */
     double solo_seconds;
 };
 

@@ -43,6 +43,7 @@ struct method {
 
     bool by_graph; /* owners are cut from the access graph (graph/divide.h), where that can be done;
                       else, as without it, by address */
+    bool locks;    /* each element is locked while it is updated */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
@@ -69,6 +70,7 @@ extern const struct method redcc_method_dwa_lip;
 extern const struct method redcc_method_pe_dwa_lip;
 extern const struct method redcc_method_dwa_lip_fixed;
 extern const struct method redcc_method_expansion_fixed;
+extern const struct method redcc_method_atomic;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan.h"
 
+#include "compensate.h"
 #include "graph/divide.h"
 #include "memory.h"
+#include "settings.h"
 
 #include <string.h>
 
@@ -93,6 +95,10 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
         memcpy(plan->key, request->key, loop->key_count * sizeof *plan->key);
     record_groups(plan, partition, touched);
     record_sources(plan, request, sources);
+    if (redcc_settings()->compensated && !redcc_lost_new(plan, loop->arrays)) {
+        redcc_plan_free(plan);
+        return NULL;
+    }
     return plan;
 }
 
@@ -119,6 +125,7 @@ void redcc_plan_free(struct plan *plan) {
     for (int thread = 0; plan->schedule && thread < plan->threads; thread++)
         redcc_schedule_end(&plan->schedule[thread]);
     redcc_copies_end(&plan->copies);
+    redcc_lost_free(plan);
     redcc_memory_give(plan->key);
     redcc_memory_give(plan->group_of);
     redcc_memory_give(plan->shift);
@@ -253,7 +260,7 @@ size_t redcc_plan_bytes(const struct plan *plan) {
     size_t bytes = redcc_memory_size(plan) + redcc_memory_size(plan->bound) +
                    redcc_memory_size(plan->schedule) + redcc_memory_size(plan->team_barrier) +
                    redcc_memory_size(plan->flags) + redcc_memory_size(plan->map) +
-                   redcc_memory_size(plan->mapped);
+                   redcc_memory_size(plan->mapped) + redcc_lost_bytes(plan);
     for (int thread = 0; thread < plan->threads; thread++)
         bytes += redcc_memory_size(plan->schedule[thread].run) +
                  redcc_memory_size(plan->schedule[thread].chunk) +

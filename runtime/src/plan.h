@@ -14,6 +14,7 @@
 #include "schedule.h"
 
 struct divide;
+struct lost;
 
 /** What one call brings; the pointers are owned by the loop's state. */
 struct request {
@@ -64,6 +65,7 @@ struct plan {
     struct barrier *team_barrier; /* [teams] */
     struct flags *flags;          /* of tasks; NULL: there are none */
     unsigned round;               /* of this execution: what a flag that is up holds */
+    struct lost *lost;            /* [array_count] of each group, of compensated sums; or NULL */
     struct copies copies;
     redcc_int executed; /* iterations, replicated ones counted */
     uint64_t last_use;

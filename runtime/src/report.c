@@ -100,6 +100,10 @@ static void write_loop(FILE *out, const struct reported *loop) {
     write_method(out, it);
     fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
             redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
+    fprintf(out, ", \"sum\": \"%s\"", it->compensated ? "compensated" : "plain");
+    if (it->validated.executions > 0)
+        fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
+                it->validated.broken);
     fprintf(out, ", \"plans_built\": %ld, \"plans_reused\": %ld", it->plans_built,
             it->plans_reused);
     fprintf(out, ", \"inspect_seconds\": %ld.%06ld, \"execute_seconds\": %ld.%06ld",
@@ -113,6 +117,35 @@ static void write_loop(FILE *out, const struct reported *loop) {
             tenths % 10000);
     write_fallbacks(out, it);
     fputs("]}", out);
+}
+
+static bool tell_validation(const struct reported *loop) {
+    const struct validated *it = &loop->statistics.validated;
+    if (it->executions == 0)
+        return false;
+    fprintf(stderr, "redcc: validated: %s:%d (%s): %ld executions compared, ",
+            loop->file ? loop->file : "", loop->line, loop->function ? loop->function : "",
+            it->executions);
+    if (it->largest > 0)
+        fprintf(stderr, "largest difference %.4g ulps, in element %lld of %s", it->largest,
+                it->element, it->name);
+    else
+        fputs("no difference in ulps", stderr);
+    if (it->broken > 0)
+        fprintf(stderr, "; the promise of order %s is BROKEN in %ld of them\n",
+                redcc_order_name(loop->statistics.order), it->broken);
+    else if (loop->statistics.compensated)
+        fputs("; the sums are compensated, those of the sequential loop are not\n", stderr);
+    else
+        fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
+    return it->broken > 0;
+}
+
+bool redcc_report_validation(void) {
+    bool broken = false;
+    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next)
+        broken = tell_validation(loop) || broken;
+    return broken;
 }
 
 static bool write_all(FILE *out) {

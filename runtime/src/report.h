@@ -16,6 +16,16 @@ struct told_reason {
     long count;
 };
 
+/** What REDCC_VALIDATE=1 found. */
+struct validated {
+    long executions; /* compared with the sequential loop */
+    long broken;     /* of these, where the promise was not kept */
+    double largest;  /* difference, in ulps */
+    const char *array;
+    char name[64];     /* of the array where it was found */
+    redcc_int element; /* counted from the array's first one */
+};
+
 /** What is counted without holding the loop is atomic. */
 struct statistics {
     atomic_long calls;
@@ -33,6 +43,8 @@ struct statistics {
     redcc_int executed; /* iterations in parallel executions, replicated ones counted */
     redcc_int in_loops; /* and not counted */
     redcc_int stages;   /* of the last plan */
+    bool compensated;   /* the last execution's sums */
+    struct validated validated;
 };
 
 /** A loop in the report. The texts are copies: the library that a loop is in may be unloaded. */
@@ -52,6 +64,11 @@ void redcc_report_remove(struct reported *reported);
 
 /** Counts a fallback because of an overlap of what the two names stand for. */
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array);
+
+enum { REDCC_BROKEN = 3 /* exit status */ };
+
+/** Tells on standard error what the validation found. Returns whether a promise was broken. */
+bool redcc_report_validation(void);
 
 /** Writes the file that REDCC_REPORT names; nothing where it names none. */
 void redcc_report_write(void);

@@ -3,6 +3,7 @@
 
 #include "memory.h"
 #include "report.h"
+#include "trace.h"
 
 #include <errno.h>
 #include <pthread.h>
@@ -117,6 +118,47 @@ static void read_order(const char *value) {
     complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
+static void read_sum(const char *value) {
+    static const char *const names[] = {"plain", "compensated"};
+    if (!value || !*value)
+        return;
+    settings.compensated = strcmp(value, names[1]) == 0;
+    if (!settings.compensated && strcmp(value, names[0]) != 0)
+        complain_of_unknown("REDCC_SUM", value, names, 2);
+    const struct method *method = settings.method;
+    if (settings.compensated && method && (method->keeps != REDCC_ORDER_SERIAL || !method->prepare))
+        snprintf(
+            complaint, sizeof complaint,
+            "REDCC_METHOD=%s cannot give REDCC_SUM=compensated, which is added up in the order "
+            "of the loop, element by element; localwrite can",
+            method->name);
+}
+
+static void read_validate(const char *value) {
+    static const char *const names[] = {"0", "1"};
+    if (!value || !*value)
+        return;
+    settings.validate = strcmp(value, names[1]) == 0;
+    if (!settings.validate && strcmp(value, names[0]) != 0)
+        complain_of_unknown("REDCC_VALIDATE", value, names, 2);
+}
+
+/* Names with commas between them. */
+static void read_trace(const char *value) {
+    while (value && *value) {
+        char name[32];
+        const size_t length = strcspn(value, ",");
+        snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 31, value);
+        unsigned subject = 0;
+        while (subject < TRACES && strcmp(name, redcc_trace_names[subject]) != 0)
+            subject++;
+        if (subject == TRACES && length > 0)
+            complain_of_unknown("REDCC_TRACE", name, redcc_trace_names, TRACES);
+        redcc_traced |= subject < TRACES ? 1u << subject : 0;
+        value += length + (value[length] == ',');
+    }
+}
+
 bool redcc_parse_bytes(const char *text, size_t *bytes) {
     if (*text < '0' || *text > '9')
         return false;
@@ -150,6 +192,9 @@ static void read_memory_limit(const char *value) {
 static void read_environment(void) {
     read_method(getenv("REDCC_METHOD"));
     read_order(getenv("REDCC_ORDER"));
+    read_sum(getenv("REDCC_SUM"));
+    read_validate(getenv("REDCC_VALIDATE"));
+    read_trace(getenv("REDCC_TRACE"));
     read_memory_limit(getenv("REDCC_MEMORY_LIMIT"));
     const char *report = getenv("REDCC_REPORT");
     if (report && *report && (settings.report = strdup(report)) != NULL)

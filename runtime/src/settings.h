@@ -10,6 +10,8 @@ struct settings {
     int parameter;               /* the method's */
     bool order_given;
     redcc_order order;   /* where given */
+    bool compensated;    /* REDCC_SUM */
+    bool validate;       /* REDCC_VALIDATE */
     size_t memory_limit; /* bytes; 0: none */
     char *report;        /* file name; NULL: none */
 };

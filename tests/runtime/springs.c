@@ -8,6 +8,9 @@
 #ifdef _OPENMP
 #include <redcc/runtime.h>
 REDCC_REQUIRE_VERSION(1);
+#ifdef SPRINGS_LEAVE_OUT /* breaks the promise, for REDCC_VALIDATE to find out */
+#define redcc_owns(owner, address) ((void)(owner), 0)
+#endif
 #endif
 #if defined(__clang__)
 #pragma clang fp contract(off)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* What REDCC_METHOD, REDCC_ORDER, REDCC_MEMORY_LIMIT and REDCC_REPORT do to a program: the example
- * of docs/generated-code.md. Arguments: the same program without OpenMP, then with it, by each
- * compiler. */
+/* What the variables REDCC_... do to a program: the example of docs/generated-code.md. Arguments:
+ * the same program without OpenMP, one whose guarded form writes nothing, then the
+ * program with OpenMP, by each compiler. */
 #include <jansson.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@
 
 enum { LONGEST = 4096 };
 
-static const char *plain;
+static const char *plain, *broken;
 static char **programs; /* NULL at the end */
 static char folder[64] = "/tmp/redcc-environment-XXXXXX";
 
@@ -46,9 +46,10 @@ static struct outcome run(const char *variables, const char *program, const char
     return outcome;
 }
 
-static const char *const methods[] = {"auto",      "serial",      "localwrite",  "graph-localwrite",
-                                      "expansion", "expansion:a", "expansion:b", "pseudo-expansion",
-                                      "dwa-lip",   "pe-dwa-lip",  "pe-dwa-lip:3"};
+static const char *const methods[] = {
+    "auto",      "serial",      "localwrite",   "graph-localwrite",
+    "expansion", "expansion:a", "expansion:b",  "pseudo-expansion",
+    "dwa-lip",   "pe-dwa-lip",  "pe-dwa-lip:3", "atomic"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void the_bits_are_those_of_the_plain_program(void **unused) {
@@ -99,6 +100,68 @@ static void unknown_names_stop_the_program(void **unused) {
     expect_stop("REDCC_ORDER=seriel", (const char *[]){"REDCC_ORDER=seriel", "did you mean serial?",
                                                        "fixed", "any", NULL});
     expect_stop("REDCC_MEMORY_LIMIT=much", (const char *[]){"REDCC_MEMORY_LIMIT=much", NULL});
+}
+
+static void unknown_sums_traces_and_validations(void **unused) {
+    (void)unused;
+    expect_stop("REDCC_SUM=compensatd",
+                (const char *[]){"compensatd", "did you mean compensated", "plain", NULL});
+    expect_stop("REDCC_TRACE=plan,exection",
+                (const char *[]){"exection", "did you mean execution", "choice", "plan",
+                                 "validation", NULL});
+    expect_stop("REDCC_VALIDATE=yes", (const char *[]){"REDCC_VALIDATE=yes", "0 1", NULL});
+    expect_stop("REDCC_SUM=compensated REDCC_METHOD=expansion",
+                (const char *[]){"expansion", "REDCC_SUM=compensated", "localwrite", NULL});
+    expect_stop("REDCC_SUM=compensated REDCC_METHOD=serial",
+                (const char *[]){"REDCC_METHOD=serial", "localwrite", NULL});
+}
+
+static void validation_is_passed(void **unused) {
+    (void)unused;
+    for (int m = 0; m < METHODS; m++) {
+        char variables[128];
+        snprintf(variables, sizeof variables, "OMP_NUM_THREADS=3 REDCC_METHOD=%s", methods[m]);
+        const struct outcome alone = run(variables, programs[0], "5000 3");
+        snprintf(variables, sizeof variables, "REDCC_VALIDATE=1 OMP_NUM_THREADS=3 REDCC_METHOD=%s",
+                 methods[m]);
+        const struct outcome looked_at = run(variables, programs[0], "5000 3");
+        assert_int_equal(looked_at.status, 0);
+        if (strcmp(methods[m], "atomic") != 0) /* which has other bits in each run */
+            assert_string_equal(looked_at.text, alone.text);
+        if (m >= 2) /* auto tries the sequential loop as well */
+            assert_non_null(strstr(looked_at.errors, "springs.c:4 (springs): 3 executions"));
+        if (strcmp(methods[m], "localwrite") == 0)
+            assert_non_null(
+                strstr(looked_at.errors, "no difference in ulps; order serial is kept"));
+    }
+}
+
+static void validation_is_failed(void **unused) {
+    (void)unused;
+    const char *variables = "REDCC_VALIDATE=1 OMP_NUM_THREADS=3 REDCC_METHOD=localwrite";
+    const struct outcome found = run(variables, broken, "2000 4");
+    assert_int_equal(found.status, 3);
+    assert_int_equal(strlen(found.text), 17); /* what the program prints is all there */
+    assert_non_null(strstr(found.errors, "the promise of order serial is BROKEN in 4 of them"));
+    assert_non_null(strstr(found.errors, "of s->b"));
+    assert_int_equal(run("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", broken, "2000 4").status, 0);
+}
+
+static void what_is_traced(void **unused) {
+    (void)unused;
+    const char *method = "OMP_NUM_THREADS=3 REDCC_METHOD=localwrite";
+    char variables[128];
+    snprintf(variables, sizeof variables, "%s REDCC_TRACE=plan,execution", method);
+    struct outcome found = run(variables, programs[0], "2000 2");
+    assert_non_null(strstr(found.errors, "redcc: plan: springs.c:4 (springs): built: localwrite"));
+    assert_non_null(strstr(found.errors, "used again: localwrite, 3 threads"));
+    assert_non_null(strstr(found.errors, "redcc: execution: springs.c:4 (springs): 6000 iter"));
+    assert_null(strstr(found.errors, "choice"));
+    snprintf(variables, sizeof variables, "OMP_NUM_THREADS=1 REDCC_TRACE=choice");
+    found = run(variables, programs[0], "2000 2");
+    assert_non_null(strstr(found.errors, "redcc: choice: springs.c:4 (springs): the original loop: "
+                                         "one thread"));
+    assert_string_equal(run(method, programs[0], "2000 2").errors, "");
 }
 
 static void an_order_and_a_method_that_cannot_keep_it(void **unused) {
@@ -156,6 +219,28 @@ static void the_report_says_what_was_done(void **unused) {
     json_decref(report);
 }
 
+/* The same bits at every thread count, and not those of the plain sums. */
+static void compensated_sums(void **unused) {
+    (void)unused;
+    const struct outcome one =
+        run("REDCC_SUM=compensated OMP_NUM_THREADS=1", programs[0], "5000 9");
+    assert_int_equal(one.status, 0);
+    assert_string_not_equal(one.text, run("", plain, "5000 9").text);
+    for (char **program = programs; *program; program++)
+        for (int threads = 2; threads <= 6; threads += 2) {
+            char variables[128];
+            snprintf(variables, sizeof variables, "REDCC_SUM=compensated OMP_NUM_THREADS=%d",
+                     threads);
+            assert_string_equal(run(variables, *program, "5000 9").text, one.text);
+        }
+    json_t *report = report_of("REDCC_SUM=compensated OMP_NUM_THREADS=2 REDCC_VALIDATE=1", "500 3");
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    assert_string_equal(json_string_value(json_object_get(loop, "sum")), "compensated");
+    assert_int_equal(number(loop, "validated"), 3);
+    assert_int_equal(number(loop, "promises_broken"), 0);
+    json_decref(report);
+}
+
 static void expect_fallback(const char *variables, const char *reason, long count) {
     json_t *report = report_of(variables, "2000 5");
     const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
@@ -198,15 +283,21 @@ int main(int count, char **arguments) {
         cmocka_unit_test(the_bits_are_those_of_the_plain_program),
         cmocka_unit_test(every_method_by_name),
         cmocka_unit_test(unknown_names_stop_the_program),
+        cmocka_unit_test(unknown_sums_traces_and_validations),
+        cmocka_unit_test(validation_is_passed),
+        cmocka_unit_test(validation_is_failed),
+        cmocka_unit_test(what_is_traced),
+        cmocka_unit_test(compensated_sums),
         cmocka_unit_test(an_order_and_a_method_that_cannot_keep_it),
         cmocka_unit_test(the_report_says_what_was_done),
         cmocka_unit_test(the_report_says_why_not),
         cmocka_unit_test(the_report_names_the_method_with_its_parameter),
     };
-    if (count < 3 || !mkdtemp(folder))
+    if (count < 4 || !mkdtemp(folder))
         return 1;
     plain = arguments[1];
-    programs = arguments + 2;
+    broken = arguments[2];
+    programs = arguments + 3;
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     char command[128];
     snprintf(command, sizeof command, "rm -r %s", folder);

@@ -30,7 +30,7 @@ static size_t all_doubles(const struct problem *problem) {
 /* Does the method, named, run by a plan with that many threads? */
 static bool plans(const struct settings *settings, int threads) {
     return settings->method && settings->method->prepare &&
-           (threads > 1 || settings->method->keeps == REDCC_ORDER_FIXED);
+           (threads > 1 || settings->compensated || settings->method->keeps == REDCC_ORDER_FIXED);
 }
 
 static void try_problem(int number, bool exact, int threads) {
@@ -86,7 +86,7 @@ static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
     const redcc_order order = settings->method        ? settings->method->keeps
                               : settings->order_given ? settings->order
                                                       : REDCC_ORDER_SERIAL;
-    if (order != REDCC_ORDER_SERIAL)
+    if (order != REDCC_ORDER_SERIAL || settings->compensated)
         skip();
     all_shapes(false);
 }

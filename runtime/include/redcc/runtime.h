@@ -134,6 +134,8 @@ typedef struct redcc_run {
     redcc_u32 count_and_guard; /**< 2 * count + (each write must ask redcc_owns ? 1 : 0) */
 } redcc_run;
 
+struct redcc_hook;
+
 /** The elements of one array that a thread owns: those at [first, first + size), where there is a
  *  map only those in units that it gives to `self`. */
 typedef struct redcc_owner {
@@ -142,6 +144,7 @@ typedef struct redcc_owner {
     const unsigned char *map; /* the owner of each unit from `first`; 0: no map */
     redcc_size unit;          /* bytes; of a map */
     redcc_u32 self;
+    struct redcc_hook *hook; /* 0, or: it decides, and sees every update (nothing is inside) */
 } redcc_owner;
 
 /** An address told to the inspector, or (array == REDCC_END_OF_ITERATION) the end of an iteration.
@@ -226,6 +229,10 @@ int redcc_next(redcc_worker *worker);
 /** 1 for exactly one of the threads that ask after having executed the last iteration. */
 int redcc_claims_last(redcc_worker *worker);
 
+/** Called by redcc_owns: may this thread write at `address`? If so the runtime takes part in the
+ *  one update of that element which follows. */
+int redcc_hooked(struct redcc_hook *hook, const void *address);
+
 /** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
  *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
  *  original loop; the report says why. */
@@ -282,10 +289,13 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     redcc_flush(worker); /* the window may be another one for the next iteration */
 }
 
-/** Executor, guarded form: may this thread write at `address`? */
+/** Executor, guarded form: may this thread write at `address`? Asked before each update of an
+ *  element. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
-    return into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self);
+    if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))
+        return 1;
+    return owner->hook && redcc_hooked(owner->hook, address);
 }
 
 #endif

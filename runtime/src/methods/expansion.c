@@ -4,18 +4,12 @@
  * array; in the end each brings a block of all copies into the array, copy after copy (figure 9 (b)
  * of the paper: the usual one) or element after element (figure 9 (a)).
  */
-#include "plan.h"
+#include "shares.h"
 
 #include <string.h>
 
 static int parse(const char *text) {
     return strcmp(text, "a") == 0 || strcmp(text, "b") == 0 ? text[0] : 0;
-}
-
-static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
-    const redcc_int first = redcc_share(evidence->trip, evidence->threads, thread);
-    const redcc_int end = redcc_share(evidence->trip, evidence->threads, thread + 1);
-    return redcc_schedule_add(&plan->schedule[thread], 0, first, end - first, false);
 }
 
 const struct method redcc_method_expansion = {.name = "expansion",
@@ -24,4 +18,4 @@ const struct method redcc_method_expansion = {.name = "expansion",
                                               .copies = COPY_WHOLE,
                                               .parse = parse,
                                               .usual = 'b',
-                                              .prepare = prepare};
+                                              .prepare = redcc_shares_prepare};

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef REDCC_SHARES_H
+#define REDCC_SHARES_H
+
+#include "plan.h"
+
+/** Fills the schedule of `thread` with an equal share of the iterations. False: no memory. */
+bool redcc_shares_prepare(struct plan *plan, const struct evidence *evidence, int thread);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * REDCC_VALIDATE=1: after each execution in parallel the first thread executes the loop once more,
+ * all iterations in order, into a copy of the arrays as they were before; then the two are
+ * compared.
+ *
+ * Where the sequential loop's bits are promised, an element with others breaks the promise, and so
+ * does an integer in whatever order; of floating sums in another order the largest difference is
+ * told. Numbers that are none count as equal, whatever their bits. Executions beside another one of
+ * the same loop are not compared.
+ */
+#ifndef REDCC_VALIDATE_H
+#define REDCC_VALIDATE_H
+
+#include "report.h"
+
+struct plan;
+
+/** Of one execution. All zero: none. */
+struct validation {
+    bool began;
+    char **memory; /* [array_count] of group g: copy of the bytes that are touched */
+};
+
+/** Copies what the plan's groups hold, for arrays at `bases`; without memory for that there is no
+ *  validation. One thread; nobody may write meanwhile. */
+void redcc_validation_begin(struct validation *validation, const struct plan *plan,
+                            void *const *bases);
+
+/** Where `array` would begin if its copy were the whole. */
+void *redcc_validation_base(const struct validation *validation, const struct plan *plan,
+                            uint32_t array);
+
+/** Compares the arrays at `bases` with the copies, which the loop was executed into, enters what it
+ *  finds into the statistics, and gives the copies back. */
+void redcc_validation_end(struct validation *validation, const struct plan *plan,
+                          const redcc_loop *loop, void *const *bases, struct validated *validated);
+
+#endif
