@@ -111,6 +111,29 @@ static bool print_between(c_printer *p, const ir_node *node, const char *op, lev
     return print(p, node->children[1], right);
 }
 
+/* Where precedence is right but seldom remembered, and compilers warn (gcc's -Wparentheses). */
+static bool is_doubtful(level outer, level inner) {
+    switch (outer) {
+    case LEVEL_OR:
+        return inner == LEVEL_AND;
+    case LEVEL_BIT_OR:
+    case LEVEL_BIT_XOR:
+    case LEVEL_BIT_AND:
+        return inner != outer && inner < LEVEL_PRODUCT;
+    case LEVEL_EQUALITY:
+    case LEVEL_RELATION:
+        return inner == LEVEL_EQUALITY || inner == LEVEL_RELATION;
+    case LEVEL_SHIFT:
+        return inner == LEVEL_SUM;
+    default:
+        return false;
+    }
+}
+
+static level least_of_operand(level outer, const ir_node *operand, level by_grammar) {
+    return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
+}
+
 static bool print_binary(c_printer *p, const ir_node *node) {
     if (node->op == IR_OP_COMMA)
         return print_between(p, node, ", ", LEVEL_COMMA, LEVEL_ASSIGNMENT);
@@ -120,7 +143,8 @@ static bool print_binary(c_printer *p, const ir_node *node) {
     for (const char *c = ir_operator_spelling(node->op); *c != 0; c++)
         op[length++] = *c;
     op[length] = ' ';
-    return print_between(p, node, op, own, (level)(own + 1));
+    return print_between(p, node, op, least_of_operand(own, node->children[0], own),
+                         least_of_operand(own, node->children[1], (level)(own + 1)));
 }
 
 static bool print_assignment(c_printer *p, const ir_node *node) {

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Loops inside the loop: of constant length, of rows of a sparse matrix, along chains. */
+#include "fuzz/kernel.h"
+
+static void put_body(kernel *k, scope outside) {
+    k->scope.in_loop = true;
+    put(k, &k->body, "{\n");
+    block(k, 1 + below(k, 2));
+    put(k, &k->body, "}\n");
+    k->scope = outside;
+}
+
+static void constant_loop(kernel *k) {
+    const scope outside = k->scope;
+    const char *c = new_name(k, "c");
+    const bool is_outer = chance(k, 30);
+    if (is_outer)
+        declare_outside(k, "int", c, k->without ? "0" : NULL);
+    put(k, &k->body, "for (%s%s = 0; %s < 3; %s++) ", is_outer ? "" : "int ", c, c, c);
+    add_name(&k->scope.smalls, c);
+    put_body(k, outside);
+}
+
+static void row_loop(kernel *k) {
+    const scope outside = k->scope;
+    const char *c = new_name(k, "c");
+    const char *row = k->scope.positions.name[0];
+    const char *extra = chance(k, 20) ? text(k, " + (int)(%s & 1)", row) : "";
+    put(k, &k->body, "for (int %s = %s[%s]; %s < %s[%s + 1]%s; %s++) ", c, k->first.base, row, c,
+        k->first.base, row, extra, c);
+    add_name(&k->scope.positions, c);
+    put_body(k, outside);
+}
+
+static void chain_loop(kernel *k) {
+    const scope outside = k->scope;
+    const char *c = new_name(k, "k");
+    const char *start = subscript(k);
+    put(k, &k->body, "int %s = %s;\n", c, start);
+    add_name(&k->scope.subscripts, c);
+    const char *step = text(k, "%s = %s[%s];\n", c, k->chain.base, c);
+    const bool is_do = chance(k, 30);
+    put(k, &k->body, is_do ? "do {\n" : "while (%s > 0) {\n", c);
+    k->scope.in_loop = true;
+    block(k, 1);
+    put(k, &k->body, "%s", step);
+    if (chance(k, 20))
+        put(k, &k->body, "if (%s == 3)\nbreak;\n", c);
+    put(k, &k->body, is_do ? "} while (%s > 0);\n" : "}\n", c);
+    k->scope = outside;
+}
+
+/* The variable declared outside keeps the subscript of the iteration before. */
+static void lagging_loop(kernel *k) {
+    const scope outside = k->scope;
+    const char *c = new_name(k, "c");
+    const char *lag = new_name(k, "k");
+    put(k, &k->body, "int %s = 0;\nfor (int %s = 0; %s < 3; %s++) ", lag, c, c, c);
+    add_name(&k->scope.subscripts, lag);
+    add_name(&k->scope.smalls, c);
+    k->scope.in_loop = true;
+    put(k, &k->body, "{\n");
+    block(k, 1);
+    put(k, &k->body, "%s = %s;\n}\n", lag, subscript(k));
+    k->scope = outside;
+    add_name(&k->scope.subscripts, lag);
+}
+
+void inner_loop(kernel *k) {
+    if (k->scope.in_loop && chance(k, 70)) {
+        const array *a = any_reduction(k);
+        const char *where = place(k, a, subscript(k));
+        put(k, &k->body, "%s;\n", update(k, a, where));
+        return;
+    }
+    const int which = below(k, 10);
+    if (which < 5)
+        constant_loop(k);
+    else if (which < 7)
+        row_loop(k);
+    else if (which < 9 && !k->is_masked)
+        chain_loop(k);
+    else
+        lagging_loop(k);
+}

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * One random program: a loop around irregular reductions, the memory it works on, and the function
+ * that calls it. The text is a function of the seed. It has no undefined behaviour, by
+ * construction: subscripts   lie in 0 ... elements - 1: subscript arrays hold nothing else, and are
+ * masked where something may write them; positions lie below `size`, the length of every array
+ *   integers     of contributions are at most 127 in size, so that no sum overflows
+ *   floats       are bounded where an array that is accumulated into may be read
+ *   variables    are assigned before they are read
+ *   pointers     to different types never lead to the same bytes, but for characters
+ */
+#ifndef FUZZ_KERNEL_H
+#define FUZZ_KERNEL_H
+
+#include "fuzz/random.h"
+#include "support/arena.h"
+#include "support/buffer.h"
+
+typedef enum element {
+    E_DOUBLE,
+    E_FLOAT,
+    E_LONG_DOUBLE,
+    E_COMPLEX,
+    E_INT,
+    E_UNSIGNED,
+    E_LONG,
+    E_ULLONG,
+    E_SHORT,
+    E_USHORT,
+    E_SCHAR,
+    E_UCHAR,
+    ELEMENT_COUNT
+} element;
+
+typedef enum shape {
+    SHAPE_FLAT,   /* h[k] */
+    SHAPE_ROWS,   /* h[k][c], c < 3 */
+    SHAPE_RECORDS /* h[k].x, h[k].y; h[k].tag is input */
+} shape;
+
+typedef enum storage {
+    STORAGE_PARAMETER,
+    STORAGE_RESTRICT,
+    STORAGE_GLOBAL,
+    STORAGE_CONTEXT, /* c->h, of a struct that is given by its address */
+    STORAGE_VALUE,   /* c.h, of a struct that is given by value */
+    STORAGE_POINTER, /* a local pointer to the object */
+    STORAGE_GLOBAL_POINTER
+} storage;
+
+typedef struct array {
+    const char *base;   /* as the kernel spells it */
+    const char *object; /* the static array behind it */
+    const char *given;  /* what the caller passes: the object, or what it overlaps with */
+    const char *record; /* the type of records */
+    element type;
+    shape shape;
+    storage storage;
+    const char *operation; /* of a reduction array: "+", "*", "&", "|", "^", "<", ">" */
+} array;
+
+enum { MOST_NAMES = 24, REDUCTIONS = 2, SUBSCRIPTS = 2 };
+
+/** Variables in scope, of one kind. */
+typedef struct names {
+    const char *name[MOST_NAMES];
+    int count;
+} names;
+
+typedef struct scope {
+    names subscripts; /* integer variables in 0 ... elements - 1 */
+    names values;     /* floating-point variables of a few bits */
+    names positions;  /* in 0 ... size - 64 */
+    names smalls;     /* in 0 ... 2 */
+    int depth;        /* of blocks in the loop's body; 0: always executed */
+    bool in_loop;     /* inside an inner loop */
+} scope;
+
+typedef struct kernel {
+    uint64_t seed;
+    random_source random;
+    arena *memory;
+    const bool *without; /* by number of statement: to be left out; NULL: none */
+    int without_count;
+    int statements; /* numbered so far */
+    int names;      /* made so far */
+    buffer globals, pointers, locals, body, after;
+    scope scope;
+    int size;     /* elements of every array */
+    int elements; /* a power of two: subscripts lie below */
+    int trips;
+    bool is_masked; /* subscripts from memory are masked at their use */
+    bool is_damped; /* floating values are bounded at their use */
+    bool has_outer_counter;
+    const char *trip; /* the bound, as the kernel spells it */
+    const char *trip_type;
+    bool trip_is_variable;
+    const char *counter_type;
+    bool has_plain_header; /* for (...; i < n; i++): may step further */
+    bool may_continue;
+    bool is_integral; /* sums of integers are exact: compared in any order */
+    array reduction[REDUCTIONS];
+    array subscript[SUBSCRIPTS]; /* the second may be rows of three */
+    array value;                 /* double or float */
+    array other;                 /* double */
+    array flag;                  /* int: any small value */
+    array chain;                 /* int: chain[k] < k, or 0 */
+    array first;                 /* int: not decreasing, steps below 4 */
+    array far;                   /* int: positions; some far out of range */
+    array out;                   /* double: written at the own element */
+    int live;                    /* values stored after the loop */
+} kernel;
+
+/* ---- text */
+
+const char *text(kernel *k, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void put(kernel *k, buffer *b, const char *format, ...) __attribute__((format(printf, 3, 4)));
+const char *new_name(kernel *k, const char *stem);
+bool chance(kernel *k, int percent);
+int below(kernel *k, int n);
+/** The name becomes known in the scope. */
+void add_name(names *list, const char *name);
+const char *any_name(kernel *k, const names *list);
+/** Begins a numbered statement; end_statement takes it out where it is to be left out. */
+size_t begin_statement(kernel *k);
+void end_statement(kernel *k, size_t begin);
+
+/* ---- expression.c */
+
+typedef struct element_traits {
+    const char *spelling;
+    bool is_floating;
+    bool is_signed;
+} element_traits;
+extern const element_traits elements[ELEMENT_COUNT];
+
+const char *position(kernel *k);
+const char *subscript(kernel *k);
+const char *value(kernel *k, int depth);
+const char *integer(kernel *k, int depth);
+const char *condition(kernel *k);
+/** An element of a reduction array. */
+const char *place(kernel *k, const array *a, const char *index);
+/** What may be accumulated into `a` by its operation. */
+const char *contribution(kernel *k, const array *a);
+/** One update of one element, as a statement's text without `;`. */
+const char *update(kernel *k, const array *a, const char *where);
+
+/* ---- statement.c, inner.c, bait.c */
+
+void statement(kernel *k);
+void block(kernel *k, int count);
+void inner_loop(kernel *k);
+void bait(kernel *k);
+array *any_reduction(kernel *k);
+/** A variable of the loop that is declared outside of it; `initial` is its first value. */
+void declare_outside(kernel *k, const char *type, const char *name, const char *initial);
+
+/* ---- world.c */
+
+void make_world(kernel *k);
+/** Declarations of the arrays' memory. */
+void put_objects(kernel *k, buffer *b);
+/** The kernel's parameters, with parentheses; and the arguments of a call. */
+const char *parameters(kernel *k);
+const char *arguments(kernel *k);
+/** The function that fills the arrays, calls the kernel and prints what is left. */
+void put_runner(kernel *k, buffer *b);
+
+/* ---- loop.c, noise.c */
+
+/** Appends the program of this seed; statements whose numbers are in `without` are left out.
+ *  Returns how many statements it has. */
+int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count);
+/** Odd but equal formatting: blanks, comments and line ends between words. */
+void put_with_noise(buffer *b, random_source *r, const char *text);
+
+#endif

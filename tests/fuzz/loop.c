@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The loop around the statements, and the program around the loop. */
+#include "fuzz/kernel.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
+
+/* ---- text ------------------------------------------------------------------------------------ */
+
+static char *formatted(arena *memory, const char *format, va_list values) {
+    va_list again;
+    va_copy(again, values);
+    const int length = vsnprintf(NULL, 0, format, values);
+    char *result = arena_allocate(memory, (size_t)length + 1);
+    vsnprintf(result, (size_t)length + 1, format, again);
+    va_end(again);
+    return result;
+}
+
+const char *text(kernel *k, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    const char *result = formatted(k->memory, format, values);
+    va_end(values);
+    return result;
+}
+
+void put(kernel *k, buffer *b, const char *format, ...) {
+    va_list values;
+    va_start(values, format);
+    buffer_text(b, formatted(k->memory, format, values));
+    va_end(values);
+}
+
+const char *new_name(kernel *k, const char *stem) {
+    return strlen(stem) == 1 ? text(k, "%s%d", stem, k->names++)
+                             : text(k, "%s_%llu_%d", stem, (unsigned long long)k->seed, k->names++);
+}
+
+bool chance(kernel *k, int percent) {
+    return random_chance(&k->random, percent);
+}
+
+int below(kernel *k, int n) {
+    return random_below(&k->random, n);
+}
+
+void add_name(names *list, const char *name) {
+    if (list->count < MOST_NAMES)
+        list->name[list->count++] = name;
+}
+
+const char *any_name(kernel *k, const names *list) {
+    return list->name[below(k, list->count)];
+}
+
+size_t begin_statement(kernel *k) {
+    return k->body.length;
+}
+
+void end_statement(kernel *k, size_t begin) {
+    const int number = k->statements++;
+    if (!k->without || number >= k->without_count || !k->without[number])
+        return;
+    k->body.length = begin;
+    k->body.data[begin] = 0;
+}
+
+/* ---- the loop -------------------------------------------------------------------------------- */
+
+typedef struct header {
+    const char *type;   /* of the counter */
+    const char *format; /* %1$s: the counter, %2$s: its type and it, or it; %3$s: the bound */
+    bool is_plain;
+    int most_trips; /* 0: any */
+} header;
+
+/* Last the ones that wrap if they are misread, or run downwards, or by more than one. */
+static const header headers[] = {
+    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
+    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
+    {"int", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 0},
+    {"long", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
+    {"size_t", "for (%2$s = 0; %1$s < (size_t)%3$s; %1$s++) ", true, 0},
+    {"unsigned", "for (%2$s = 0; %1$s < (unsigned)%3$s; %1$s++) ", true, 0},
+    {"int", "for (%2$s = 0; %1$s <= %3$s - 1; %1$s++) ", true, 0},
+    {"int", "for (%2$s = 0; %1$s != %3$s; %1$s++) ", false, 0},
+    {"int", "for (%2$s = %3$s - 1; %1$s >= 0; %1$s--) ", false, 0},
+    {"long", "for (%2$s = %3$s; %1$s > 0; --%1$s) ", false, 0},
+    {"int", "for (%2$s = 1; %1$s < %3$s; %1$s += 2) ", true, 0},
+    {"int", "for (%2$s = 2; %1$s < %3$s; %1$s += 3) ", true, 0},
+    {"int", "for (%2$s = 5; %3$s > %1$s; %1$s = %1$s + 1) ", true, 0},
+    {"unsigned", "for (%2$s = (unsigned)%3$s; %1$s-- > 0;) ", false, 0},
+    {"unsigned char", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 255},
+    {"short", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
+    {"unsigned short", "for (%2$s = 250; %1$s != (unsigned short)(%3$s + 250); %1$s++) ", false, 0},
+    {"unsigned char", "for (%2$s = 250; %1$s != (unsigned char)%3$s; %1$s++) ", false, 249},
+};
+
+static void put_header(kernel *k, const char *counter, buffer *b) {
+    const header *h = &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
+    if (h->most_trips && k->trips > h->most_trips)
+        h = &headers[0];
+    k->has_outer_counter = chance(k, 30);
+    k->has_plain_header = h->is_plain;
+    k->counter_type = h->type;
+    k->may_continue = true;
+    if (k->has_outer_counter)
+        put(k, &k->locals, "    %s %s%s;\n", h->type, counter, k->without ? " = 0" : "");
+    const char *declared = k->has_outer_counter ? counter : text(k, "%s %s", h->type, counter);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    put(k, b, h->format, counter, declared, k->trip);
+#pragma GCC diagnostic pop
+    if (k->has_outer_counter && chance(k, 40))
+        put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
+}
+
+/* A while loop with its own counting. */
+static void put_while(kernel *k, const char *counter, buffer *b) {
+    k->has_plain_header = true;
+    k->may_continue = false;
+    k->has_outer_counter = true;
+    k->counter_type = "int";
+    put(k, &k->locals, "    int %s = 0;\n", counter);
+    put(k, b, "while (%s < %s) ", counter, k->trip);
+}
+
+static void choose_bound(kernel *k) {
+    static const char *const types[] = {"int", "int", "int", "long", "short"};
+    k->trip_type = types[below(k, LENGTH(types))];
+    const int which = below(k, 10);
+    k->trip_is_variable = which < 7;
+    if (which < 7)
+        k->trip = "n";
+    else if (which == 7)
+        k->trip = "c->n";
+    else if (which == 8)
+        k->trip = "v.n";
+    else
+        k->trip = text(k, "%d", k->trips);
+}
+
+static void put_statements(kernel *k, bool with_bait) {
+    const int count = 1 + below(k, 7);
+    const int bait_at = with_bait ? below(k, count) : -1;
+    for (int i = 0; i < count; i++) {
+        if (i == bait_at)
+            bait(k);
+        statement(k);
+    }
+    const size_t begin = begin_statement(k);
+    const array *a = any_reduction(k);
+    const char *where = place(k, a, subscript(k));
+    put(k, &k->body, "%s;\n", update(k, a, where));
+    end_statement(k, begin);
+}
+
+static void put_loop(kernel *k, bool with_bait) {
+    const char *counter = chance(k, 80) ? "i" : "t";
+    const bool is_while = chance(k, 6);
+    buffer head = {0};
+    choose_bound(k);
+    if (is_while)
+        put_while(k, counter, &head);
+    else
+        put_header(k, counter, &head);
+    put(k, &k->body, "%s{\n", head.data);
+    buffer_free(&head);
+    add_name(&k->scope.positions, counter);
+    put_statements(k, with_bait);
+    if (is_while)
+        put(k, &k->body, "%s++;\n", counter);
+    put(k, &k->body, "}\n");
+}
+
+/* ---- the program ----------------------------------------------------------------------------- */
+
+static void put_all(kernel *k, buffer *b) {
+    const unsigned long long seed = (unsigned long long)k->seed;
+    buffer objects = {0};
+    put_objects(k, &objects);
+    put(k, b, "/* program %llu */\n%s%s", seed, objects.data,
+        k->globals.length ? k->globals.data : "");
+    if (chance(k, 5))
+        put(k, b, "#line %d \"made_%llu.y\"\n", 10 + below(k, 500), seed);
+    put(k, b, "static __attribute__((noinline)) void kernel_%llu%s {\n", seed, parameters(k));
+    put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",
+        k->pointers.length ? k->pointers.data : "", k->locals.length ? k->locals.data : "");
+    if (chance(k, 15))
+        put_with_noise(b, &k->random, k->body.data);
+    else
+        put(k, b, "%s", k->body.data);
+    put(k, b, strstr(k->body.data, "goto done") ? "done:;\n%s}\n" : "%s}\n",
+        k->after.length ? k->after.data : "");
+    put_runner(k, b);
+    buffer_free(&objects);
+}
+
+int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count) {
+    kernel k = {.seed = seed,
+                .random = {seed * 0x2545f4914f6cdd1du + 1},
+                .memory = arena_new(),
+                .without = without,
+                .without_count = without_count};
+    const bool with_bait = chance(&k, 50);
+    k.is_masked = k.is_damped = with_bait || chance(&k, 30);
+    make_world(&k);
+    put_loop(&k, with_bait);
+    put_all(&k, b);
+    buffer_free(&k.globals);
+    buffer_free(&k.pointers);
+    buffer_free(&k.locals);
+    buffer_free(&k.body);
+    buffer_free(&k.after);
+    arena_free(k.memory);
+    return k.statements;
+}
