@@ -59,6 +59,17 @@ static double outside_work(const monitored_step *step, const scene *s) {
                            step->residual);
 }
 
+/* Energies of strains and angles of 1e-12, some thousand roundings. */
+static double energy_of_rounding(const monitored_step *start) {
+    const triangle_material *t = start->triangle_material;
+    double area = 0, weight = 0;
+    for (int k = 0; k < start->triangles->count; k++)
+        area += start->triangles->rest[k].area;
+    for (int k = 0; k < start->hinges->count; k++)
+        weight += start->hinges->weight[k];
+    return 1e-24 * ((t->stretch + t->shear) * area + start->hinge_material->bend * weight);
+}
+
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
     *m = (monitor){.scene = s};
     m->strain = triangle_greatest_strain(start->triangles, start->x);
@@ -66,6 +77,7 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
                 elastic_energy(start, start->x);
     m->depth = collisions_depth(start->collisions, start->time, start->x);
     m->reference = m->energy;
+    m->noise = energy_of_rounding(start);
 }
 
 static monitor_verdict complain(monitor *m, monitor_verdict verdict, double value, double limit) {
@@ -88,7 +100,7 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
                      elastic_energy(step, step->x_next);
     m->work = outside_work(step, m->scene);
     const double gain = m->next_energy - m->energy - m->work;
-    const double most = limits->energy * (m->reference + fabs(m->work));
+    const double most = limits->energy * (m->reference + fabs(m->work)) + m->noise;
     if (!(gain <= most))
         return complain(m, STEP_ENERGY, gain, most);
     m->next_depth = collisions_depth(step->collisions, step->time + step->h, step->x_next);

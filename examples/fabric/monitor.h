@@ -52,6 +52,7 @@ typedef struct monitor {
     const scene *scene;
     double strain, energy, depth; /* of the state accepted last: largest, J, m */
     double reference;             /* J, E_0 + sum |W| */
+    double noise;                 /* J, what the rounding of positions may make of nothing */
     /* of the step judged last */
     double next_strain, next_energy, next_depth, work;
     double value, limit; /* what was too much, and what would not have been */

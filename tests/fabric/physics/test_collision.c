@@ -72,7 +72,7 @@ static void test_distances(void **state) {
 
 /* S28. Against the dumb oracle: the path in a thousand small steps. Whoever is kept outside of the
  * plane found never comes nearer than the gap, and no path is stopped that stays clear. */
-static void test_no_path_gets_through(void **state) {
+static void S28_no_path_gets_through(void **state) {
     (void)state;
     unsigned seed = 2;
     int touches = 0;
@@ -203,7 +203,7 @@ static void test_moving_collider_carries(void **state) {
 }
 
 /* S29: a pin and a wedge of two planes on one vertex, and three planes: finite, and outside. */
-static void test_many_contacts_at_once(void **state) {
+static void S29_many_contacts_at_once(void **state) {
     (void)state;
     char error[256];
     collider walls[4];
@@ -243,11 +243,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_normal_is_the_gradient),
         cmocka_unit_test(test_distances),
-        cmocka_unit_test(test_no_path_gets_through),
+        cmocka_unit_test(S28_no_path_gets_through),
         cmocka_unit_test(test_friction),
         cmocka_unit_test(test_contact_does_not_hold_back),
         cmocka_unit_test(test_moving_collider_carries),
-        cmocka_unit_test(test_many_contacts_at_once),
+        cmocka_unit_test(S29_many_contacts_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

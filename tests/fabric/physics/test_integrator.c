@@ -130,7 +130,7 @@ static double error_of(integrator_kind kind, int steps, vectors exact) {
 }
 
 /* S31: halving the step divides the error by 2, or by 4. */
-static void test_orders(void **state) {
+static void S31_orders(void **state) {
     (void)state;
     const double low[] = {0.85, 0.85, 1.75, 1.85}, high[] = {1.15, 1.15, 2.3, 2.2};
     vectors x, v = {{0}};
@@ -217,7 +217,7 @@ static void momenta(const simulation *sim, double linear[3], double angular[3]) 
 }
 
 /* S07: the midpoint conserves angular momentum, backward Euler in proportion to the step. */
-static void test_angular_momentum(void **state) {
+static void S07_angular_momentum(void **state) {
     (void)state;
     double drift[4];
     for (int n = 0; n < 4; n++) {
@@ -307,8 +307,8 @@ static void test_pins_and_contacts(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orders),         cmocka_unit_test(test_backward_euler_equation),
-        cmocka_unit_test(test_energy),         cmocka_unit_test(test_angular_momentum),
+        cmocka_unit_test(S31_orders),          cmocka_unit_test(test_backward_euler_equation),
+        cmocka_unit_test(test_energy),         cmocka_unit_test(S07_angular_momentum),
         cmocka_unit_test(test_damping_forces), cmocka_unit_test(test_pins_and_contacts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -112,7 +112,7 @@ static void constrain(problem *p, int every, unsigned seed) {
 }
 
 /* S21: none, some, all constrained. */
-static void test_agrees_with_elimination(void **state) {
+static void S21_agrees_with_elimination(void **state) {
     (void)state;
     for (int every = 0; every < 4; every++) {
         problem p = problem_new(3 + (unsigned)every);
@@ -128,7 +128,7 @@ static void test_agrees_with_elimination(void **state) {
 }
 
 /* Whatever is given holds to the last digits, and the residual along it is the impulse. */
-static void test_given_directions_are_exact(void **state) {
+static void S21_given_directions_are_exact(void **state) {
     (void)state;
     problem p = problem_new(8);
     constrain(&p, 1, 23);
@@ -148,7 +148,7 @@ static void test_given_directions_are_exact(void **state) {
     problem_end(&p);
 }
 
-static void test_all_pinned_takes_no_iteration(void **state) {
+static void S21_all_pinned_takes_no_iteration(void **state) {
     (void)state;
     problem p = problem_new(8);
     const double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, change[3] = {1, 2, 3};
@@ -162,7 +162,7 @@ static void test_all_pinned_takes_no_iteration(void **state) {
 }
 
 /* S29: S is a projection, whatever directions are given; dependent ones do not count. */
-static void test_projection(void **state) {
+static void S29_projection(void **state) {
     (void)state;
     constraints c;
     unsigned seed = 4;
@@ -203,7 +203,7 @@ static void test_good_guess_takes_no_iteration(void **state) {
 }
 
 /* S24: with nothing to do, relative tolerance alone would never end. */
-static void test_nothing_to_do(void **state) {
+static void S24_nothing_to_do(void **state) {
     (void)state;
     problem p = problem_new(5);
     memset(p.system.b, 0, sizeof *p.system.b * (size_t)p.n);
@@ -217,7 +217,7 @@ static void test_nothing_to_do(void **state) {
 }
 
 /* S23 */
-static void test_statuses(void **state) {
+static void S23_statuses(void **state) {
     (void)state;
     problem p = problem_new(5);
     p.limits.max_iterations = 3;
@@ -259,13 +259,13 @@ static void test_singular_block(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_agrees_with_elimination),
-        cmocka_unit_test(test_given_directions_are_exact),
-        cmocka_unit_test(test_all_pinned_takes_no_iteration),
-        cmocka_unit_test(test_projection),
+        cmocka_unit_test(S21_agrees_with_elimination),
+        cmocka_unit_test(S21_given_directions_are_exact),
+        cmocka_unit_test(S21_all_pinned_takes_no_iteration),
+        cmocka_unit_test(S29_projection),
         cmocka_unit_test(test_good_guess_takes_no_iteration),
-        cmocka_unit_test(test_nothing_to_do),
-        cmocka_unit_test(test_statuses),
+        cmocka_unit_test(S24_nothing_to_do),
+        cmocka_unit_test(S23_statuses),
         cmocka_unit_test(test_singular_block),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,7 +40,7 @@ static double (*result(int threads))[3] {
     return x;
 }
 
-static void test_bits_do_not_depend_on_threads(void **state) {
+static void S34_bits_do_not_depend_on_threads(void **state) {
     (void)state;
     double(*one)[3] = result(1);
     for (int threads = 2; threads <= 5; threads++) {
@@ -52,6 +52,6 @@ static void test_bits_do_not_depend_on_threads(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bits_do_not_depend_on_threads)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(S34_bits_do_not_depend_on_threads)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Random hard scenes: random_scenes COUNT [SEED]. Sizes, stiffness, densities and steps over many
+ * decades, broken meshes. Each scene runs in a process of its own: it must end finite and within
+ * its energy, or be refused with a message. Exit 1 if one crashes, hangs, or does neither.
+ */
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cloth.h"
+#include "mesh_rest.h"
+#include "simulation.h"
+#include "simulation_state.h"
+#include "vector.h"
+
+enum { PATIENCE = 60 /* s of CPU time */ };
+enum { FINISHED, REFUSED, NOT_FINITE, TOO_MUCH_ENERGY, SILENT, CRASHED, HUNG, OUTCOME_COUNT };
+static const char *const outcomes[OUTCOME_COUNT] = {
+    "finished", "refused", "not finite", "energy", "refused without a word", "crashed", "hung"};
+
+static double between(unsigned *seed, double low, double high) {
+    return low + (high - low) * (random_number(seed) + 1) / 2;
+}
+
+static int one_in(unsigned *seed, int n) {
+    return (int)between(seed, 0, n) == 0;
+}
+
+/* 10 to a power from low to high; now and then 0. */
+static double decades(unsigned *seed, double low, double high) {
+    const double exponent = between(seed, low, high);
+    return one_in(seed, 6) ? 0 : pow(10, exponent);
+}
+
+static int any(unsigned *seed, int count) {
+    return (int)between(seed, 0, count) % count;
+}
+
+/* One of the things that go wrong with meshes. */
+static void break_mesh(mesh *m, double size, unsigned *seed) {
+    const int v = any(seed, m->vertex_count), t = any(seed, m->triangle_count);
+    const int *corner = m->triangle[t], other = any(seed, m->triangle_count);
+    switch (any(seed, 12)) {
+    case 0: /* a sliver, or no area at all */
+        for (int a = 0; a < 2; a++)
+            m->material[corner[0]][a] = m->position[corner[0]][a] =
+                (m->material[corner[1]][a] + m->material[corner[2]][a]) / 2 +
+                (one_in(seed, 2) ? 0 : 1e-7 * size);
+        break;
+    case 1: /* turned inside out */
+        for (int a = 0; a < 3; a++)
+            m->position[corner[0]][a] =
+                m->position[corner[1]][a] + m->position[corner[2]][a] - m->position[corner[0]][a];
+        break;
+    case 2:
+        m->position[v][any(seed, 3)] = one_in(seed, 2) ? NAN : INFINITY;
+        break;
+    case 3:
+        m->material[v][any(seed, 2)] = NAN;
+        break;
+    case 4: /* an edge of three triangles, or a triangle twice */
+        memcpy(m->triangle[other], corner, sizeof(int[2]));
+        break;
+    case 5:
+        m->triangle[t][1] = m->triangle[t][0];
+        break;
+    case 6:
+        m->triangle[t][2] = one_in(seed, 2) ? -1 : m->vertex_count;
+        break;
+    case 7: /* two vertices in one place */
+        memcpy(m->position[v], m->position[corner[0]], sizeof *m->position);
+        break;
+    case 8: /* no material coordinates */
+        memset(m->material, 0, sizeof *m->material * (size_t)m->vertex_count);
+        break;
+    case 9: /* all in one place */
+        memset(m->position, 0, sizeof *m->position * (size_t)m->vertex_count);
+        break;
+    case 10: /* far away */
+        m->position[v][2] = 1e30;
+        break;
+    default: /* a triangle's vertex taken from it: perhaps a lone one */
+        m->triangle[t][0] = m->triangle[other][1];
+    }
+}
+
+static scene random_scene(unsigned *seed) {
+    scene s = cloth_scene();
+    s.density = pow(10, between(seed, -6, 6));
+    s.stretch = decades(seed, 0, 10);
+    s.shear = decades(seed, 0, 10);
+    s.bend = decades(seed, -8, 6);
+    s.stretch_damping = decades(seed, -6, 6);
+    s.shear_damping = decades(seed, -6, 6);
+    s.bend_damping = decades(seed, -8, 6);
+    s.gravity[2] = -decades(seed, -2, 4);
+    s.drag = decades(seed, -4, 4);
+    s.wind[any(seed, 3)] = decades(seed, -2, 4);
+    s.wind_from = one_in(seed, 2) ? 0 : 1e30;
+    s.step = pow(10, between(seed, -6, 2));
+    s.tolerance = pow(10, between(seed, -6, -1));
+    s.max_iterations = 200;
+    s.newton_iterations = 20;
+    s.newton_tolerance = 1e-4;
+    s.integrator = one_in(seed, 2) ? 0 : any(seed, 4);
+    return s;
+}
+
+static collider random_collider(double size, unsigned *seed) {
+    collider c = {.kind = (collider_kind)any(seed, 4), .friction = decades(seed, -2, 2)};
+    for (int a = 0; a < 3; a++) {
+        c.position[a] = size * random_number(seed);
+        c.size[a] = size * pow(10, between(seed, -3, 1));
+        c.axis[a] = random_number(seed);
+        c.velocity[a] = one_in(seed, 2) ? 0 : size * random_number(seed) * decades(seed, -2, 2);
+    }
+    const double length = vector_length(c.axis);
+    for (int a = 0; a < 3; a++)
+        c.axis[a] /= length;
+    c.gap = size * pow(10, between(seed, -6, -1));
+    return c;
+}
+
+static double energy_of(const simulation *sim) {
+    double stretch, shear, sum = 0;
+    const double(*x)[3] = simulation_positions(sim);
+    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
+    return sum + stretch + shear + hinge_energy_at(&sim->hinges, &sim->hinge_material, x);
+}
+
+static double height_of(const simulation *sim) {
+    double sum = 0;
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sum -= sim->mass[i] * vector_dot(sim->x[i], sim->scene->gravity);
+    return sum;
+}
+
+/* In a scene that nothing but gravity drives: energy there at first, and twice what falling gave.
+ * What rises may have put it in and taken it out between two frames; hence the largest fall. */
+static int has_too_much(const simulation *sim, double first, double highest, double now) {
+    const double given = highest - height_of(sim);
+    const double allowed = first + (given > 0 ? given : 0);
+    return now > 3 * allowed + 1e-9 * sim->total_mass;
+}
+
+static int run(const mesh *m, const scene *s, char *error) {
+    simulation *sim = simulation_new(m, s, error);
+    int outcome = FINISHED, driven = s->drag > 0 && vector_length(s->wind) > 0;
+    if (!sim)
+        return error[0] ? REFUSED : SILENT;
+    for (int n = 0; n < s->collider_count; n++)
+        driven |= vector_length(s->colliders[n].velocity) > 0;
+    const double first = energy_of(sim);
+    double highest = height_of(sim);
+    for (int n = 0; n < 3 && outcome == FINISHED; n++) {
+        if (simulation_step(sim, error) != 0) {
+            outcome = error[0] ? REFUSED : SILENT;
+            break;
+        }
+        const double now = energy_of(sim);
+        for (int i = 0; i < m->vertex_count; i++)
+            if (!isfinite(vector_length(simulation_positions(sim)[i])) ||
+                !isfinite(vector_length(simulation_velocities(sim)[i])))
+                outcome = NOT_FINITE;
+        if (outcome == FINISHED && !driven && has_too_much(sim, first, highest, now)) {
+            outcome = TOO_MUCH_ENERGY;
+            snprintf(error, 256, "%g J of %g J and a fall of %g J", now, first,
+                     highest - height_of(sim));
+        }
+        highest = fmax(highest, height_of(sim));
+    }
+    simulation_free(sim);
+    return outcome;
+}
+
+static int run_scene(unsigned seed, char *error) {
+    collider colliders[2];
+    mesh_problem found[MESH_PROBLEM_COUNT];
+    int non_manifold, outcome = REFUSED;
+    for (int k = 0; k < 8; k++)
+        random_number(&seed); /* neighbouring seeds begin alike */
+    const double size = pow(10, between(&seed, -6, 6));
+    const int columns = 2 + any(&seed, 7), rows = 2 + any(&seed, 7);
+    pin hold = {.low = {-size, -size}, .high = {size / columns, size * 10}};
+    mesh m = cloth_sheet(columns, rows, size / columns, 0.3, seed);
+    scene s = random_scene(&seed);
+    for (int k = one_in(&seed, 2) ? 0 : any(&seed, 4); k > 0; k--)
+        break_mesh(&m, size, &seed);
+    if (one_in(&seed, 2)) {
+        s.pins = &hold;
+        s.pin_count = 1;
+    }
+    s.colliders = colliders;
+    s.collider_count = any(&seed, 3);
+    for (int n = 0; n < s.collider_count; n++)
+        colliders[n] = random_collider(size, &seed);
+    s.limits.penetration = 0.1 * size;
+    if (mesh_clean(&m, found, error) == 0 && mesh_connect(&m, &non_manifold, error) == 0 &&
+        mesh_check(&m, found) == 0)
+        outcome = run(&m, &s, error);
+    mesh_free(&m);
+    return outcome;
+}
+
+/* In a process of its own; the message comes back through a pipe. */
+static int run_apart(unsigned seed, char *error) {
+    int ends[2], status;
+    error[0] = '\0';
+    if (pipe(ends) != 0)
+        return CRASHED;
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        alarm(PATIENCE);
+        const int outcome = run_scene(seed, error);
+        const ssize_t written = write(ends[1], error, strlen(error));
+        _exit(written < 0 ? CRASHED : outcome);
+    }
+    close(ends[1]);
+    const ssize_t length = read(ends[0], error, 255);
+    error[length > 0 ? length : 0] = '\0';
+    close(ends[0]);
+    if (child < 0 || waitpid(child, &status, 0) < 0)
+        return CRASHED;
+    if (WIFSIGNALED(status))
+        return WTERMSIG(status) == SIGALRM ? HUNG : CRASHED;
+    return WEXITSTATUS(status) < OUTCOME_COUNT ? WEXITSTATUS(status) : CRASHED;
+}
+
+int main(int argc, char **argv) {
+    const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 30;
+    const unsigned first = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1;
+    long sums[OUTCOME_COUNT] = {0};
+    for (long n = 0; n < count; n++) {
+        char error[256];
+        const unsigned seed = first + (unsigned)n;
+        const int outcome = run_apart(seed, error);
+        sums[outcome]++;
+        if (outcome > REFUSED || (argc > 3 && outcome == REFUSED))
+            printf("scene %u: %s: %s\n", seed, outcomes[outcome], error);
+        fflush(stdout);
+    }
+    for (int k = 0; k < OUTCOME_COUNT; k++)
+        printf("%s%s: %ld", k > 0 ? ", " : "", outcomes[k], sums[k]);
+    putchar('\n');
+    return sums[FINISHED] + sums[REFUSED] == count && sums[FINISHED] > 0 ? 0 : 1;
+}
