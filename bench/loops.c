@@ -1,15 +1,26 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The runtime's methods on two loops over a mesh of the paper's size, written as redcc writes them:
+ * The runtime's methods on two loops over a mesh of the paper's size, written as redcc writes them,
+ * beside what a user could write himself:
  *   heavy  a triangle of 217k nodes, 434k triangles: 9 doubles into b, 81 into a block matrix
  *   light  an edge of that mesh: 6 doubles into b
  *
- *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled
+ *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * prints seconds of the sequential loop and of the transformed one (medians of 7, interleaved), the
- * speed-up, and what an inspection costs as a share of a sequential execution.
+ * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds, each of one
+ * execution by each course in turn, and one with an inspection. Prints lines
+ *
+ *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
+ *   inspection_of_serial,extra_percent,replication,modelled
+ *
+ * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own; inspection is
+ * in executions of the sequential loop; extra memory as a share of the reduction arrays; modelled
+ * is the iterations of the loop over those of the thread that executes most. With `others`, also
+ * the lines of OpenMP's atomics, its reduction of array sections (which takes stacks as large as
+ * the arrays: ulimit -s, OMP_STACKSIZE), and array expansion written by hand. WARM 0: one execution
+ * only, for the model at many threads.
  */
-#include "redcc/runtime.h"
+#include "loop.h"
 
 #include <math.h>
 #include <omp.h>
@@ -17,7 +28,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 467, NODES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1), ROUNDS = 7 };
+enum { SIDE = 467, NODES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1), ROUNDS = 9 };
 
 static int (*triangle)[3], (*slot)[9];
 static int (*edge)[2], edges;
@@ -142,31 +153,32 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     }
 }
 
-#define ALWAYS(own, address) 1
-#define OWNED(own, address) redcc_owns(&own, address)
+#define PLAINLY(own, target, value) target += value
+#define IF_OWNED(own, target, value)                                                               \
+    if (redcc_owns(&own, &target))                                                                 \
+    target += value
+#define ATOMICALLY(own, target, value) _Pragma("omp atomic") target += value
 
-#define HEAVY(t, MAY)                                                                              \
+#define HEAVY(t, ADD)                                                                              \
     double f[3][3], k[3][9];                                                                       \
     element(t, f, k);                                                                              \
     for (int p = 0; p < 3; p++)                                                                    \
-        for (int c = 0; c < 3; c++)                                                                \
-            if (MAY(own_b, &to_b[triangle[t][p]][c]))                                              \
-                to_b[triangle[t][p]][c] += f[p][c] - f[(p + 2) % 3][c];                            \
+        for (int c = 0; c < 3; c++) {                                                              \
+            ADD(own_b, to_b[triangle[t][p]][c], f[p][c] - f[(p + 2) % 3][c]);                      \
+        }                                                                                          \
     for (int p = 0; p < 9; p++)                                                                    \
-        for (int c = 0; c < 9; c++)                                                                \
-            if (MAY(own_a, &to_a[slot[t][p]][c]))                                                  \
-    to_a[slot[t][p]][c] += k[p % 3][c] - 0.5 * k[p / 3][c]
+        for (int c = 0; c < 9; c++) {                                                              \
+            ADD(own_a, to_a[slot[t][p]][c], k[p % 3][c] - 0.5 * k[p / 3][c]);                      \
+        }
 
-#define LIGHT(t, MAY)                                                                              \
+#define LIGHT(t, ADD)                                                                              \
     const int i = edge[t][0], j = edge[t][1];                                                      \
     double f[3];                                                                                   \
     for (int c = 0; c < 3; c++)                                                                    \
         f[c] = 0.3 * (x[j][c] - x[i][c]) - 0.1;                                                    \
     for (int c = 0; c < 3; c++) {                                                                  \
-        if (MAY(own_b, &to_b[i][c]))                                                               \
-            to_b[i][c] += f[c];                                                                    \
-        if (MAY(own_b, &to_b[j][c]))                                                               \
-            to_b[j][c] -= f[c];                                                                    \
+        ADD(own_b, to_b[i][c], f[c]);                                                              \
+        ADD(own_b, to_b[j][c], -f[c]);                                                             \
     }
 
 #define TOUCH_HEAVY(t)                                                                             \
@@ -190,6 +202,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     static redcc_loop loop = {__FILE__,         __LINE__, __func__, REDCC_ORDER_SERIAL,            \
                               REDCC_VERIFIABLE, ARRAYS,   arrays,   3,                             \
                               sources,          1,        0};                                      \
+    described = &loop;                                                                             \
     void *const bases[] = {b, a};                                                                  \
     const redcc_extent known[] = {                                                                 \
         {(const char *)(SUBSCRIPTS), (const char *)(SUBSCRIPTS) + SUBSCRIPT_BYTES},                \
@@ -216,11 +229,11 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
                     const int end = n + (int)(run->count_and_guard / 2);                           \
                     if (!(run->count_and_guard & 1))                                               \
                         for (; n < end; n++) {                                                     \
-                            BODY(n, ALWAYS);                                                       \
+                            BODY(n, PLAINLY);                                                      \
                         }                                                                          \
                     else                                                                           \
                         for (; n < end; n++) {                                                     \
-                            BODY(n, OWNED);                                                        \
+                            BODY(n, IF_OWNED);                                                     \
                         }                                                                          \
                 }                                                                                  \
             }                                                                                      \
@@ -229,35 +242,133 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
     if (redcc_leave(&call))                                                                        \
     return 1
 
-/* `key` stands for a pointer that the subscripts depend on: another one forces an inspection. */
-static int run_heavy(redcc_word key, int sequential) {
-    if (!sequential) {
-        EXECUTE(TRIANGLES, 2, triangle, sizeof(int[3]) * TRIANGLES, TOUCH_HEAVY, HEAVY);
+static const redcc_loop *described; /* the one executed last */
+
+enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, COURSES };
+
+#define BLOCKS (row_start[NODES])
+
+#define BY_ATOMICS(trip, BODY)                                                                     \
+    _Pragma("omp parallel for") for (int t = 0; t < trip; t++) {                                   \
+        double(*const to_b)[3] = b;                                                                \
+        double(*const to_a)[9] = a;                                                                \
+        (void)to_a;                                                                                \
+        BODY(t, ATOMICALLY);                                                                       \
     }
+
+/* A copy for each thread but the first, brought in by blocks. */
+#define BY_EXPANSION(trip, BODY, WITH_A)                                                           \
+    const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
+    static double **copy;                                                                          \
+    if (!copy)                                                                                     \
+        copy = calloc((size_t)omp_get_max_threads(), sizeof *copy);                                \
+    _Pragma("omp parallel") {                                                                      \
+        const int me = omp_get_thread_num(), all = omp_get_num_threads();                          \
+        if (me > 0 && !copy[me])                                                                   \
+            copy[me] = malloc(doubles * sizeof(double));                                           \
+        if (me > 0)                                                                                \
+            memset(copy[me], 0, doubles * sizeof(double));                                         \
+        double(*const to_b)[3] = me ? (double(*)[3])copy[me] : b;                                  \
+        double(*const to_a)[9] = me ? (double(*)[9])(copy[me] + 3 * NODES) : a;                    \
+        (void)to_a;                                                                                \
+        _Pragma("omp for") for (int t = 0; t < trip; t++) {                                        \
+            BODY(t, PLAINLY);                                                                      \
+        }                                                                                          \
+        for (int other = 1; other < all; other++) {                                                \
+            _Pragma("omp for nowait") for (long i = 0; i < 3 * (long)NODES; i++) b[0][i] +=        \
+                copy[other][i];                                                                    \
+            if (WITH_A)                                                                            \
+                _Pragma("omp for nowait") for (long i = 0; i < 9 * (long)BLOCKS; i++) a[0][i] +=   \
+                    copy[other][3 * NODES + i];                                                    \
+        }                                                                                          \
+    }
+
+/* `key` stands for a pointer that the subscripts depend on: another one forces an inspection. */
+static void sequentially_heavy(void) {
     double(*const to_b)[3] = b;
     double(*const to_a)[9] = a;
     for (int t = 0; t < TRIANGLES; t++) {
-        HEAVY(t, ALWAYS);
+        HEAVY(t, PLAINLY)
     }
+}
+
+static int run_heavy(redcc_word key, enum course_of_bench course) {
+    switch (course) {
+    case SERIAL:
+        sequentially_heavy();
+        return 0;
+    case REDCC: {
+        EXECUTE(TRIANGLES, 2, triangle, sizeof(int[3]) * TRIANGLES, TOUCH_HEAVY, HEAVY);
+        break;
+    }
+    case ATOMIC:
+        BY_ATOMICS(TRIANGLES, HEAVY)
+        return 1;
+    case SECTIONS: {
+        double *const all_b = b[0], *const all_a = a[0];
+#pragma omp parallel for reduction(+ : all_b[:3 * NODES], all_a[:9 * (size_t)BLOCKS])
+        for (int t = 0; t < TRIANGLES; t++) {
+            double(*const to_b)[3] = (double(*)[3])all_b;
+            double(*const to_a)[9] = (double(*)[9])all_a;
+            HEAVY(t, PLAINLY)
+        }
+        return 1;
+    }
+    case EXPANSION: {
+        BY_EXPANSION(TRIANGLES, HEAVY, 1)
+        return 1;
+    }
+    default:
+        return 0;
+    }
+    sequentially_heavy();
     return 0;
 }
 
-static int run_light(redcc_word key, int sequential) {
-    if (!sequential) {
-        EXECUTE(edges, 1, edge, sizeof(int[2]) * (size_t)edges, TOUCH_LIGHT, LIGHT);
-    }
+static void sequentially_light(void) {
     double(*const to_b)[3] = b;
     for (int t = 0; t < edges; t++) {
-        LIGHT(t, ALWAYS);
+        LIGHT(t, PLAINLY)
     }
+}
+
+static int run_light(redcc_word key, enum course_of_bench course) {
+    switch (course) {
+    case SERIAL:
+        sequentially_light();
+        return 0;
+    case REDCC: {
+        EXECUTE(edges, 1, edge, sizeof(int[2]) * (size_t)edges, TOUCH_LIGHT, LIGHT);
+        break;
+    }
+    case ATOMIC:
+        BY_ATOMICS(edges, LIGHT)
+        return 1;
+    case SECTIONS: {
+        double *const all_b = b[0];
+#pragma omp parallel for reduction(+ : all_b[:3 * NODES])
+        for (int t = 0; t < edges; t++) {
+            double(*const to_b)[3] = (double(*)[3])all_b;
+            LIGHT(t, PLAINLY)
+        }
+        return 1;
+    }
+    case EXPANSION: {
+        BY_EXPANSION(edges, LIGHT, 0)
+        return 1;
+    }
+    default:
+        return 0;
+    }
+    sequentially_light();
     return 0;
 }
 
-static int (*run_loop)(redcc_word, int);
+static int (*run_loop)(redcc_word, enum course_of_bench);
 
-static double seconds(redcc_word key, int sequential) {
+static double seconds(redcc_word key, enum course_of_bench course) {
     const double begin = omp_get_wtime();
-    run_loop(key, sequential);
+    run_loop(key, course);
     return omp_get_wtime() - begin;
 }
 
@@ -266,32 +377,72 @@ static int by_size(const void *p, const void *q) {
     return d < 0 ? -1 : d > 0;
 }
 
-static double median(double *values) {
-    qsort(values, ROUNDS, sizeof *values, by_size);
-    return values[ROUNDS / 2];
+struct spread {
+    double lowest, median, highest;
+};
+
+static struct spread spread_of(const double *values) {
+    double sorted[ROUNDS];
+    memcpy(sorted, values, sizeof sorted);
+    qsort(sorted, ROUNDS, sizeof *sorted, by_size);
+    return (struct spread){sorted[0], sorted[ROUNDS / 2], sorted[ROUNDS - 1]};
+}
+
+static struct spread ratios(const double *above, const double *below) {
+    double ratio[ROUNDS];
+    for (int round = 0; round < ROUNDS; round++)
+        ratio[round] = above[round] / below[round];
+    return spread_of(ratio);
+}
+
+static const char *order_of(enum course_of_bench course, const struct statistics *it) {
+    static const char *const names[] = {"serial", "fixed", "any"};
+    return course == REDCC ? names[it->order] : "any";
 }
 
 int main(int count, char **arguments) {
-    if (count != 3) {
-        fprintf(stderr, "usage: %s heavy|light sorted|shuffled\n", arguments[0]);
+    if (count < 3) {
+        fprintf(stderr, "usage: %s heavy|light sorted|shuffled [WARM [others]]\n", arguments[0]);
         return 2;
     }
-    run_loop = strcmp(arguments[1], "heavy") == 0 ? run_heavy : run_light;
+    const int heavy = strcmp(arguments[1], "heavy") == 0;
+    const double warm = count > 3 ? atof(arguments[3]) : 2;
+    const int end = count > 4 ? COURSES : ATOMIC;
+    run_loop = heavy ? run_heavy : run_light;
     make_mesh(strcmp(arguments[2], "shuffled") == 0);
-    double serial[ROUNDS], planned[ROUNDS], fresh[ROUNDS];
-    for (int warm = 0; warm < 6; warm++)
-        seconds(1, 0);
-    seconds(1, 1);
-    for (int round = 0; round < ROUNDS; round++) {
-        serial[round] = seconds(1, 1);
-        planned[round] = seconds(1, 0);
-        fresh[round] = seconds(2 + (redcc_word)round, 0);
+    static double taken[COURSES][ROUNDS], fresh[ROUNDS];
+    const double begin = omp_get_wtime();
+    do
+        seconds(1, REDCC);
+    while (omp_get_wtime() - begin < warm);
+    for (int course = 0; course < end && warm > 0; course++)
+        seconds(1, (enum course_of_bench)course);
+    const struct loop_state *state = described->state;
+    const struct statistics kept = state->reported.statistics;
+    for (int round = 0; round < ROUNDS && warm > 0; round++)
+        for (int course = 0; course < end; course++)
+            taken[course][round] = seconds(1, (enum course_of_bench)course);
+    for (int round = 0; round < ROUNDS && warm > 0; round++)
+        fresh[round] = seconds(2 + (redcc_word)round, REDCC);
+    const double alone = spread_of(taken[SERIAL]).median;
+    const double bytes = 24.0 * NODES + (heavy ? 72.0 * BLOCKS : 0);
+    static const char *const names[] = {"serial", "", "omp-atomic", "omp-sections", "by-hand"};
+    for (int course = REDCC; course < end; course++) {
+        const struct spread gain =
+            warm > 0 ? ratios(taken[SERIAL], taken[course]) : (struct spread){0, 0, 0};
+        const double mine = spread_of(taken[course]).median;
+        const int ours = course == REDCC;
+        const double extra = ours               ? (double)kept.extra_bytes
+                             : course == ATOMIC ? 0
+                                                : bytes * kept.threads;
+        printf("%s,%s,%s%s,%d,%s,%.6f,%.6f,%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.2f\n", arguments[1],
+               arguments[2], ours && !getenv("REDCC_METHOD") ? "auto=" : "",
+               ours ? kept.method->name : names[course], omp_get_max_threads(),
+               order_of((enum course_of_bench)course, &kept), alone, mine, gain.median, gain.lowest,
+               gain.highest, ours && warm > 0 ? (spread_of(fresh).median - mine) / alone : 0,
+               100 * extra / bytes,
+               ours && kept.in_loops ? (double)kept.executed / (double)kept.in_loops : 1,
+               ours && kept.most ? (double)kept.trip / (double)kept.most : 0);
     }
-    const double alone = median(serial), with_plan = median(planned), inspecting = median(fresh);
-    const char *method = getenv("REDCC_METHOD");
-    printf(
-        "%-6s %-9s %-18s serial %.6f s, planned %.6f s, speed-up %.2f, inspection %.3f of serial\n",
-        arguments[1], arguments[2], method ? method : "auto", alone, with_plan, alone / with_plan,
-        (inspecting - with_plan) / alone);
     return 0;
 }

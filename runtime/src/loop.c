@@ -328,6 +328,8 @@ static void count_execution(struct execution *execution, double now) {
     statistics->executed += solo ? plan->trip : plan->executed;
     statistics->in_loops += plan->trip;
     statistics->stages = redcc_plan_stages(plan);
+    statistics->trip = plan->trip;
+    statistics->most = solo ? plan->trip : plan->most;
     statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
     trace_execution(execution, now);
     if (!execution->method)

@@ -186,9 +186,12 @@ static void number_stages(struct plan *plan, int team) {
 void redcc_plan_finish(struct plan *plan) {
     for (int team = 0; team < plan->teams; team++)
         number_stages(plan, team);
-    plan->executed = 0;
-    for (int thread = 0; thread < plan->threads; thread++)
-        plan->executed += plan->schedule[thread].iterations;
+    plan->executed = plan->most = 0;
+    for (int thread = 0; thread < plan->threads; thread++) {
+        const redcc_int own = plan->schedule[thread].iterations;
+        plan->executed += own;
+        plan->most = own > plan->most ? own : plan->most;
+    }
 }
 
 static bool sources_fit(const struct plan *plan, const struct request *request,

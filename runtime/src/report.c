@@ -113,8 +113,10 @@ static void write_loop(FILE *out, const struct reported *loop) {
         it->in_loops ? (redcc_int)(1e4 * (double)it->executed / (double)it->in_loops + 0.5) : 10000;
     fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
             it->executed, it->stages);
-    fprintf(out, ", \"replication\": %lld.%04lld, \"fallbacks\": [", tenths / 10000,
-            tenths % 10000);
+    fprintf(out, ", \"replication\": %lld.%04lld", tenths / 10000, tenths % 10000);
+    const redcc_int modelled = it->most ? it->trip * 100 / it->most : 100;
+    fprintf(out, ", \"modelled_speedup\": %lld.%02lld, \"fallbacks\": [", modelled / 100,
+            modelled % 100);
     write_fallbacks(out, it);
     fputs("]}", out);
 }

@@ -43,6 +43,8 @@ struct statistics {
     redcc_int executed; /* iterations in parallel executions, replicated ones counted */
     redcc_int in_loops; /* and not counted */
     redcc_int stages;   /* of the last plan */
+    redcc_int trip;     /* of the last execution */
+    redcc_int most;     /* iterations of it by the thread that had most */
     bool compensated;   /* the last execution's sums */
     struct validated validated;
 };
