@@ -20,6 +20,18 @@ static void by_value(int n) {
             h[map[at[t]]] += w[t];
 }
 
+static void by_arithmetic(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        if (w[t] * 0.5 + w[t] > 0.0)
+            h[map[at[t]]] += w[t];
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const double d = w[t] * w[t] * w[t];
+        if (d <= 0.0)
+            continue;
+        h[map[at[t]]] -= d;
+    }
+}
+
 static void by_continue(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         if (w[t] <= 0.0)
@@ -83,6 +95,7 @@ int main(void) {
         }
         by_integer(N);
         CASE_PRINT(h);
+        by_arithmetic(N);
         by_value(N);
         CASE_PRINT(h);
         by_continue(N);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Updates, private variables and subscripts that nearly fit.
-// covers: row 24, row 31, row 59
+// covers: row 24, row 33, row 31, row 59
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -195,12 +195,47 @@ void linked(int n, const int *k, double *h, int *next) {
     }
 }
 
-void rint_(int n, double *h, const double *x) {
+void logarithm(int n, double *h, const double *x) {
     for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
-        h[(int)(x[t] * 10)] += 1;
+        h[(int)(log(x[t]) * 10)] += 1;
 }
 
-void lrint_(int n, double *h, const double *x) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse impure-call
-        h[lrint(x[t])] += 1;
+void power(int n, double *h, const float *x) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        const float scaled = powf(x[t], 0.5f);
+        h[(int)scaled] += 1;
+    }
+}
+
+void extended(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        h[(int)(x[t] * 10.0L)] += 1;
+}
+
+static int __attribute__((noinline)) bin_of(double v) {
+    return (int)(v * 10);
+}
+
+void by_function_with_attributes(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        h[bin_of(x[t])] += 1;
+}
+
+double measured(double v) __attribute__((const));
+void by_unknown_function(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        h[(int)measured(x[t])] += 1;
+}
+
+void running_sum(int n, double *h, const double *x) {
+    double sum = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        sum += x[t];
+        h[(int)(sum * 10)] += 1;
+    }
+}
+
+void of_the_array(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        h[(int)(h[t] * 10)] += 1;
 }

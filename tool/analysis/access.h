@@ -36,8 +36,10 @@ typedef struct access_problem {
 typedef struct access_list {
     VECTOR(access) items;
     VECTOR(access_problem) problems;
-    bool has_floating_work; /* floating-point arithmetic is done, here or in callees */
-    bool may_set_errno;     /* a mathematical function is called that sets it */
+    bool has_floating_work;     /* floating-point arithmetic is done, here or in callees */
+    bool has_unrepeatable_work; /* a call whose value another call may not give, bit for bit: of a
+                                   function without a body, or that approximates */
+    bool may_set_errno;         /* a mathematical function is called that sets it */
     const char *errno_setter;
 } access_list;
 

@@ -62,6 +62,7 @@ typedef struct judgement {
     VECTOR(loop_source) sources;
     VECTOR(const ir_node *) key;
     bool *in_slice; /* [function->node_count] */
+    bool slice_has_floating_work;
     bool is_verifiable;
     bool counter_is_live_after;
     reason why;

@@ -134,7 +134,9 @@ typedef struct loop_facts {
      * between. Control that only decides whether an update happens, and is too dear or not safe to
      * evaluate twice, is left out: the inspector may then touch more than is written. */
     const bool *in_slice;
-    bool has_inspector; /* false: subscripts as dear as the body, or not sliceable */
+    bool slice_has_floating_work; /* it may run only where two copies of one floating-point
+                                     expression give the same bits */
+    bool has_inspector;           /* false: subscripts as dear as the body, or not sliceable */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */

@@ -83,6 +83,18 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
 
 static ir_node *rewrite(rewriting *r, const ir_node *node);
 
+/* The value as a variable of this type holds it. */
+static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
+    if (!value->type || ir_type_equal(value->type, type) || !ir_type_is_scalar(type) ||
+        type->kind == IR_POINTER)
+        return value;
+    ir_node *cast = ir_new(a, IR_CAST, type, 1);
+    cast->range = value->range;
+    cast->children[0] = value;
+    value->parent = cast;
+    return cast;
+}
+
 static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
     const ir_variable *variable = node->variable;
     const variable_fact *fact = variable_fact_of(r->all->facts, variable);
@@ -97,7 +109,7 @@ static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
             variable->type->kind == IR_ARRAY || !expression_is_plain(value))
             return unknown_part(r, node);
         r->depth++;
-        ir_node *result = rewrite(r, value);
+        ir_node *result = as_type(r->all->memory, rewrite(r, value), variable->type);
         r->depth--;
         return result;
     }
@@ -255,6 +267,8 @@ static void summarise(effects *all, const ir_function *function, access_list *re
     access_walk walk = {all->memory, all, &raw, 0};
     access_walk_node(&walk, function->body);
     result->has_floating_work = raw.has_floating_work;
+    result->has_unrepeatable_work =
+        raw.has_unrepeatable_work || (raw.has_floating_work && function->has_other_attributes);
     result->may_set_errno = raw.may_set_errno;
     result->errno_setter = raw.errno_setter;
     for (unsigned i = 0; i < raw.problems.count; i++)
@@ -310,7 +324,7 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
 /* Without side effects by attribute or by the user's word: what may it read? */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
-    w->list->has_floating_work = true;
+    w->list->has_floating_work = w->list->has_unrepeatable_work = true;
     if (function->is_attribute_const)
         return;
     access_add(
@@ -343,6 +357,7 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         return;
     }
     w->list->has_floating_work |= known->has_floating_work;
+    w->list->has_unrepeatable_work |= known->has_unrepeatable_work;
     if (known->may_set_errno) {
         w->list->may_set_errno = true;
         w->list->errno_setter = known->errno_setter;
@@ -366,6 +381,8 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
 static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
     if (is_floating(call->type))
         w->list->has_floating_work = true;
+    if (!found->is_exact)
+        w->list->has_unrepeatable_work = true;
     if (found->sets_errno) {
         w->list->may_set_errno = true;
         w->list->errno_setter = call->children[0]->function->name;

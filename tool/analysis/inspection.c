@@ -60,7 +60,8 @@ static bool add_key(judgement *j, const judged_access *read) {
     const ir_node *lvalue = read->access.lvalue;
     if (read->access.callee || !lvalue->type ||
         (lvalue->type->kind != IR_INTEGER && lvalue->type->kind != IR_POINTER &&
-         lvalue->type->kind != IR_BOOLEAN) ||
+         lvalue->type->kind != IR_BOOLEAN &&
+         (lvalue->type->kind != IR_FLOATING || lvalue->type->size > 8)) ||
         !variation_is_invariant(j->an->facts, j->loop, lvalue) ||
         (read->access.is_conditional && expression_has_load(lvalue, false) &&
          !base_can_be_read_before(j, lvalue)))
@@ -193,6 +194,7 @@ static bool take_slice(judgement *j, const touch_list *touches, reason_id why, c
     if (result.obstacle)
         return judgement_refuse(j, why, result.obstacle, name);
     j->in_slice = result.keep;
+    j->slice_has_floating_work = result.has_floating_work;
     return true;
 }
 

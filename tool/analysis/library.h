@@ -8,6 +8,7 @@
 typedef struct library_function {
     const char *name;
     bool sets_errno; /* where it fails */
+    bool is_exact;   /* one result is right, and all implementations give it: no approximation */
 } library_function;
 
 /** By name, with or without __builtin_ before it, or the suffix f or l of <math.h>; NULL: another.

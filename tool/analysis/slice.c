@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
  * Data: every statement of the body that may assign a variable that is needed, with all control
- * around it, closed under "needs". No floating-point arithmetic: the inspector must compute the
- * very subscripts of the executor, and a compiler may round the two copies differently.
- * Control that only decides whether an address is touched is kept where it can be computed by the
- * same rules; else it is left out, if the address may be computed without it.
+ * around it, closed under "needs". Floating-point arithmetic is noted: the inspector must compute
+ * the very subscripts of the executor, which two copies of one text do only where the compiler
+ * rounds each operation by itself (docs/decisions/0003).
+ * Control that only decides whether an address is touched is kept where it can be computed without
+ * floating-point arithmetic; else it is left out, if the address may be computed without it.
  */
 #include "analysis/slice.h"
 
@@ -22,6 +23,8 @@ typedef struct slicer {
     const judgement *j;
     bool *keep;
     VECTOR(needed_part) needed;
+    bool is_integer_only; /* for now: floating-point arithmetic is an obstacle */
+    bool has_floating_work;
     const ir_node *obstacle;
 } slicer;
 
@@ -195,15 +198,58 @@ static void need_part(slicer *s, needed_part part) {
     }
 }
 
-static bool call_is_dear(const slicer *s, const ir_node *call) {
+static bool has_word(const char *text, const char *const *words, unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        if (strstr(text, words[i]))
+            return true;
+    return false;
+}
+
+/* May pieces of the file be compiled otherwise than the macros of its beginning say? clang knows
+ * nothing of the attribute `optimize`, so it is looked for in the text. */
+static bool has_options_of_its_own(const ir_unit *unit) {
+    static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
+                                          "float_control", "FP_CONTRACT", "attribute"};
+    static const char *const attributes[] = {"optimize(", "optimize (", "optimize__"};
+    if (unit->source && has_word(unit->source->text, attributes, 3))
+        return true;
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && has_word(d->text, pragmas, 6))
+            return true;
+    }
+    return false;
+}
+
+/* Another execution of the same text gives the same bits, once each operation is rounded by itself:
+ * no extended types, of which only some compilers know what is rounded when. */
+static bool is_repeatable(const slicer *s, const ir_node *node) {
+    return !s->is_integer_only && node->type && node->type->kind == IR_FLOATING &&
+           node->type->size <= 8 && !s->j->function->has_other_attributes &&
+           !has_options_of_its_own(s->j->an->unit);
+}
+
+static void need_floating_work(slicer *s, const ir_node *node, bool is_possible) {
+    if (is_possible)
+        s->has_floating_work = true;
+    else
+        fail(s, node);
+}
+
+static void need_call(slicer *s, const ir_node *call) {
     access_list list = {0};
     access_collect(s->j->an->effects, call, &list);
-    return list.has_floating_work || list.problems.count > 0;
+    if (list.problems.count || (list.has_unrepeatable_work && list.has_floating_work))
+        fail(s, call);
+    else if (list.has_floating_work)
+        need_floating_work(s, call, !s->is_integer_only && !has_options_of_its_own(s->j->an->unit));
 }
 
 static void need_expression(slicer *s, const ir_node *node) {
-    if (expression_is_floating_work(node) || (node->kind == IR_CALL && call_is_dear(s, node)))
-        fail(s, node);
+    if (expression_is_floating_work(node))
+        need_floating_work(s, node, is_repeatable(s, node));
+    if (node->kind == IR_CALL)
+        need_call(s, node);
     if (node->kind == IR_VARIABLE)
         need_part(s, (needed_part){node->variable, part_of(node)});
     for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
@@ -304,27 +350,32 @@ static bool is_safe_here(const judgement *j, const ir_node *node, bool as_addres
 typedef struct snapshot {
     bool *keep;
     unsigned needed;
+    bool has_floating_work;
 } snapshot;
 
 static snapshot take_snapshot(const slicer *s) {
     unsigned count = s->j->function->node_count;
-    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count};
+    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count,
+                       s->has_floating_work};
     memcpy(before.keep, s->keep, sizeof(bool) * count);
     return before;
 }
 
 /* Keeps a piece of control if that succeeds; otherwise leaves everything as it was. */
-static bool try_to_keep(slicer *s, const ir_node *node) {
+static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
     if (s->keep[node->id])
         return true;
     if (s->obstacle)
         return false;
     snapshot before = take_snapshot(s);
+    s->is_integer_only = is_integer_only;
     keep_statement(s, node);
+    s->is_integer_only = false;
     if (!s->obstacle)
         return true;
     memcpy(s->keep, before.keep, sizeof(bool) * s->j->function->node_count);
     s->needed.count = before.needed;
+    s->has_floating_work = before.has_floating_work;
     s->obstacle = NULL;
     return false;
 }
@@ -347,7 +398,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
-        if (!try_to_keep(s, outer) && !is_safe)
+        if (!try_to_keep(s, outer, true) && !is_safe && !try_to_keep(s, outer, false))
             fail(s, outer);
     }
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;
@@ -379,12 +430,12 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *j
 
 static void keep_continues(slicer *s, const ir_node *node, unsigned touch_count,
                            const slice_touch *touches) {
-    if (node->kind == IR_CONTINUE && !try_to_keep(s, node)) {
+    if (node->kind == IR_CONTINUE && !try_to_keep(s, node, true)) {
         bool is_safe = is_safe_after(s, s->j->counted.body, node);
         for (unsigned i = 0; i < touch_count; i++)
             if (touches[i].place->id > node->id && !is_safe_here(s->j, touches[i].row, true))
                 is_safe = false;
-        if (!is_safe)
+        if (!is_safe && !try_to_keep(s, node, false))
             fail(s, node);
     }
     if (ir_is_loop(node))
@@ -414,7 +465,7 @@ slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch 
     } while (!s.obstacle && kept_count(&s) != before);
     if (j->counted.body->kind == IR_BLOCK)
         s.keep[j->counted.body->id] = true;
-    return (slice){s.keep, s.obstacle};
+    return (slice){s.keep, s.has_floating_work, s.obstacle};
 }
 
 /* ---- places -----------------------------------------------------------------------------------

@@ -15,7 +15,8 @@ typedef struct slice_touch {
 } slice_touch;
 
 typedef struct slice {
-    bool *keep;              /* [function->node_count] */
+    bool *keep; /* [function->node_count] */
+    bool has_floating_work;
     const ir_node *obstacle; /* why there is none; NULL: there is one */
 } slice;
 

@@ -114,6 +114,7 @@ static loop_facts *finish_facts(judgement *j) {
     facts->captured = j->captured.items;
     facts->captured_count = j->captured.count;
     facts->in_slice = j->in_slice;
+    facts->slice_has_floating_work = j->slice_has_floating_work;
     facts->has_inspector = true;
     facts->is_verifiable = j->is_verifiable;
     facts->key = j->key.items;

@@ -32,15 +32,15 @@ static const char *with_crlf(arena *a, const char *text) {
 }
 
 /** The head of the file. The serial and the parallel form of a loop give the same bits only where
- *  neither contracts a multiplication and an addition into one rounding; free order needs none. */
-static const char *prelude(arena *a, const ir_unit *unit, const emit_options *options) {
-    const char *contraction = options->order == EMIT_ORDER_ANY
-                                  ? ""
-                                  : "#if defined(__clang__)\n"
-                                    "#pragma clang fp contract(off)\n"
-                                    "#elif defined(__FP_FAST_FMA)\n"
-                                    "#pragma GCC optimize(\"fp-contract=off\")\n"
-                                    "#endif\n";
+ *  neither contracts a multiplication and an addition into one rounding; nor do inspector and
+ *  executor. Free order without floating-point work in an inspector needs none of it. */
+static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
+    const char *contraction = may_contract ? ""
+                                           : "#if defined(__clang__)\n"
+                                             "#pragma clang fp contract(off)\n"
+                                             "#elif defined(__FP_FAST_FMA)\n"
+                                             "#pragma GCC optimize(\"fp-contract=off\")\n"
+                                             "#endif\n";
     return arena_format(a,
                         "#ifdef _OPENMP\n"
                         "#include <redcc/runtime.h>\n"
@@ -79,10 +79,17 @@ static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
     return true;
 }
 
-static void add_prelude(arena *a, const ir_unit *unit, const emit_options *options,
-                        edit_list *edits) {
+static bool has_floating_slice(const analysis_result *analysis) {
+    for (unsigned i = 0; i < analysis->verdict_count; i++)
+        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
+            analysis->verdicts[i].facts->slice_has_floating_work)
+            return true;
+    return false;
+}
+
+static void add_prelude(arena *a, const ir_unit *unit, bool may_contract, edit_list *edits) {
     const bool has_mark = strncmp(unit->source->text, byte_order_mark, 3) == 0;
-    const char *text = prelude(a, unit, options);
+    const char *text = prelude(a, unit, may_contract);
     edit_insert(a, edits, has_mark ? 3 : 0, has_crlf(unit->source) ? with_crlf(a, text) : text);
 }
 
@@ -100,7 +107,8 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
             result.loop_count++;
     if (result.loop_count == 0)
         return result;
-    add_prelude(a, unit, options, &edits);
+    const bool may_contract = options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis);
+    add_prelude(a, unit, may_contract, &edits);
     buffer out = {0};
     if (edit_apply(&out, s->text, 0, s->length, &edits)) {
         result.text = arena_copy(a, out.data, out.length);

@@ -118,8 +118,10 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                                            "in any order"};
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
-    buffer_text(&out->out, "#ifdef _OPENMP\n"
-                           "#pragma GCC diagnostic push\n"
+    buffer_text(&out->out, loop->facts->slice_has_floating_work
+                               ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
+                               : "#ifdef _OPENMP\n");
+    buffer_text(&out->out, "#pragma GCC diagnostic push\n"
                            "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
     out->depth = 1;
     declare_inlined(loop, out);

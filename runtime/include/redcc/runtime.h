@@ -27,6 +27,25 @@
                                                                                            : -1]   \
         __attribute__((unused))
 
+/** In #if: is each floating-point operation rounded by itself, to its own type, wherever it stands?
+ *  Then two copies of one expression give the same bits. Where subscripts are computed so, a loop
+ *  runs in parallel only then. gcc tells all that matters by macros, also after pragmas; clang
+ * tells -ffast-math, and heeds pragmas against its parts from version 18 on, but not against
+ * contraction where -ffp-contract=fast is given and the processor has fused multiply-adds. */
+#if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
+#define REDCC_ROUNDS_ALIKE 0
+#elif defined(__clang__) && (__clang_major__ < 18 || !defined(__x86_64__) ||                       \
+                             !defined(__SSE2_MATH__) || defined(__FMA__) || defined(__FMA4__))
+#define REDCC_ROUNDS_ALIKE 0
+#else
+#ifdef __clang__
+#pragma clang fp reassociate(off) reciprocal(off)
+#endif
+#define REDCC_ROUNDS_ALIKE                                                                         \
+    (__FLT_EVAL_METHOD__ == 0 && !__FAST_MATH__ && !__ASSOCIATIVE_MATH__ &&                        \
+     !__RECIPROCAL_MATH__ && !__NO_SIGNED_ZEROS__ && !__FINITE_MATH_ONLY__)
+#endif
+
 __extension__ typedef long long redcc_int;           /**< counts of iterations */
 __extension__ typedef unsigned long long redcc_word; /**< keys */
 typedef __SIZE_TYPE__ redcc_size;                    /**< bytes */

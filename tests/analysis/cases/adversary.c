@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops made to be accepted wrongly. Covers: rows 18, 29, 30, 45, 59, 60 of the construct table. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -217,13 +218,22 @@ void conditional_load(int n, int m, const int *s, const int *map, double *h) {
 
 void dear_condition_protects_load(int n, const double *x, const int *map, double *restrict h) {
     for (int i = 0; i < n; i++) // EXPECT: refuse index-too-dear
+        if (exp(x[i]) < 3.0)
+            h[map[i]] += 1.0;
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+) verifiable
         if (x[i] * 2.0 < 3.0)
             h[map[i]] += 1.0;
 }
 
 void dear_continue_protects_load(int n, const double *x, const int *map, double *restrict h) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) verifiable
         if (x[i] * 2.0 > 3.0)
+            continue;
+        int k = map[i];
+        h[k] += 1.0;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
+        if (exp(x[i]) > 3.0)
             continue;
         int k = map[i];
         h[k] += 1.0;

@@ -182,22 +182,6 @@ void lazily_filled(int n, const int *key, int *pos, double *h) {
     (void)next;
 }
 
-void too_dear(int n, const double *x, double *restrict h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse index-too-dear
-        h[(int)(x[i] * 3.7)] += 1.0;
-}
-
-static int nearest(const double *x, int i) {
-    return (int)(x[i] * 0.1);
-}
-
-void too_dear_call(int n, const double *x, double *restrict h) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse index-too-dear
-        int k = nearest(x, i);
-        h[k] += 1.0;
-    }
-}
-
 void side_effect(int n, const int *s, double *h) {
     int j = 0;
     for (int i = 0; i < n; i++) { // EXPECT: refuse side-effect
@@ -222,4 +206,9 @@ union both {
 void in_union(int n, const int *s, union both *h) {
     for (int i = 0; i < n; i++) // EXPECT: refuse union
         h[s[i]].d += 1.0;
+}
+
+void too_dear(int n, const double *x, double *restrict h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse index-too-dear
+        h[(int)sin(x[i] * 3.7)] += 1.0;
 }

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// As own_options.c, by a pragma.
+// covers: row 33, row 56
+#pragma GCC optimize("O3")
+void by_pragma(int n, double *h, const double *x) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+        h[(int)(x[t] * 10.0 + x[t])] += 1;
+}
