@@ -69,6 +69,9 @@ typedef struct scene {
     int integrator;   /* integrator_kind of integrator.h */
     double tolerance; /* of the conjugate gradient, relative */
     int max_iterations;
+    int method;              /* solver_method of solver.h */
+    int preconditioner;      /* preconditioner_kind of solver.h */
+    int precision;           /* solver_precision of solver.h */
     double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
     int newton_iterations;   /* at most, in a step */
     monitor_limits limits;

@@ -34,6 +34,10 @@ static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", NULL};
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
+static const char *const methods[] = {"conjugate-gradients", "direct", NULL};
+static const char *const preconditioners[] = {
+    "block-jacobi", "none", "jacobi", "gauss-seidel", "incomplete-cholesky", NULL};
+static const char *const precisions[] = {"double", "float", "mixed", NULL};
 
 static const scene_key mesh_keys[] = {
     WHOLE(scene, vertices, 1, BETWEEN(5, 2e7)),
@@ -68,6 +72,9 @@ static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
 static const scene_key solution_keys[] = {
     {"tolerance", VALUE_NUMBER, offsetof(scene, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL, NULL, NULL},
     WHOLE(scene, max_iterations, 0, BETWEEN(1, 1e9)),
+    CHOICE(scene, method, 0, methods),
+    CHOICE(scene, preconditioner, 0, preconditioners),
+    CHOICE(scene, precision, 0, precisions),
     {"newton_tolerance", VALUE_NUMBER, offsetof(scene, newton_tolerance), 0, 1, 0.0, 0.5, 1, 0,
      NULL, NULL, NULL},
     WHOLE(scene, newton_iterations, 0, BETWEEN(1, 1e6)),

@@ -65,8 +65,10 @@ static void set_start(simulation *sim) {
     monitor_begin(&sim->monitor, s, &start);
 }
 
-static int build(simulation *sim) {
+static int build(simulation *sim, char *error) {
     const scene *s = sim->scene;
+    const solver_options options = {(preconditioner_kind)s->preconditioner,
+                                    (solver_precision)s->precision, (solver_method)s->method};
     const int vertices = sim->mesh->vertex_count;
     sim->triangle_material =
         (triangle_material){s->stretch, s->shear, s->stretch_damping, s->shear_damping};
@@ -80,6 +82,7 @@ static int build(simulation *sim) {
     share_mass(sim);
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
         solver_init(&sim->solver, vertices) != 0 ||
+        solver_choose(&sim->solver, &sim->system.A, &options, error) != 0 ||
         integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
         return -1;
@@ -97,23 +100,23 @@ static int all_finite(const mesh *m) {
 }
 
 simulation *simulation_new(const mesh *m, const scene *s, char *error) {
-    const char *reason = "out of memory";
+    char reason[256] = "out of memory";
     simulation *sim = NULL;
     if (!all_finite(m))
-        reason = "a position is not finite";
+        snprintf(reason, sizeof reason, "a position is not finite");
     else
         sim = calloc(1, sizeof *sim);
     if (sim) {
         sim->mesh = m;
         sim->scene = s;
-        if (build(sim) == 0) {
+        if (build(sim, reason) == 0) {
             if (isfinite(sim->monitor.energy) && isfinite(sim->total_mass))
                 return sim;
-            reason = "their mass or energy is not finite";
+            snprintf(reason, sizeof reason, "their mass or energy is not finite");
         }
     }
     simulation_free(sim);
-    snprintf(error, 256, "cannot simulate %d vertices: %s", m->vertex_count, reason);
+    snprintf(error, 256, "cannot simulate %d vertices: %.200s", m->vertex_count, reason);
     return NULL;
 }
 

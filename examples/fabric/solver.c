@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * An iteration is two parallel sweeps: the product A p, and everything else. The second sweep works
- * on chunks of vertices, three passes one after the other in one parallel region; every thread sums
- * the chunks' partial sums itself, in order, so that all have the same step lengths at once.
+ * The parallel method, and the choice among all. An iteration is two parallel sweeps: the product A
+ * p, and everything else. The second sweep works on chunks of vertices, three passes one after the
+ * other in one parallel region; every thread sums the chunks' partial sums itself, in order, so
+ * that all have the same step lengths at once.
  */
 #include "solver.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
+#include "solver_direct.h"
+#include "solver_packed.h"
+#include "solver_parts.h"
 #include "solver_precondition.h"
 #include "sparse_product.h"
 #include "vector.h"
@@ -23,6 +28,8 @@ void solver_free(solver *s) {
     free(s->inverse);
     free(s->sum_direction);
     free(s->sum_residual);
+    packed_solver_free(s->packed);
+    direct_solver_free(s->direct);
     *s = (solver){0};
 }
 
@@ -40,6 +47,22 @@ int solver_init(solver *s, int count) {
         s->sum_direction && s->sum_residual)
         return 0;
     solver_free(s);
+    return -1;
+}
+
+int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error) {
+    s->options = *options;
+    if (options->method == METHOD_DIRECT) {
+        s->direct = direct_solver_new(A, error);
+        return s->direct ? 0 : -1;
+    }
+    if (options->preconditioner == PRECONDITIONER_BLOCK_JACOBI &&
+        options->precision == PRECISION_DOUBLE)
+        return 0;
+    s->packed = packed_solver_new(A, options);
+    if (s->packed)
+        return 0;
+    snprintf(error, 256, "out of memory for the preconditioner");
     return -1;
 }
 
@@ -82,10 +105,13 @@ static double start_residual(solver *s, const constraints *c, const double (*b)[
     return sum_in_order(s->sum_residual, s->chunks);
 }
 
-enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
+void solver_filter(const constraints *c, double (*r)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < c->count; i++)
+        filter(c, i, r[i]);
+}
 
-/* dv = S dv + z; returns which of the above holds. */
-static int apply_constraints(const constraints *c, double (*dv)[3]) {
+int solver_apply(const constraints *c, double (*dv)[3]) {
     int which = UNCONSTRAINED;
 #pragma omp parallel for schedule(static) reduction(max : which)
     for (int i = 0; i < c->count; i++) {
@@ -208,17 +234,18 @@ void solver_impulses(solver *s, const linear_system *system, const double (*dv)[
 double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
                      double *reference) {
     preconditioner_build(&system->A, c, s->inverse);
-    const int which = apply_constraints(c, dv);
+    const int which = solver_apply(c, dv);
     clear(s->product, s->count);
     *reference = sqrt(reference_square(s, system, c, which == DRIVEN));
     half_product(&system->A, (const double(*)[3])dv, s->product);
     return sqrt(start_residual(s, c, (const double(*)[3])system->b));
 }
 
-solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
-                           const solver_limits *limits, double (*dv)[3], long *iterations) {
+static solver_status solve_block_jacobi(solver *s, const linear_system *system,
+                                        const constraints *c, const solver_limits *limits,
+                                        double (*dv)[3], long *iterations) {
     preconditioner_build(&system->A, c, s->inverse);
-    const int which = apply_constraints(c, dv);
+    const int which = solver_apply(c, dv);
     clear(s->product, s->count);
     const double reference = reference_square(s, system, c, which == DRIVEN);
     half_product(&system->A, (const double(*)[3])dv, s->product);
@@ -232,6 +259,18 @@ solver_status solver_solve(solver *s, const linear_system *system, const constra
     const solver_status status = iterate_to(relative > absolute ? relative : absolute, s, system, c,
                                             limits->max_iterations, dv, rz, iterations);
     if (which != UNCONSTRAINED && status != SOLVER_NOT_FINITE)
+        solver_impulses(s, system, (const double(*)[3])dv);
+    return status;
+}
+
+solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
+                           const solver_limits *limits, double (*dv)[3], long *iterations) {
+    if (!s->direct && !s->packed)
+        return solve_block_jacobi(s, system, c, limits, dv, iterations);
+    const solver_status status =
+        s->direct ? direct_solver_solve(s->direct, s, system, c, dv, iterations)
+                  : packed_solver_solve(s->packed, s, system, c, limits, dv, iterations);
+    if (status != SOLVER_NOT_FINITE)
         solver_impulses(s, system, (const double(*)[3])dv);
     return status;
 }

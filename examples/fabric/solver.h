@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Conjugate gradients with a block-Jacobi preconditioner, on the free directions of constrained
- * vertices. The bits of the result do not depend on the number of threads: sums are taken over
- * blocks of vertices of a fixed size, and the blocks' sums in order.
+ * The linear system of a step, on the free directions of constrained vertices: conjugate gradients
+ * with several preconditioners and precisions (solver_factor.h), or a direct solution
+ * (solver_direct.h). The bits of the result do not depend on the number of threads: block-Jacobi in
+ * double, which alone is parallel, sums over blocks of vertices of a fixed size, and the blocks'
+ * sums in order.
  */
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H
@@ -17,6 +19,34 @@ typedef enum solver_status {
     SOLVER_NOT_FINITE           /* an infinity or not-a-number came up: dv is unusable */
 } solver_status;
 
+typedef enum preconditioner_kind { /* the order of the scene's key solution.preconditioner */
+                                   PRECONDITIONER_BLOCK_JACOBI,
+                                   PRECONDITIONER_NONE,
+                                   PRECONDITIONER_JACOBI,
+                                   PRECONDITIONER_GAUSS_SEIDEL,
+                                   PRECONDITIONER_INCOMPLETE_CHOLESKY
+} preconditioner_kind;
+
+typedef enum solver_precision { /* the order of the scene's key solution.precision */
+                                PRECISION_DOUBLE,
+                                PRECISION_FLOAT, /* the iteration is in float, and so is what it
+                                                    believes its residual to be */
+                                PRECISION_MIXED  /* the same, repeated on the residual in double
+                                                    until that is small enough */
+} solver_precision;
+
+typedef enum solver_method { /* the order of the scene's key solution.method */
+                             METHOD_CONJUGATE_GRADIENTS,
+                             METHOD_DIRECT /* sparse Cholesky by CHOLMOD, where it is built in;
+                                              double only */
+} solver_method;
+
+typedef struct solver_options {
+    preconditioner_kind preconditioner;
+    solver_precision precision;
+    solver_method method;
+} solver_options;
+
 typedef struct solver {
     int count;  /* vertices */
     int chunks; /* of vertices, for sums */
@@ -27,6 +57,9 @@ typedef struct solver {
     double (*direction)[3], (*product)[3]; /* p, A p; product is 0 between iterations */
     double (*inverse)[6];                  /* P's blocks: xx xy xz yy yz zz */
     double *sum_direction, *sum_residual;  /* [chunks] partial sums of p'Ap and r'Pr */
+    solver_options options;
+    struct packed_solver *packed; /* for all but block-Jacobi in double; else NULL */
+    struct direct_solver *direct; /* for METHOD_DIRECT; else NULL */
 } solver;
 
 typedef struct solver_limits {
@@ -35,8 +68,11 @@ typedef struct solver_limits {
     int max_iterations;
 } solver_limits;
 
-/** 0, or -1: out of memory. */
+/** For block-Jacobi conjugate gradients in double. 0, or -1: out of memory. */
 int solver_init(solver *s, int count);
+/** Other methods, after solver_init, for matrices of A's layout. A is kept by reference. 0, or -1
+ *  with a message in error[256]. */
+int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error);
 void solver_free(solver *s);
 
 /**

@@ -8,6 +8,8 @@
 #include "cloth.h"
 #include "dense.h"
 #include "solver.h"
+#include "solver_direct.h"
+#include "solver_factor.h"
 
 typedef struct problem {
     mesh m;
@@ -125,6 +127,189 @@ static void S21_agrees_with_elimination(void **state) {
         free(expected);
         problem_end(&p);
     }
+}
+
+static void choose(problem *p, preconditioner_kind kind, solver_precision precision,
+                   solver_method method) {
+    char error[256] = "";
+    const solver_options options = {kind, precision, method};
+    if (solver_choose(&p->solver, &p->system.A, &options, error) != 0)
+        fail_msg("%s", error);
+}
+
+/* |b - A z| on the free directions, which a relative tolerance goes by. */
+static double reference_of(problem *p) {
+    double reference;
+    double(*copy)[3] = malloc(sizeof *copy * (size_t)p->n);
+    memcpy(copy, p->dv, sizeof *copy * (size_t)p->n);
+    solver_defect(&p->solver, &p->system, &p->constraints, copy, &reference);
+    free(copy);
+    return reference;
+}
+
+/* How far dv is off what is given: |(I - S) dv - z| at most. */
+static double off_given(const problem *p) {
+    double worst = 0;
+    for (int i = 0; i < p->n; i++)
+        for (int r = 0; r < 3; r++) {
+            double off = p->dv[i][r] - p->constraints.z[i][r];
+            for (int c = 0; c < 3; c++)
+                off -= p->constraints.S[i][r][c] * p->dv[i][c];
+            worst = fmax(worst, fabs(off));
+        }
+    return worst;
+}
+
+/* Every preconditioner in every precision finds the same, constrained or not: within what the
+ * stopping rule promises, r' M^-1 r <= (tolerance reference)^2 with M near 40 and A's eigenvalues
+ * above 10, and what is given exactly. */
+static void test_preconditioners_agree_with_elimination(void **state) {
+    (void)state;
+    for (int kind = PRECONDITIONER_BLOCK_JACOBI; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
+        for (int precision = PRECISION_DOUBLE; precision <= PRECISION_MIXED; precision++)
+            for (int every = 0; every < 3; every++) {
+                problem p = problem_new(3 + (unsigned)every);
+                if (every > 0)
+                    constrain(&p, every, 17);
+                choose(&p, (preconditioner_kind)kind, (solver_precision)precision,
+                       METHOD_CONJUGATE_GRADIENTS);
+                p.limits.tolerance = precision == PRECISION_FLOAT ? 1e-6 : 1e-12;
+                assert_int_equal(solve(&p), SOLVER_CONVERGED);
+                const double reference = reference_of(&p);
+                double *less = dense_of(&p.system.A);
+                for (int i = 0; i < 3 * p.n; i++)
+                    less[i * 3 * p.n + i] -= 10;
+                assert_int_equal(dense_cholesky(less, 3 * p.n), 0);
+                free(less);
+                double *expected = oracle(&p);
+                double worst = 0;
+                for (int i = 0; i < 3 * p.n; i++)
+                    worst = fmax(worst, fabs((&p.dv[0][0])[i] - expected[i]));
+                if (!(worst <= p.limits.tolerance * reference))
+                    fail_msg("preconditioner %d, precision %d, every %d: off by %g of %g", kind,
+                             precision, every, worst, p.limits.tolerance * reference);
+                assert_below(off_given(&p), 1e-13);
+                free(expected);
+                problem_end(&p);
+            }
+}
+
+/* A better preconditioner takes fewer iterations, and the incomplete factor of a matrix with all
+ * blocks is the whole one: one iteration. */
+static void test_preconditioners_are_of_use(void **state) {
+    (void)state;
+    long iterations[PRECONDITIONER_INCOMPLETE_CHOLESKY + 1];
+    for (int kind = PRECONDITIONER_BLOCK_JACOBI; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY;
+         kind++) {
+        problem p = problem_new(3);
+        for (int i = 0; i < p.n; i++) /* rows of very different size */
+            for (int k = p.system.A.row_start[i]; k < p.system.A.row_start[i + 1]; k++)
+                for (int r = 0; r < 3; r++)
+                    for (int c = 0; c < 3; c++)
+                        p.system.A.value[k][r][c] *=
+                            pow(10, (i * 7 % 4 + p.system.A.column[k] * 7 % 4) / 2.0);
+        choose(&p, (preconditioner_kind)kind, PRECISION_DOUBLE, METHOD_CONJUGATE_GRADIENTS);
+        assert_int_equal(solve(&p), SOLVER_CONVERGED);
+        iterations[kind] = p.iterations;
+        problem_end(&p);
+    }
+    assert_true(iterations[PRECONDITIONER_NONE] > 2 * iterations[PRECONDITIONER_JACOBI]);
+    assert_true(iterations[PRECONDITIONER_JACOBI] >= iterations[PRECONDITIONER_BLOCK_JACOBI]);
+    assert_true(iterations[PRECONDITIONER_BLOCK_JACOBI] > iterations[PRECONDITIONER_GAUSS_SEIDEL]);
+    assert_true(iterations[PRECONDITIONER_BLOCK_JACOBI] >
+                iterations[PRECONDITIONER_INCOMPLETE_CHOLESKY]);
+}
+
+/* On a layout where elimination makes no new block, incomplete Cholesky is complete but for its
+ * shift: R'R is the matrix with its diagonal blocks counted 1 + shift times. */
+static void test_incomplete_cholesky_of_a_chain(void **state) {
+    (void)state;
+    enum { N = 12 };
+    int pair[N - 1][2];
+    unsigned seed = 9;
+    for (int i = 0; i + 1 < N; i++) {
+        pair[i][0] = i;
+        pair[i][1] = i + 1;
+    }
+    const element_list list = {N - 1, 2, &pair[0][0]};
+    linear_system chain;
+    constraints free_all;
+    factored f;
+    assert_int_equal(system_init(&chain, N, 1, &list), 0);
+    assert_int_equal(constraints_init(&free_all, N), 0);
+    block_matrix *A = &chain.A;
+    for (int i = 0; i < N; i++)
+        for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
+            for (int r = 0; r < 3; r++)
+                for (int c = 0; c < 3; c++)
+                    A->value[k][r][c] =
+                        A->column[k] != i ? random_number(&seed) : (r == c ? 6 : 0.5);
+    assert_int_equal(factored_init(&f, A, PRECONDITIONER_INCOMPLETE_CHOLESKY), 0);
+    factored_build(&f, A, &free_all, PRECONDITIONER_INCOMPLETE_CHOLESKY);
+    /* (I + F)' (I + F) in the scaled matrix' terms: its off-diagonal blocks are U. */
+    for (int i = 0; i + 1 < N; i++) {
+        const int k = A->row_start[i] + 1;
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++)
+                assert_near(f.factor[k][r][c], f.upper[k][r][c], 1e-14);
+        for (int r = 0; r < 3; r++)
+            for (int c = r; c < 3; c++) {
+                const int m = r == 0 ? c : (r == 1 ? 2 + c : 5);
+                double sum = r == c ? 1 : 0;
+                for (int a = 0; a < 3; a++)
+                    sum += f.factor[k][a][r] * f.factor[k][a][c];
+                assert_near(sum, (1 + f.shift) * f.diagonal[i + 1][m], 1e-13);
+            }
+    }
+    factored_free(&f);
+    constraints_free(&free_all);
+    system_free(&chain);
+}
+
+static void test_direct_agrees_with_elimination(void **state) {
+    (void)state;
+    if (!direct_solver_available())
+        skip();
+    for (int every = 0; every < 3; every++) {
+        problem p = problem_new(3 + (unsigned)every);
+        if (every > 0)
+            constrain(&p, every, 17);
+        choose(&p, PRECONDITIONER_BLOCK_JACOBI, PRECISION_DOUBLE, METHOD_DIRECT);
+        assert_int_equal(solve(&p), SOLVER_CONVERGED);
+        assert_int_equal(p.iterations, 1);
+        double *expected = oracle(&p);
+        for (int i = 0; i < 3 * p.n; i++)
+            assert_near((&p.dv[0][0])[i], expected[i], 1e-12);
+        free(expected);
+        p.system.A.value[p.system.A.row_start[0] + 1][0][0] = 1e4;
+        assert_int_equal(solve(&p), SOLVER_BREAKDOWN);
+        p.system.b[1][1] = NAN;
+        assert_int_equal(solve(&p), SOLVER_NOT_FINITE);
+        problem_end(&p);
+    }
+}
+
+/* S25: float believes more than it has reached; mixed reaches it. */
+static void test_float_and_mixed(void **state) {
+    (void)state;
+    double error[3];
+    for (int precision = PRECISION_DOUBLE; precision <= PRECISION_MIXED; precision++) {
+        problem p = problem_new(3);
+        double *expected = oracle(&p);
+        choose(&p, PRECONDITIONER_GAUSS_SEIDEL, (solver_precision)precision,
+               METHOD_CONJUGATE_GRADIENTS);
+        p.limits.tolerance = 1e-11;
+        solve(&p);
+        error[precision] = 0;
+        for (int i = 0; i < 3 * p.n; i++)
+            error[precision] = fmax(error[precision], fabs((&p.dv[0][0])[i] - expected[i]));
+        free(expected);
+        problem_end(&p);
+    }
+    assert_below(error[PRECISION_DOUBLE], 1e-11);
+    assert_below(error[PRECISION_MIXED], 1e-11);
+    assert_below(error[PRECISION_FLOAT], 1e-6);
+    assert_true(error[PRECISION_FLOAT] > 1e-10);
 }
 
 /* Whatever is given holds to the last digits, and the residual along it is the impulse. */
@@ -245,21 +430,32 @@ static void S23_statuses(void **state) {
 /* A vertex without mass and stiffness has a zero block: it must not spoil the others. */
 static void test_singular_block(void **state) {
     (void)state;
-    problem p = problem_new(5);
-    block_matrix *A = &p.system.A;
-    for (int i = 0; i < p.n; i++)
-        for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
-            if (i == 4 || A->column[k] == 4)
-                memset(A->value[k], 0, sizeof A->value[k]);
-    assert_int_equal(solve(&p), SOLVER_CONVERGED);
-    for (int c = 0; c < 3; c++)
-        assert_true(p.dv[4][c] == 0);
-    problem_end(&p);
+    for (int kind = PRECONDITIONER_BLOCK_JACOBI; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY;
+         kind++) {
+        problem p = problem_new(5);
+        block_matrix *A = &p.system.A;
+        for (int i = 0; i < p.n; i++)
+            for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
+                if (i == 4 || A->column[k] == 4)
+                    memset(A->value[k], 0, sizeof A->value[k]);
+        if (kind == PRECONDITIONER_NONE)
+            memset(p.system.b[4], 0, sizeof p.system.b[4]);
+        choose(&p, (preconditioner_kind)kind, PRECISION_DOUBLE, METHOD_CONJUGATE_GRADIENTS);
+        assert_int_equal(solve(&p), SOLVER_CONVERGED);
+        for (int c = 0; c < 3; c++)
+            assert_true(p.dv[4][c] == 0);
+        problem_end(&p);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S21_agrees_with_elimination),
+        cmocka_unit_test(test_preconditioners_agree_with_elimination),
+        cmocka_unit_test(test_preconditioners_are_of_use),
+        cmocka_unit_test(test_incomplete_cholesky_of_a_chain),
+        cmocka_unit_test(test_direct_agrees_with_elimination),
+        cmocka_unit_test(test_float_and_mixed),
         cmocka_unit_test(S21_given_directions_are_exact),
         cmocka_unit_test(S21_all_pinned_takes_no_iteration),
         cmocka_unit_test(S29_projection),

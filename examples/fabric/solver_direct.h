@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The direct solution: sparse Cholesky factorisation by CHOLMOD (SuiteSparse), where fabric is
+ *  built with it. */
+#ifndef FABRIC_SOLVER_DIRECT_H
+#define FABRIC_SOLVER_DIRECT_H
+
+#include "solver.h"
+
+typedef struct direct_solver direct_solver;
+
+/** Whether this program has it. */
+int direct_solver_available(void);
+
+/** Orders and lays out the factor of matrices like A. NULL with a message in error[256]. */
+direct_solver *direct_solver_new(const block_matrix *A, char *error);
+void direct_solver_free(direct_solver *d);
+
+/** As solver_solve, which calls it, to rounding; counts a factorisation as one iteration.
+ *  SOLVER_BREAKDOWN: A is not positive definite. */
+solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,
+                                  const constraints *c, double (*dv)[3], long *iterations);
+
+#endif

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "solver_packed.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "solver_factor.h"
+#include "solver_parts.h"
+#include "sparse_product.h"
+
+#define REAL double
+#define PACKED(name) double_##name
+#include "solver_packed_template.h"
+#undef REAL
+#undef PACKED
+#define REAL float
+#define PACKED(name) float_##name
+#include "solver_packed_template.h"
+#undef REAL
+#undef PACKED
+
+/* In mixed precision an iteration in float goes on until it has gained this factor: more, and the
+ * residual it believes in is no longer the true one. And it is repeated so often at most. */
+static const double float_gain = 1e-3;
+enum { most_refinements = 20 };
+
+struct packed_solver {
+    const block_matrix *A;
+    solver_options options;
+    factored built;
+    double_system in_double;
+    float_system in_float;
+    float (*diagonal)[6]; /* the built blocks, rounded */
+    float (*upper)[3][3];
+    float (*factor)[3][3];
+    float (*root)[3][3];
+};
+
+static int allocate_float(packed_solver *p) {
+    const size_t rows = (size_t)p->A->row_count + 1, blocks = (size_t)p->A->block_count + 1;
+    p->diagonal = calloc(rows, sizeof *p->diagonal);
+    p->upper = calloc(blocks, sizeof *p->upper);
+    p->factor = p->built.factor ? calloc(blocks, sizeof *p->factor) : NULL;
+    p->root = calloc(rows, sizeof *p->root);
+    if (!p->diagonal || !p->upper || (!p->factor && p->built.factor) || !p->root ||
+        float_allocate(&p->in_float, p->A) != 0)
+        return -1;
+    p->in_float.diagonal = (const float(*)[6])p->diagonal;
+    p->in_float.upper = (const float(*)[3][3])p->upper;
+    p->in_float.factor = (const float(*)[3][3])p->factor;
+    p->in_float.root = (const float(*)[3][3])p->root;
+    return 0;
+}
+
+static int allocate_double(packed_solver *p) {
+    if (double_allocate(&p->in_double, p->A) != 0)
+        return -1;
+    p->in_double.diagonal = (const double(*)[6])p->built.diagonal;
+    p->in_double.upper = (const double(*)[3][3])p->built.upper;
+    p->in_double.factor = (const double(*)[3][3])p->built.factor;
+    p->in_double.root = (const double(*)[3][3])p->built.root;
+    return 0;
+}
+
+packed_solver *packed_solver_new(const block_matrix *A, const solver_options *options) {
+    packed_solver *p = calloc(1, sizeof *p);
+    if (!p)
+        return NULL;
+    p->A = A;
+    p->options = *options;
+    if (factored_init(&p->built, A, options->preconditioner) == 0 &&
+        (options->precision == PRECISION_DOUBLE ? allocate_double(p) : allocate_float(p)) == 0)
+        return p;
+    packed_solver_free(p);
+    return NULL;
+}
+
+void packed_solver_free(packed_solver *p) {
+    if (!p)
+        return;
+    factored_free(&p->built);
+    double_free(&p->in_double);
+    float_free(&p->in_float);
+    free(p->diagonal);
+    free(p->upper);
+    free(p->factor);
+    free(p->root);
+    free(p);
+}
+
+static void round_all(const double *from, float *to, size_t count) {
+    for (size_t k = 0; k < count; k++)
+        to[k] = (float)from[k];
+}
+
+static void build(packed_solver *p, const constraints *c) {
+    const size_t rows = (size_t)p->A->row_count, blocks = (size_t)p->A->block_count;
+    factored_build(&p->built, p->A, c, p->options.preconditioner);
+    if (p->options.precision == PRECISION_DOUBLE)
+        return;
+    round_all(&p->built.diagonal[0][0], &p->diagonal[0][0], 6 * rows);
+    round_all(&p->built.upper[0][0][0], &p->upper[0][0][0], 9 * blocks);
+    round_all(&p->built.root[0][0][0], &p->root[0][0][0], 9 * rows);
+    if (p->factor)
+        round_all(&p->built.factor[0][0][0], &p->factor[0][0][0], 9 * blocks);
+}
+
+/* r' M^-1 r of the double residual r, which is made ready for an iteration. */
+static double transform(packed_solver *p, const double (*r)[3]) {
+    const preconditioner_kind kind = p->options.preconditioner;
+    return p->options.precision == PRECISION_DOUBLE ? double_transform(&p->in_double, p->A, kind, r)
+                                                    : float_transform(&p->in_float, p->A, kind, r);
+}
+
+/* dv += the solution for the residual made ready. Rounding (a float's above all) puts a little of
+ * it along given directions, where no residual would ever show it: the constraints are made good.
+ */
+static solver_status iterate(packed_solver *p, const constraints *c, double square, double goal,
+                             long most, double (*dv)[3], long *iterations) {
+    const preconditioner_kind kind = p->options.preconditioner;
+    solver_status status;
+    if (p->options.precision == PRECISION_DOUBLE) {
+        status = double_iterate(&p->in_double, p->A, kind, square, goal, most, iterations);
+        if (status != SOLVER_NOT_FINITE)
+            double_add_correction(&p->in_double, p->A, kind, dv);
+    } else {
+        status = float_iterate(&p->in_float, p->A, kind, square, goal, most, iterations);
+        if (status != SOLVER_NOT_FINITE)
+            float_add_correction(&p->in_float, p->A, kind, dv);
+    }
+    solver_apply(c, dv);
+    return status;
+}
+
+/* s->residual = S (b - A dv) */
+static void residual_of(solver *s, const linear_system *system, const constraints *c,
+                        const double (*dv)[3]) {
+    solver_impulses(s, system, dv);
+    solver_filter(c, s->residual);
+}
+
+static solver_status refine(packed_solver *p, solver *s, const linear_system *system,
+                            const constraints *c, double goal, long most, double (*dv)[3],
+                            long *iterations) {
+    const long start = *iterations;
+    double square = transform(p, (const double(*)[3])s->residual);
+    for (int n = 0; n < most_refinements; n++) {
+        const double gained = float_gain * float_gain * square;
+        const double before = square;
+        const solver_status status = iterate(p, c, square, gained > goal ? gained : goal,
+                                             most - (*iterations - start), dv, iterations);
+        if (status != SOLVER_CONVERGED)
+            return status;
+        residual_of(s, system, c, (const double(*)[3])dv);
+        square = transform(p, (const double(*)[3])s->residual);
+        if (square <= goal)
+            return SOLVER_CONVERGED;
+        if (!(square < 0.25 * before))
+            break;
+    }
+    return isfinite(square) ? SOLVER_TOO_MANY_ITERATIONS : SOLVER_NOT_FINITE;
+}
+
+solver_status packed_solver_solve(packed_solver *p, solver *s, const linear_system *system,
+                                  const constraints *c, const solver_limits *limits,
+                                  double (*dv)[3], long *iterations) {
+    build(p, c);
+    solver_apply(c, dv);
+    residual_of(s, system, c, (const double(*)[3])c->z);
+    const double reference = transform(p, (const double(*)[3])s->residual);
+    if (!isfinite(reference))
+        return SOLVER_NOT_FINITE;
+    const double relative = limits->tolerance * limits->tolerance * reference;
+    const double absolute = limits->floor * limits->floor;
+    const double goal = relative > absolute ? relative : absolute;
+    residual_of(s, system, c, (const double(*)[3])dv);
+    if (p->options.precision == PRECISION_MIXED)
+        return refine(p, s, system, c, goal, limits->max_iterations, dv, iterations);
+    const double square = transform(p, (const double(*)[3])s->residual);
+    return iterate(p, c, square, goal, limits->max_iterations, dv, iterations);
+}
