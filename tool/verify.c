@@ -7,6 +7,7 @@
 #include "driver/files.h"
 #include "driver/installation.h"
 #include "driver/process.h"
+#include "driver/temporary.h"
 #include "output.h"
 
 /** The files of one verification, all in one temporary folder. */

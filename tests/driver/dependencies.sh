@@ -126,7 +126,7 @@ for compiler in cc clang-19; do
   REDCC_CC=$compiler "$redcc_cc" -g -Iinc -c src/x.c -o x.o || fail "$case_name"
   readelf --debug-dump=info --debug-dump=line --debug-dump=str --debug-dump=line-str x.o >dump 2>/dev/null
   expect_match dump 'src/x\.c'
-  expect_no_match dump 'redcc-[A-Za-z0-9]{6}/0/x\.c'
+  expect_no_match dump 'redcc-cc-[A-Za-z0-9]{6}/0/x\.c'
   nm -l x.o 2>/dev/null | grep ' main' | grep -q "src/x.c:6" || fail "$case_name: line of main ($compiler)"
   REDCC_CC=$compiler "$redcc_cc" -g -c -Iinc -I. here.c -o x.o || fail "$case_name"
   readelf --debug-dump=info --debug-dump=line --debug-dump=str --debug-dump=line-str x.o >dump 2>/dev/null

@@ -122,4 +122,28 @@ for compiler in gcc clang-19; do
 done
 end
 
+begin "libclang is missing"
+cp -r "$prefix" broken
+library=$(readelf -d broken/bin/redcc | sed -n 's/.*NEEDED.*\[\(libclang[^]]*\)\]/\1/p')
+[ -n "$library" ] || fail "$case_name: redcc is not linked to libclang"
+# a name as long, of a library that no system has
+sed -i "s/$library/libcl@ng${library#libclang}/" broken/bin/redcc
+broken/bin/redcc in.c -o out.c 2>messages
+expect_equal "$case_name: redcc" 127 $?
+expect_match messages 'libcl@ng.*cannot open shared object file'
+cat >loop.c <<'END'
+static double b[64];
+static int s[1000];
+int main(void) {
+    for (int t = 0; t < 1000; t++)
+        b[s[t]] += 1.0 / (1 + t);
+    return b[1] > 0;
+}
+END
+broken/bin/redcc-cc -O2 loop.c -o p 2>messages || fail "$case_name: $(cat messages)"
+./p || fail "$case_name: the program does not run"
+expect_match messages '^redcc-cc: warning: loop\.c: compiled as it is: redcc failed: .*libcl@ng'
+expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
+end
+
 finish

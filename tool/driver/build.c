@@ -89,6 +89,8 @@ static _Noreturn void build_original(session *s) {
         session_end(s, first.status);
     }
     session_add_original(s, &plain);
+    if (file_is_empty(first.error) && file_is_empty(first.output))
+        session_become_compiler(s); /* what it had to say got lost (a full disk) */
     attempt second = try_command(s, &plain, s->input);
     show_attempt(s, second.status == 0 ? &second : &first);
     session_end(s, second.status == 0 ? 0 : first.status);

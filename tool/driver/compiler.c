@@ -5,7 +5,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/utsname.h>
 
 #include "driver/command.h"
@@ -13,9 +12,7 @@
 #include "driver/process.h"
 
 static bool is_self(const char *self, const char *path) {
-    struct stat one, other;
-    return self && stat(self, &one) == 0 && stat(path, &other) == 0 && one.st_dev == other.st_dev &&
-           one.st_ino == other.st_ino;
+    return self && path_same_file(self, path);
 }
 
 /* Where execvp would find `name`, entries that lead back to this program left out (they are counted

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Files and folders, paths, and the private folder for temporaries. */
+/** Files and folders, paths. */
 #ifndef DRIVER_FILES_H
 #define DRIVER_FILES_H
 
@@ -36,11 +36,7 @@ const char *path_folder(arena *a, const char *path);
 /** Whether `path` names a file, not a folder, that this process may execute. */
 bool path_is_executable(const char *path);
 
-/** A new folder that only this user can enter, below $TMPDIR or /tmp; NULL where there can be none.
- */
-const char *temporary_create(arena *a);
-
-/** Removes a folder and all that is in it. */
-void temporary_remove(const char *folder);
+/** Whether both paths lead to one file; false where either leads nowhere. */
+bool path_same_file(const char *left, const char *right);
 
 #endif

@@ -13,6 +13,7 @@
 
 #include "driver/build.h"
 #include "driver/files.h"
+#include "driver/temporary.h"
 
 /* How many redcc-cc stand above this one: one may (the compiler is a script that calls it by its
  * other name), two go round in a circle. */
@@ -91,6 +92,14 @@ static bool reads_input(const command *c) {
     return false;
 }
 
+/* The compiler refuses to write over what it reads; the translated text would be another file. */
+static bool would_write_over_input(const command *c) {
+    for (unsigned i = 0; c->output && i < c->count; i++)
+        if (c->items[i].kind != INPUT_NOT && path_same_file(c->items[i].text, c->output))
+            return true;
+    return false;
+}
+
 /* What is in the way of translating any source of this command; NULL: nothing. */
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
@@ -99,6 +108,8 @@ static const char *general_obstacle(const session *s) {
         return "an option that redcc cannot follow";
     if (s->real.is_foreign)
         return "the compiler is for another machine";
+    if (would_write_over_input(&s->command))
+        return "the output is one of the inputs";
     if (getenv("DEPENDENCIES_OUTPUT") || getenv("SUNPRO_DEPENDENCIES"))
         return "DEPENDENCIES_OUTPUT would name temporaries";
     return NULL;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "driver/files.h"
+#include "driver/temporary.h"
 
 /* Above this many bytes a command line goes through a response file; Linux takes 2 MiB at the
  * default stack limit, the environment included. */

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/temporary.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char prefix[] = "redcc-cc-";
+static const char placeholder[] = "XXXXXX"; /* of mkdtemp */
+
+/* A folder this young may not be locked yet by who made it. */
+enum { YOUNG_SECONDS = 60 };
+
+static const char *parent_folder(void) {
+    const char *given = getenv("TMPDIR");
+    return given && *given ? given : "/tmp";
+}
+
+static bool is_named_as_ours(const char *name) {
+    return strncmp(name, prefix, sizeof prefix - 1) == 0 &&
+           strlen(name) == sizeof prefix - 1 + sizeof placeholder - 1;
+}
+
+/* Whether the open folder was left behind: this user's, not young, and nobody holds its lock. Where
+ * the file system has no locks it counts as in use. */
+static bool is_left_behind(int folder) {
+    struct stat about;
+    return fstat(folder, &about) == 0 && about.st_uid == geteuid() &&
+           time(NULL) - about.st_mtime > YOUNG_SECONDS && flock(folder, LOCK_EX | LOCK_NB) == 0;
+}
+
+static void remove_left_behind(arena *a, const char *parent) {
+    DIR *entries = opendir(parent);
+    if (!entries)
+        return;
+    const struct dirent *entry;
+    while ((entry = readdir(entries))) {
+        if (!is_named_as_ours(entry->d_name))
+            continue;
+        const char *path = arena_format(a, "%s/%s", parent, entry->d_name);
+        int folder = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        if (folder < 0)
+            continue;
+        if (is_left_behind(folder))
+            temporary_remove(path);
+        close(folder);
+    }
+    closedir(entries);
+}
+
+const char *temporary_create(arena *a) {
+    const char *parent = parent_folder();
+    char *folder = mkdtemp(arena_format(a, "%s/%s%s", parent, prefix, placeholder));
+    if (!folder)
+        return NULL;
+    /* never closed: the lock is to last as long as the process, and the programs it runs do not
+     * inherit it */
+    int lock = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock >= 0)
+        flock(lock, LOCK_SH);
+    remove_left_behind(a, parent);
+    return folder;
+}
+
+static int remove_entry(const char *path, const struct stat *about, int kind, struct FTW *place) {
+    (void)about;
+    (void)kind;
+    (void)place;
+    return remove(path) == 0 || errno == ENOENT ? 0 : -1;
+}
+
+void temporary_remove(const char *folder) {
+    nftw(folder, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
