@@ -14,6 +14,7 @@
 #include "driver/dependencies.h"
 #include "driver/files.h"
 #include "driver/report_log.h"
+#include "driver/temporary.h"
 
 static void table_is_sorted(void **state) {
     (void)state;
