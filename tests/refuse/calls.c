@@ -85,17 +85,6 @@ void mutually_recursive(int n, const int *k, double *h) {
         h[k[t]] += odd(k[t]);
 }
 
-static void set(double *target, double v) {
-    *target = v;
-}
-
-void stores_element(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        h[k[t]] += 1.0;
-        set(&h[t], 0.0);
-    }
-}
-
 static double add_and_tell(double *target, double v) {
     return *target += v;
 }
@@ -104,17 +93,6 @@ void value_of_callee_update(int n, const int *k, double *h, double *seen) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         h[k[t]] += 1.0;
         seen[t] = add_and_tell(&h[k[t]], 1.0);
-    }
-}
-
-static void grow(double *target) {
-    *target = *target * 2.0 + 1.0;
-}
-
-void callee_grows(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        h[k[t]] += 1.0;
-        grow(&h[k[t + 1]]);
     }
 }
 

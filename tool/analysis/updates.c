@@ -4,6 +4,7 @@
 #include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/extremum.h"
+#include "analysis/update_call.h"
 #include "analysis/update_statement.h"
 #include "analysis/variation.h"
 
@@ -130,7 +131,8 @@ static bool has_other_effect(const judgement *j, const ir_node *statement,
             continue;
         bool is_same_element = statement->kind == IR_IF && !other->access.callee &&
                                expression_same(other->access.lvalue, update->access.lvalue);
-        if (!is_same_element)
+        bool is_same_call = update->access.callee && other->access.node == update->access.node;
+        if (!is_same_element && !is_same_call)
             return true;
     }
     return false;
@@ -139,7 +141,7 @@ static bool has_other_effect(const judgement *j, const ir_node *statement,
 static bool judge_element(judgement *j, const judged_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const ir_node *value = update->access.form.value;
-    const ir_type *type = target->type;
+    const ir_type *type = update->access.type;
     if (update->where.has_bit_field)
         return judgement_refuse(j, REASON_BIT_FIELD, target, name);
     if (update->where.has_union)
@@ -154,6 +156,19 @@ static bool judge_element(judgement *j, const judged_access *update, const char 
     return true;
 }
 
+/* Can the statement be wrapped in a question for ownership, which skips nothing else? */
+static bool judge_place(judgement *j, const judged_access *update, const ir_node *statement,
+                        const char *name) {
+    const ir_node *outer = statement->parent;
+    if (outer && outer->kind == IR_FOR && outer->children[3] != statement)
+        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, statement, name);
+    if (has_other_effect(j, statement, update))
+        return judgement_refuse(j, REASON_SIDE_EFFECT, statement, name);
+    if (statement->range.begin >= statement->range.end)
+        return judgement_refuse(j, REASON_NO_RANGE, statement, name);
+    return true;
+}
+
 static bool judge_statement(judgement *j, const judged_access *update, const char *name,
                             const ir_node **statement) {
     const ir_node *assignment = update->access.form.target->parent;
@@ -162,14 +177,7 @@ static bool judge_statement(judgement *j, const judged_access *update, const cha
         return judgement_refuse(j, REASON_UPDATE_VALUE_USED, assignment, name);
     if (!*statement)
         return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
-    if ((*statement)->parent && (*statement)->parent->kind == IR_FOR &&
-        (*statement)->parent->children[3] != *statement)
-        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
-    if (has_other_effect(j, *statement, update))
-        return judgement_refuse(j, REASON_SIDE_EFFECT, assignment, name);
-    if ((*statement)->range.begin >= (*statement)->range.end)
-        return judgement_refuse(j, REASON_NO_RANGE, *statement, name);
-    return true;
+    return judge_place(j, update, *statement, name);
 }
 
 /* ---- does the order of the updates matter? ------------------------------------------------------
@@ -255,7 +263,7 @@ static bool add_array(judgement *j, const judged_access *update, update_kind kin
             continue;
         /* Behind one base lies one array; different fields of its elements do not meet. */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
-        bool other_type = !ir_type_equal(known->array.element, target->type);
+        bool other_type = !ir_type_equal(known->array.element, update->access.type);
         bool differs = known->array.op != kind.op || other_type;
         if (meets != OVERLAP_NO && other_type)
             return judgement_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
@@ -267,7 +275,7 @@ static bool add_array(judgement *j, const judged_access *update, update_kind kin
     judged_array item = {.where = update->where, .first = target};
     item.array = (reduction_array){.base = update->where.base,
                                    .name = expression_text(j->an->memory, update->where.base),
-                                   .element = target->type,
+                                   .element = update->access.type,
                                    .op = kind.op,
                                    .order_is_kept = kind.needs_order};
     *number = j->arrays.count;
@@ -294,11 +302,7 @@ static bool judge_neighbours(judgement *j, const judged_access *update, update_k
 }
 
 static void take_update(judgement *j, judged_access *update, update_kind kind,
-                        const ir_node *statement, unsigned number) {
-    const ir_node *target = update->access.form.target;
-    for (unsigned i = 0; i < j->access_count; i++)
-        if (update_statement_reads_itself(&j->accesses[i], statement, target))
-            j->accesses[i].class = CLASS_SELF;
+                        const ir_node *statement, const ir_node *target, unsigned number) {
     update->class = CLASS_REDUCTION;
     update->array = number;
     update->op = kind.op;
@@ -327,13 +331,56 @@ static bool judge_update(judgement *j, judged_access *update) {
     if (!add_array(j, update, kind, &number) ||
         !judge_neighbours(j, update, kind, &j->arrays.items[number], number))
         return false;
-    take_update(j, update, kind, statement, number);
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (update_statement_reads_itself(&j->accesses[i], statement, target))
+            j->accesses[i].class = CLASS_SELF;
+    take_update(j, update, kind, statement, target, number);
+    return true;
+}
+
+/* The bytes of a row are not cut apart between owners where the array consists of such rows. */
+static bool is_whole_row(const judged_access *update) {
+    const ir_node *target = update->access.lvalue;
+    return ir_type_is_scalar(target->type) ||
+           (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
+}
+
+/* A function is given the address of what it updates. */
+static bool judge_call(judgement *j, judged_access *write) {
+    unsigned number;
+    const update_call found = update_call_of(j, write->access.node);
+    if (!found.statement)
+        return refuse_store(j, write);
+    judged_access update = *write; /* as if all of the element or row were written here */
+    update.access.lvalue = update.access.form.target = found.target;
+    update.access.form.value = NULL;
+    update.access.type = ir_type_innermost(write->access.type);
+    update.where = location_of(j->an->facts, found.target, j->loop);
+    update.where.type = update.access.type;
+    if (update.where.base && is_inside_node(found.target, update.where.base))
+        update.where.base = base_of(found.target, update.where.base);
+    const char *name = judgement_name(j, found.target);
+    if (!judge_place(j, &update, found.statement, name) || !judge_element(j, &update, name) ||
+        !judge_base(j, &update, name))
+        return false;
+    if (!is_whole_row(&update))
+        return refuse_store(j, write);
+    update_kind kind = {found.has_operator ? found.op : REDUCTION_NONE, !found.has_operator};
+    if (!add_array(j, &update, kind, &number) ||
+        !judge_neighbours(j, &update, kind, &j->arrays.items[number], number))
+        return false;
+    if (!j->updates.count || j->updates.items[j->updates.count - 1].statement != found.statement)
+        update_call_mark_reads(j, &found);
+    write->where = update.where;
+    take_update(j, write, kind, found.statement, found.target, number);
     return true;
 }
 
 /* A plain store: each element's last one counts, so their order must be kept. */
 static bool judge_store(judgement *j, judged_access *store) {
-    if (store->access.callee || !is_element(store->access.lvalue) || other_read(j, store))
+    if (store->access.callee)
+        return judge_call(j, store);
+    if (!is_element(store->access.lvalue) || other_read(j, store))
         return refuse_store(j, store);
     if (judge_update(j, store))
         return true;
@@ -343,6 +390,12 @@ static bool judge_store(judgement *j, judged_access *store) {
 
 static bool is_own_scalar(const judgement *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
+}
+
+static bool is_irregular_call(const judgement *j, const judged_access *write) {
+    const ir_node *target =
+        write->access.callee ? update_call_of(j, write->access.node).target : NULL;
+    return target && variation_is_irregular(j->an->facts, j->loop, target);
 }
 
 static bool judge_write(judgement *j, judged_access *write) {
@@ -356,7 +409,7 @@ static bool judge_write(judgement *j, judged_access *write) {
             write->class = CLASS_SCALAR;
             return true;
         }
-        if (!is_update || !is_element(write->access.lvalue) ||
+        if ((!is_update && !is_irregular_call(j, write)) || !is_element(write->access.lvalue) ||
             where->object->type->kind != IR_ARRAY)
             return refuse_variable(j, write);
     } else if (where->object && !is_element(write->access.lvalue)) {

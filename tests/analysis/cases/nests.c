@@ -29,7 +29,7 @@ void halves(int n, const int *s, double *restrict h) {
 }
 
 void by_callee_alone(int n, const int *s, double *h) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+    for (int t = 0; t < n; t++) // EXPECT: transform h(+)
         add(&h[s[t]], 1.0);
 }
 

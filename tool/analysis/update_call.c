@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/update_call.h"
+
+#include "analysis/counted.h"
+#include "analysis/expression.h"
+
+/* ---- inside what the parameter points to ------------------------------------------------------
+ */
+
+static bool is_parameter(const ir_node *node, const ir_variable *parameter) {
+    return node->kind == IR_VARIABLE && node->variable == parameter;
+}
+
+static bool is_subscript_below(const ir_node *subscript, int64_t count) {
+    int64_t low, high;
+    return count > 0 && counted_range(subscript, &low, &high) && low >= 0 && high < count;
+}
+
+/* *(T (*)[n])p with a p to T: n elements from where p points (effects.c). */
+static bool is_widened(const ir_node *lvalue, const ir_variable *parameter) {
+    const ir_node *cast = lvalue->children[0];
+    return cast->kind == IR_CAST && is_parameter(cast->children[0], parameter) &&
+           lvalue->type->kind == IR_ARRAY && parameter->type->target &&
+           ir_type_equal(lvalue->type->target, parameter->type->target);
+}
+
+/* Do all the bytes of the lvalue lie in the first `size` ones that the parameter points to? */
+static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int64_t size) {
+    const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
+    if (!child || !lvalue->type || lvalue->type->size <= 0 || lvalue->type->size > size)
+        return false;
+    switch (lvalue->kind) {
+    case IR_UNARY:
+        if (lvalue->op != IR_OP_DEREFERENCE)
+            return false;
+        return is_parameter(child, parameter) || is_widened(lvalue, parameter);
+    case IR_INDEX:
+        if (is_parameter(child, parameter))
+            return is_subscript_below(lvalue->children[1], size / lvalue->type->size);
+        return child->type && child->type->kind == IR_ARRAY &&
+               is_subscript_below(lvalue->children[1], child->type->count) &&
+               lies_within(child, parameter, size);
+    case IR_MEMBER:
+        if (!(lvalue->flags & IR_ARROW))
+            return lies_within(child, parameter, size);
+        return is_parameter(child, parameter) && child->type->target &&
+               child->type->target->size > 0 && child->type->target->size <= size;
+    default:
+        return false;
+    }
+}
+
+/* ---- the element or row -----------------------------------------------------------------------
+ */
+
+/* What the argument points to, as an lvalue; NULL: it is not seen. */
+static const ir_node *pointed_element(const judgement *j, const ir_node *argument) {
+    if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
+        return argument->children[0];
+    if (argument->type && argument->type->kind == IR_ARRAY && expression_is_lvalue(argument))
+        return argument;
+    if (argument->kind != IR_BINARY || argument->op != IR_OP_ADD || !argument->type ||
+        argument->type->kind != IR_POINTER || !expression_is_plain(argument))
+        return NULL;
+    const ir_type *left = argument->children[0]->type;
+    bool left_is_pointer = left && (left->kind == IR_POINTER || left->kind == IR_ARRAY);
+    arena *a = j->an->memory;
+    ir_node *element = ir_new(a, IR_INDEX, argument->type->target, 2);
+    element->range = argument->range;
+    for (unsigned i = 0; i < 2; i++) {
+        const ir_node *part = argument->children[left_is_pointer ? i : 1 - i];
+        element->children[i] = ir_substitute(a, part, NULL, NULL);
+        element->children[i]->parent = element;
+    }
+    return element;
+}
+
+static bool points_to(const ir_type *pointer, const ir_type *target) {
+    const ir_type *pointee = pointer->kind == IR_POINTER ? pointer->target : NULL;
+    return pointee && (ir_type_equal(pointee, target) ||
+                       (target->kind == IR_ARRAY && ir_type_equal(pointee, target->target)));
+}
+
+/* ---- the call
+ * ------------------------------------------------------------------------------------
+ */
+
+/* The parameter through which all is written; NULL: there is none, or more than one. */
+static const ir_variable *written_parameter(const access_list *known) {
+    const ir_variable *found = NULL;
+    for (unsigned i = 0; i < known->items.count; i++) {
+        const access *item = &known->items.items[i];
+        if (item->kind == ACCESS_READ)
+            continue;
+        const ir_variable *root =
+            item->lvalue && item->is_exact ? ir_root_variable(item->lvalue) : NULL;
+        if (!root || root->storage != IR_PARAMETER || (found && found != root))
+            return NULL;
+        found = root;
+    }
+    return found;
+}
+
+static bool writes_within(const access_list *known, const ir_variable *parameter, int64_t size) {
+    for (unsigned i = 0; i < known->items.count; i++)
+        if (known->items.items[i].kind != ACCESS_READ &&
+            !lies_within(known->items.items[i].lvalue, parameter, size))
+            return false;
+    return true;
+}
+
+static const ir_node *argument_for(const ir_node *call, const ir_variable *parameter) {
+    const ir_function *function = call->children[0]->function;
+    for (unsigned i = 0; i < function->parameter_count && i + 1 < call->child_count; i++)
+        if (function->parameters[i] == parameter)
+            return call->children[i + 1];
+    return NULL;
+}
+
+/* Is a sum of such values the same in any order, but for the rounding of floating ones? */
+static bool keeps_type(const update_form *form) {
+    const ir_type *type = form->target->type;
+    return type && type->kind != IR_BOOLEAN &&
+           (type->kind != IR_INTEGER || !form->value ||
+            (form->value->type && form->value->type->kind == IR_INTEGER));
+}
+
+/* *d += e, by one operator, and no other read of the element. */
+static void find_operator(const access_list *known, const ir_variable *parameter, int64_t size,
+                          update_call *found) {
+    unsigned writes = 0;
+    for (unsigned i = 0; i < known->items.count; i++) {
+        const access *item = &known->items.items[i];
+        if (item->kind == ACCESS_READ) {
+            if (item->lvalue && lies_within(item->lvalue, parameter, size))
+                return;
+            continue;
+        }
+        if (item->kind != ACCESS_UPDATE || !item->form.has_operator || !keeps_type(&item->form) ||
+            (writes++ && item->form.op != found->op))
+            return;
+        found->op = item->form.op;
+    }
+    found->has_operator = writes > 0;
+}
+
+static const access_list *summary_of(const judgement *j, const ir_node *call) {
+    const ir_node *callee = call->children[0];
+    if (call->kind != IR_CALL || callee->kind != IR_FUNCTION || !callee->function->body)
+        return NULL;
+    const access_list *known = effects_of(j->an->effects, callee->function);
+    return known && !known->problems.count ? known : NULL;
+}
+
+update_call update_call_of(const judgement *j, const ir_node *call) {
+    update_call none = {0};
+    const access_list *known = summary_of(j, call);
+    if (!known || !call->parent || call->parent->kind != IR_EXPRESSION)
+        return none;
+    const ir_variable *parameter = written_parameter(known);
+    const ir_node *argument = parameter ? argument_for(call, parameter) : NULL;
+    const ir_node *target = argument ? pointed_element(j, argument) : NULL;
+    if (!target || !target->type || !points_to(parameter->type, target->type) ||
+        !writes_within(known, parameter, target->type->size))
+        return none;
+    update_call found = {.statement = call->parent, .target = target};
+    find_operator(known, parameter, target->type->size, &found);
+    return found;
+}
+
+/* A call's accesses are listed in the order of its function's summary, each with the call as its
+ * node. */
+void update_call_mark_reads(judgement *j, const update_call *update) {
+    const ir_node *call = update->statement->children[0];
+    const access_list *known = summary_of(j, call);
+    const ir_variable *parameter = known ? written_parameter(known) : NULL;
+    unsigned number = 0;
+    for (unsigned i = 0; parameter && i < j->access_count && number < known->items.count; i++) {
+        judged_access *read = &j->accesses[i];
+        if (read->access.node != call || !read->access.callee)
+            continue;
+        const access *item = &known->items.items[number++];
+        if (item->kind == ACCESS_READ && item->lvalue &&
+            lies_within(item->lvalue, parameter, update->target->type->size))
+            read->class = CLASS_SELF;
+    }
+}
