@@ -29,6 +29,22 @@ static void add_triangle_forces(simulation *sim, const expansion *at) {
     sim->effects[EFFECT_SHEAR].seconds += stretch && shear ? seconds / 2 : shear * seconds;
 }
 
+static void add_strain_limit(simulation *sim, const expansion *at) {
+    effect_account *account = &sim->effects[EFFECT_STRAIN_LIMIT];
+    const double start = clock_seconds();
+    strain_limit_forces(&sim->strain_limit, &sim->triangles, at->h, at->x, at->lag, &sim->system);
+    account->visited += sim->strain_limit.count;
+    account->seconds += clock_seconds() - start;
+}
+
+int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]) {
+    if (!effect_is_on(sim, EFFECT_STRAIN_LIMIT) ||
+        strain_limit_find_missed(&sim->strain_limit, &sim->triangles, at->h, at->x, at->v, dv) == 0)
+        return 0;
+    add_strain_limit(sim, at);
+    return sim->strain_limit.count;
+}
+
 static void add_hinge_forces(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
     hinge_update_angles(&sim->hinges, at->x);
@@ -56,6 +72,10 @@ void forces_assemble(simulation *sim, const expansion *at) {
         add_triangle_forces(sim, at);
     if (sim->has_hinge_forces && ((unsigned)FABRIC_WITHOUT & hinge_effects) != hinge_effects)
         add_hinge_forces(sim, at);
+    if (effect_is_on(sim, EFFECT_STRAIN_LIMIT)) {
+        strain_limit_find(&sim->strain_limit, &sim->triangles, at->x);
+        add_strain_limit(sim, at);
+    }
     if (effect_is_on(sim, EFFECT_DRAG))
         add_drag(sim, at);
 }

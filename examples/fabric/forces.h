@@ -21,4 +21,8 @@ typedef struct expansion {
  */
 void forces_assemble(simulation *sim, const expansion *at);
 
+/** Adds what the solution dv showed to be missing, effects that begin within the step; returns how
+ *  many elements that is. The system is to be solved again then. */
+int forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
+
 #endif

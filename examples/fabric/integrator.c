@@ -130,15 +130,28 @@ static solver_status solve_stage(simulation *sim) {
                         &sim->iterations);
 }
 
+/* Newton's method finds such forces by itself, at the states it goes through. */
+static int add_missed_forces(simulation *sim) {
+    const expansion start = {sim->h, read_only(sim->x), read_only(sim->v), read_only(sim->v)};
+    if (sim->integrator.kind != INTEGRATOR_LINEAR_EULER)
+        return 0;
+    return forces_add_missed(sim, &start, read_only(sim->dv));
+}
+
 void solveSystem(simulation *sim) {
     if (sim->integrator.two_states && has_contact(sim))
         leave_two_states(sim);
     for (int n = 0; n < most_solutions; n++) {
         sim->solver_status = solve_stage(sim);
-        if (sim->solver_status != SOLVER_CONVERGED || n + 1 == most_solutions ||
-            collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                                  read_only(sim->v), travel(sim)) == 0)
+        if (sim->solver_status != SOLVER_CONVERGED || n + 1 == most_solutions)
             return;
+        const int contacts =
+            collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
+                                  read_only(sim->v), travel(sim));
+        if (add_missed_forces(sim) == 0 && contacts == 0)
+            return;
+        if (contacts == 0)
+            continue;
         collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
         if (sim->integrator.kind != INTEGRATOR_LINEAR_EULER)
             leave_two_states(sim);

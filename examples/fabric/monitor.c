@@ -43,6 +43,8 @@ static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
         triangle_energies(step->triangles, t, x, &stretch, &shear);
     if (step->hinge_material->bend > 0)
         bend = hinge_energy_at(step->hinges, step->hinge_material, x);
+    if (step->limit)
+        stretch += strain_limit_energy(step->limit, step->triangles, x);
     return stretch + shear + bend;
 }
 

@@ -13,6 +13,7 @@
 
 #include "collision.h"
 #include "effects/hinge.h"
+#include "effects/strain_limit.h"
 #include "effects/triangle.h"
 #include "scene.h"
 #include "solver.h"
@@ -40,6 +41,7 @@ typedef struct monitored_step {
     const constraints *given;
     const triangle_elements *triangles;
     const triangle_material *triangle_material;
+    const strain_limit *limit; /* NULL: none */
     const hinge_elements *hinges;
     const hinge_material *hinge_material;
     const collisions *collisions;

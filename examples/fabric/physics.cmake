@@ -7,6 +7,7 @@ foreach(source
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
     effects/drag.c effects/drag_work.c effects/damping.c
+    effects/strain_limit.c effects/strain_limit_list.c
     collision_account.c monitor.c plan.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})
 endforeach()

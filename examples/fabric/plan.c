@@ -76,6 +76,7 @@ void plan_make(simulation *sim) {
     set_effect(sim, EFFECT_STRETCH_DAMPING, "stretch damping", t->stretch_damping > 0, triangles);
     set_effect(sim, EFFECT_SHEAR_DAMPING, "shear damping", t->shear_damping > 0, triangles);
     set_effect(sim, EFFECT_BEND_DAMPING, "bend damping", b->bend_damping > 0, hinges);
+    set_effect(sim, EFFECT_STRAIN_LIMIT, "strain limit", s->strain_limit > 0, triangles);
     set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
     set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
     set_effect(sim, EFFECT_WIND, "wind", s->drag > 0 && vector_length(s->wind) > 0, triangles);

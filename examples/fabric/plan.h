@@ -15,6 +15,7 @@ enum {
     EFFECT_STRETCH_DAMPING, /* the dampings' seconds are within those of the three above */
     EFFECT_SHEAR_DAMPING,
     EFFECT_BEND_DAMPING,
+    EFFECT_STRAIN_LIMIT,
     EFFECT_GRAVITY,
     EFFECT_DRAG,
     EFFECT_WIND, /* its seconds are within drag's */

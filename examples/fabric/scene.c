@@ -39,6 +39,10 @@ static int check_whole(const scene_source *from, const scene *s) {
         return scene_complain(from, from->has_lines ? node_at(from, "mesh.boundary") : NULL,
                               "'mesh.boundary' is %d, expected less than 'mesh.vertices', %d",
                               s->boundary, s->vertices);
+    if (s->strain_limit > 0 && !(s->stretch > 0))
+        return scene_complain(from, from->has_lines ? node_at(from, "material.strain_limit") : NULL,
+                              "'material.strain_limit' limits a stretch that 'material.stretch' "
+                              "sets to 0, expected more");
     for (int k = 0; k < s->pin_count; k++) {
         const pin *p = &s->pins[k];
         snprintf(path, sizeof path, "pins.%d.low", k);

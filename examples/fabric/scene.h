@@ -54,6 +54,7 @@ typedef struct scene {
     double stretch, shear;                               /* N/m */
     double bend;                                         /* N m */
     double stretch_damping, shear_damping, bend_damping; /* s times the stiffness' unit */
+    double strain_limit;                                 /* 0: none */
     /* surroundings */
     double gravity[3];            /* m/s^2 */
     double drag;                  /* kg/(m^2 s): force per area and relative velocity */

@@ -56,6 +56,7 @@ static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
                                           NUMBER(scene, stretch_damping, 0, NOT_NEGATIVE),
                                           NUMBER(scene, shear_damping, 0, NOT_NEGATIVE),
                                           NUMBER(scene, bend_damping, 0, NOT_NEGATIVE),
+                                          NUMBER(scene, strain_limit, 0, NOT_NEGATIVE),
                                           END};
 
 static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),

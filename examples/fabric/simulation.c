@@ -55,6 +55,7 @@ monitored_step simulation_monitored(const simulation *sim) {
         .given = &sim->constraints,
         .triangles = &sim->triangles,
         .triangle_material = &sim->triangle_material,
+        .limit = sim->effects[EFFECT_STRAIN_LIMIT].active ? &sim->strain_limit : NULL,
         .hinges = &sim->hinges,
         .hinge_material = &sim->hinge_material,
         .collisions = &sim->collisions,

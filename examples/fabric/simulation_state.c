@@ -77,6 +77,8 @@ static int build(simulation *sim, char *error) {
         s->stretch > 0 || s->shear > 0 || s->stretch_damping > 0 || s->shear_damping > 0;
     sim->has_hinge_forces = s->bend > 0 || s->bend_damping > 0;
     if (allocate_state(sim) != 0 || triangle_elements_init(&sim->triangles, sim->mesh) != 0 ||
+        (s->strain_limit > 0 && strain_limit_init(&sim->strain_limit, &sim->triangles,
+                                                  s->strain_limit, s->stretch) != 0) ||
         (sim->has_hinge_forces && hinge_elements_init(&sim->hinges, sim->mesh) != 0))
         return -1;
     share_mass(sim);
@@ -125,6 +127,7 @@ void simulation_free(simulation *sim) {
         return;
     triangle_elements_free(&sim->triangles);
     hinge_elements_free(&sim->hinges);
+    strain_limit_free(&sim->strain_limit);
     system_free(&sim->system);
     collisions_free(&sim->collisions);
     constraints_free(&sim->constraints);

@@ -6,6 +6,7 @@
 #include "collision.h"
 #include "constraint.h"
 #include "effects/hinge.h"
+#include "effects/strain_limit.h"
 #include "effects/triangle.h"
 #include "integrator.h"
 #include "monitor.h"
@@ -24,6 +25,7 @@ struct simulation {
     /* what the scene calls for */
     triangle_elements triangles; /* for stretch, shear, drag, strain */
     hinge_elements hinges;       /* none without bending */
+    strain_limit strain_limit;   /* empty without a limit */
     triangle_material triangle_material;
     hinge_material hinge_material;
     int has_triangle_forces, has_hinge_forces;

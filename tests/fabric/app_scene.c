@@ -110,9 +110,10 @@ static void test_unknown_keys(void **unused) {
     check_wrong(12, "  gravty: [0, 0, -9.81]",
                 ":12: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', "
                 "'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?");
-    check_wrong(1, "title: test",
-                ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
-                "'surroundings', 'pins', 'colliders', 'time', 'solution', 'monitor'; did you mean 'time'?");
+    check_wrong(
+        1, "title: test",
+        ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
+        "'surroundings', 'pins', 'colliders', 'time', 'solution', 'monitor'; did you mean 'time'?");
     check_wrong(17, "    half_edges: [1, 1, 1]",
                 ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "
                 "'position', 'velocity', 'radius', 'friction', 'gap', 'from', 'until'");
@@ -210,7 +211,8 @@ static void test_set_wrong(void **unused) {
     assert_int_equal(read_with(0, NULL, &s), 0);
     check_set(&s, "material.bnd=1",
               "unknown key 'bnd' in 'material', expected one of 'density', 'stretch', 'shear', "
-              "'bend', 'stretch_damping', 'shear_damping', 'bend_damping'; did you mean 'bend'?");
+              "'bend', 'stretch_damping', 'shear_damping', 'bend_damping', 'strain_limit'; did you "
+              "mean 'bend'?");
     check_set(&s, "material.bend=-1", "'material.bend' is '-1', expected a number, 0 or more");
     check_set(&s, "material=1", "'material' is a section: set one of its keys");
     check_set(&s, "material.bend.x=1", "'bend' is a value and has no keys in it");

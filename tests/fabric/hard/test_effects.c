@@ -222,6 +222,89 @@ static void test_collider_is_removed(void **state) {
     stage_end(&on);
 }
 
+static double strain_of(const stage *on) {
+    return triangle_greatest_strain(&on->sim->triangles, simulation_positions(on->sim));
+}
+
+/* A cloth that its weight stretches by a third, and the same with a limit of 5 %: at rest it is
+ * over by what the load stretches the stiffer cloth by, and on the way there never by much more. */
+static void test_strain_is_limited(void **state) {
+    (void)state;
+    double greatest[2] = {0, 0};
+    for (int limited = 0; limited < 2; limited++) {
+        stage on = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
+        on.s.pins = &hold;
+        on.s.pin_count = 1;
+        on.s.gravity[0] = 9.81; /* along the cloth */
+        on.s.gravity[2] = 0;
+        on.s.density = 1;
+        on.s.stretch = 20;
+        on.s.step = 0.02;
+        on.s.tolerance = 1e-6;
+        on.s.drag = 1;
+        on.s.strain_limit = limited ? 0.05 : 0;
+        stage_begin(&on);
+        for (int n = 0; n < 150; n++) {
+            stage_run(&on, 1);
+            greatest[limited] = fmax(greatest[limited], strain_of(&on));
+        }
+        if (limited) {
+            assert_below(strain_of(&on), 0.05 + 1.0 * 9.81 * 0.6 / 2000 * 2);
+            assert_true(visited(&on, "strain limit") > 0);
+        } else {
+            assert_true(strain_of(&on) > 0.25);
+        }
+        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        stage_end(&on);
+    }
+    print_message("greatest strain: %.3f, limited %.4f\n", greatest[0], greatest[1]);
+    assert_below(greatest[1], 0.07);
+}
+
+/* The limit's force is the gradient of its energy, and what is beyond it is exact in A. */
+static void test_strain_limit_is_a_gradient(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.3, 1), cloth_scene());
+    const int n = 3 * on.m.vertex_count;
+    const double d = 1e-7, none[3] = {0, 0, 0};
+    on.s.strain_limit = 0.1;
+    stage_begin(&on);
+    simulation *sim = on.sim;
+    double *still = calloc((size_t)on.m.vertex_count, sizeof *still);
+    double(*rest)[3] = calloc((size_t)on.m.vertex_count, sizeof *rest);
+    unsigned seed = 2;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            sim->x[i][a] = (a < 2 ? 1.2 : 1) * sim->x[i][a] + 0.01 * random_number(&seed);
+    const double(*x)[3] = (const double(*)[3])sim->x;
+    strain_limit_find(&sim->strain_limit, &sim->triangles, x);
+    assert_true(sim->strain_limit.count > 10);
+    system_reset(&sim->system, still, none, 1);
+    strain_limit_forces(&sim->strain_limit, &sim->triangles, 1, x, (const double(*)[3])rest,
+                        &sim->system);
+    for (int k = 0; k < n; k++) {
+        double *at = &sim->x[0][0] + k, was = *at;
+        *at = was + d;
+        const double up = strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
+        *at = was - d;
+        const double down = strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
+        *at = was;
+        assert_near((&sim->system.b[0][0])[k], -(up - down) / (2 * d), 1e-4);
+    }
+    free(still);
+    free(rest);
+    stage_end(&on);
+}
+
+static void add_wide_limit(scene *s) {
+    s->strain_limit = 5;
+}
+
+static void test_wide_limit(void **state) {
+    (void)state;
+    assert_changes_no_bit(add_wide_limit, "strain limit");
+}
+
 static void test_events_are_listed(void **state) {
     (void)state;
     double time[2];
@@ -247,6 +330,9 @@ int main(void) {
         cmocka_unit_test(test_pin_is_released),
         cmocka_unit_test(test_pin_moves_for_a_while),
         cmocka_unit_test(test_collider_is_removed),
+        cmocka_unit_test(test_strain_is_limited),
+        cmocka_unit_test(test_strain_limit_is_a_gradient),
+        cmocka_unit_test(test_wide_limit),
         cmocka_unit_test(test_events_are_listed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Strain limiting: the force and its derivative (see strain_limit.h for the energy). */
+#include "strain_limit.h"
+
+#include "vector.h"
+
+/*
+ * One direction. With n = w / |w|, b = 1 + limit: gradient h dE/dw = h k a (|w| - b) n, second
+ * derivative k a (n n' + g (I - n n')), g = 1 - b/|w| but not below 0. `on` is 0 where this
+ * direction is not limited.
+ */
+static inline void limit_terms(const double w[3], double on, double rest_length, double area,
+                               double stiffness, double h, double gradient[3],
+                               double hessian[3][3]) {
+    const double length = vector_length(w);
+    const double inverse = length > 0 ? 1 / length : 0;
+    const double g = length > rest_length ? 1 - rest_length * inverse : 0;
+    const double along = on * h * h * stiffness * area;
+    const double force = on * h * stiffness * area * (length - rest_length) * inverse;
+    int r, c;
+    for (r = 0; r < 3; r++) {
+        gradient[r] = force * w[r];
+        for (c = 0; c < 3; c++)
+            hessian[r][c] =
+                along * ((1 - g) * (inverse * w[r]) * (inverse * w[c]) + (r == c ? g : 0));
+    }
+}
+
+/* f and df: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k), as in triangle.c but without shear. */
+static void limit_force(const triangle_rest *rest, unsigned over, double rest_length,
+                        double stiffness, double h, const double (*x)[3], const double (*v)[3],
+                        int i, int j, int k, double f[3][3], double df[6][3][3]) {
+    const double u0 = rest->cu[0], u1 = rest->cu[1], u2 = rest->cu[2];
+    const double v0 = rest->cv[0], v1 = rest->cv[1], v2 = rest->cv[2];
+    double wu[3], wv[3], rate_u[3], rate_v[3], force_u[3], force_v[3], uu[3][3], vv[3][3];
+    int p, r, c;
+    triangle_derivatives(rest, x, i, j, k, wu, wv);
+    triangle_derivatives(rest, v, i, j, k, rate_u, rate_v);
+    limit_terms(wu, (over & 1u) != 0 ? 1 : 0, rest_length, rest->area, stiffness, h, force_u, uu);
+    limit_terms(wv, (over & 2u) != 0 ? 1 : 0, rest_length, rest->area, stiffness, h, force_v, vv);
+    for (r = 0; r < 3; r++)
+        for (c = 0; c < 3; c++) {
+            force_u[r] += uu[r][c] * rate_u[c];
+            force_v[r] += vv[r][c] * rate_v[c];
+            df[0][r][c] = u0 * u0 * uu[r][c] + v0 * v0 * vv[r][c];
+            df[1][r][c] = u0 * u1 * uu[r][c] + v0 * v1 * vv[r][c];
+            df[2][r][c] = u0 * u2 * uu[r][c] + v0 * v2 * vv[r][c];
+            df[3][r][c] = u1 * u1 * uu[r][c] + v1 * v1 * vv[r][c];
+            df[4][r][c] = u1 * u2 * uu[r][c] + v1 * v2 * vv[r][c];
+            df[5][r][c] = u2 * u2 * uu[r][c] + v2 * v2 * vv[r][c];
+        }
+    for (p = 0; p < 3; p++)
+        for (c = 0; c < 3; c++)
+            f[p][c] = -(rest->cu[p] * force_u[c] + rest->cv[p] * force_v[c]);
+}
+
+void strain_limit_forces(const strain_limit *l, const triangle_elements *e, double h,
+                         const double (*restrict x)[3], const double (*restrict v)[3],
+                         linear_system *s) {
+    int n, t, i, j, k, r, c;
+    int ii, ij, ik, jj, jk, kk;
+    double f[3][3], df[6][3][3];
+    for (n = 0; n < l->count; n++) {
+        t = l->triangle[n];
+        i = e->vertex[t][0];
+        j = e->vertex[t][1];
+        k = e->vertex[t][2];
+        limit_force(&e->rest[t], l->over[t], 1 + l->limit, l->stiffness, h, x, v, i, j, k, f, df);
+        for (c = 0; c < 3; c++) {
+            s->b[i][c] += f[0][c];
+            s->b[j][c] += f[1][c];
+            s->b[k][c] += f[2][c];
+        }
+        ii = e->block[t][0];
+        ij = e->block[t][1];
+        ik = e->block[t][2];
+        jj = e->block[t][3];
+        jk = e->block[t][4];
+        kk = e->block[t][5];
+        for (r = 0; r < 3; r++)
+            for (c = 0; c < 3; c++) {
+                s->A.value[ii][r][c] += df[0][r][c];
+                s->A.value[ij][r][c] += df[1][r][c];
+                s->A.value[ik][r][c] += df[2][r][c];
+                s->A.value[jj][r][c] += df[3][r][c];
+                s->A.value[jk][r][c] += df[4][r][c];
+                s->A.value[kk][r][c] += df[5][r][c];
+            }
+    }
+}
