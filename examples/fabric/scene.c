@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/obj.h"
 #include "scene_value.h"
+#include "surface.h"
 
 /** The node at `path` (names and item numbers with dots between), or the nearest above it. */
 static const yaml_node_t *node_at(const scene_source *from, const char *path) {
@@ -32,8 +34,27 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     return node;
 }
 
+/** Reads the meshes of colliders that have none yet. */
+static int read_surfaces(const scene_source *from, scene *s) {
+    for (int n = 0; n < s->collider_count; n++) {
+        collider *c = &s->colliders[n];
+        char path[PATH_SIZE], error[256] = "it cannot be read";
+        mesh m = {0};
+        if (c->kind != COLLIDER_MESH || c->surface)
+            continue;
+        if (obj_read(&m, c->file) == 0)
+            c->surface = surface_new(&m, error);
+        mesh_free(&m);
+        snprintf(path, sizeof path, "colliders.%d.file", n);
+        if (!c->surface)
+            return scene_complain(from, from->has_lines ? node_at(from, path) : NULL,
+                                  "'%s' is '%s': %s", path, c->file, error);
+    }
+    return 0;
+}
+
 /** What no single key's range can say, of a document whose keys are all valid. */
-static int check_whole(const scene_source *from, const scene *s) {
+static int check_whole(const scene_source *from, scene *s) {
     char path[PATH_SIZE];
     if (s->boundary >= s->vertices)
         return scene_complain(from, from->has_lines ? node_at(from, "mesh.boundary") : NULL,
@@ -50,7 +71,7 @@ static int check_whole(const scene_source *from, const scene *s) {
             return scene_complain(from, from->has_lines ? node_at(from, path) : NULL,
                                   "'%s' lies above 'high', expected a corner below it", path);
     }
-    return 0;
+    return read_surfaces(from, s);
 }
 
 static int complain_syntax(const scene_source *from, const yaml_parser_t *parser) {
@@ -112,6 +133,8 @@ int scene_read(scene *s, const char *path) {
 
 void scene_free(scene *s) {
     free(s->pins);
+    for (int n = 0; n < s->collider_count; n++)
+        surface_free(s->colliders[n].surface);
     free(s->colliders);
     *s = (scene){0};
 }

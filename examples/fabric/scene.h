@@ -9,8 +9,11 @@ typedef enum collider_kind {
     COLLIDER_PLANE,
     COLLIDER_BOX,
     COLLIDER_SPHERE,
-    COLLIDER_CYLINDER
+    COLLIDER_CYLINDER,
+    COLLIDER_MESH
 } collider_kind;
+
+enum { SCENE_FILE_SIZE = 1024 };
 
 typedef struct collider {
     collider_kind kind;
@@ -20,7 +23,9 @@ typedef struct collider {
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
     double gap;         /* m, cloth rests at this distance */
-    double from, until; /* s, it is there from then until then; until 0: for good */
+    char file[SCENE_FILE_SIZE]; /* mesh: an OBJ file, with its whole path */
+    struct surface *surface;    /* mesh: read from the file; freed by scene_free */
+    double from, until;         /* s, it is there from then until then; until 0: for good */
 } collider;
 
 /** Pins hold the vertices whose material coordinates lie within [low, high]. */

@@ -2,8 +2,11 @@
 #include "scene_keys.h"
 
 #include "scene.h"
+#include "surface.h"
 
 _Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the scene's name");
+
+_Static_assert(sizeof((collider *)0)->file == FILE_SIZE, "a file fits the collider's");
 
 #define ANY -1e300, 1e300, 0
 #define POSITIVE 0.0, 1e300, 1
@@ -31,7 +34,7 @@ _Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the sce
     { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
 
 static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
-static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", NULL};
+static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
 static const char *const methods[] = {"conjugate-gradients", "direct", NULL};
@@ -107,6 +110,7 @@ static const scene_key collider_keys[] = {
      NULL, NULL, NULL},
     {"half_length", VALUE_NUMBER, offsetof(collider, size[1]), 1, 1, POSITIVE, OF(CYLINDER), NULL,
      NULL, NULL},
+    {"file", VALUE_FILE, offsetof(collider, file), 1, 1, ANY, OF(MESH), NULL, NULL, NULL},
     NUMBER(collider, friction, 0, NOT_NEGATIVE),
     NUMBER(collider, gap, 0, NOT_NEGATIVE),
     NUMBER(collider, from, 0, NOT_NEGATIVE),
@@ -115,9 +119,13 @@ static const scene_key collider_keys[] = {
 
 static const pin pin_defaults;
 static const collider collider_defaults = {.friction = 0.3, .gap = 0.005};
-static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pin_defaults};
+static void release_collider(void *item) {
+    surface_free(((collider *)item)->surface);
+}
+
+static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pin_defaults, NULL};
 static const scene_list collider_list = {offsetof(scene, collider_count), sizeof(collider),
-                                         &collider_defaults};
+                                         &collider_defaults, release_collider};
 
 const scene_key scene_keys[] = {
     {"name", VALUE_TEXT, offsetof(scene, name), 1, 1, ANY, 0, NULL, NULL, NULL},

@@ -7,6 +7,7 @@
 
 typedef enum value_kind {
     VALUE_TEXT,      /* char[64] */
+    VALUE_FILE,      /* char[1024], found from the scene's folder */
     VALUE_WHOLE,     /* int */
     VALUE_SEED,      /* unsigned */
     VALUE_NUMBER,    /* double */
@@ -17,7 +18,7 @@ typedef enum value_kind {
     VALUE_LIST       /* items with keys of their own, in an allocated array */
 } value_kind;
 
-enum { TEXT_SIZE = 64, MOST_KEYS = 32 };
+enum { TEXT_SIZE = 64, FILE_SIZE = 1024, MOST_KEYS = 32 };
 
 typedef struct scene_key scene_key;
 
@@ -25,7 +26,8 @@ typedef struct scene_key scene_key;
 typedef struct scene_list {
     size_t count_offset; /* of the int that counts the items */
     size_t item_size;
-    const void *defaults; /* an item before its keys are read */
+    const void *defaults;        /* an item before its keys are read */
+    void (*release)(void *item); /* frees what an item has beside itself; NULL: nothing */
 } scene_list;
 
 struct scene_key {

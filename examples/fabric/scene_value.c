@@ -82,9 +82,11 @@ static void describe(char text[MESSAGE_SIZE], const scene_key *key) {
         while (key->choices[count])
             count++;
         list_words(text, key->choices, count);
-    } else if (key->kind == VALUE_TEXT || key->kind == VALUE_SECTION || key->kind == VALUE_LIST)
+    } else if (key->kind == VALUE_TEXT || key->kind == VALUE_FILE || key->kind == VALUE_SECTION ||
+               key->kind == VALUE_LIST)
         append(text, "%s",
                key->kind == VALUE_TEXT      ? "a text of 1 to 63 bytes"
+               : key->kind == VALUE_FILE    ? "the name of a file"
                : key->kind == VALUE_SECTION ? "a section of keys"
                                             : "a list");
     else if (key->components == 1)
@@ -171,6 +173,31 @@ static int read_text(const scene_source *from, const yaml_node_t *node, char *ta
     return 0;
 }
 
+/** Relative names start from the scene's folder. */
+static int read_file_name(const scene_source *from, const yaml_node_t *node, char *target,
+                          const char *path) {
+    const char *text = scalar(node), *slash = strrchr(from->source, '/');
+    char joined[FILE_SIZE];
+    if (!text || text[0] == '\0' || strlen(text) != node->data.scalar.length)
+        return wrong_type(from, node, path, "the name of a file");
+    const int from_folder = text[0] != '/' && from->has_lines && slash != NULL;
+    const int length =
+        snprintf(joined, sizeof joined, "%.*s%s", from_folder ? (int)(slash - from->source + 1) : 0,
+                 from->source, text);
+    char *whole = length < FILE_SIZE ? realpath(joined, NULL) : NULL;
+    const int found = whole && strlen(whole) < FILE_SIZE;
+    if (found)
+        strcpy(target, whole); /* its length was checked */
+    free(whole);
+    return found ? 0 : scene_complain(from, node, "'%s' is '%s': no such file", path, text);
+}
+
+static void free_items(const scene_list *list, char *items, long count) {
+    for (long k = 0; list->release && k < count; k++)
+        list->release(items + (size_t)k * list->item_size);
+    free(items);
+}
+
 static int read_list(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                      char *target, const char *path) {
     const scene_list *list = key->list;
@@ -191,13 +218,15 @@ static int read_list(const scene_source *from, const yaml_node_t *node, const sc
         if (scene_read_mapping(
                 from, yaml_document_get_node(from->document, node->data.sequence.items.start[k]),
                 key->keys, item, item_path) != 0) {
-            free(items);
+            free_items(list, items, k + 1);
             return -1;
         }
     }
-    void *old;
+    char *old;
+    int old_count;
     memcpy(&old, target + key->offset, sizeof old);
-    free(old);
+    memcpy(&old_count, target + list->count_offset, sizeof old_count);
+    free_items(list, old, old_count);
     memcpy(target + key->offset, &items, sizeof items);
     const int item_count = (int)count;
     memcpy(target + list->count_offset, &item_count, sizeof item_count);
@@ -211,6 +240,8 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
     switch (key->kind) {
     case VALUE_TEXT:
         return read_text(from, node, field, path);
+    case VALUE_FILE:
+        return read_file_name(from, node, field, path);
     case VALUE_WHOLE:
     case VALUE_SEED:
         if (read_number(from, node, key, &number, path) != 0)

@@ -43,6 +43,7 @@ static void write_value(FILE *file, const scene_key *key, const char *source, in
         fputc(' ', file);
     switch (key->kind) {
     case VALUE_TEXT:
+    case VALUE_FILE:
         write_text(file, field);
         break;
     case VALUE_WHOLE:

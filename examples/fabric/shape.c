@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "shape.h"
 
+#include "surface.h"
 #include "vector.h"
 
 /* Distance of a point on a ball's centre and the like, where no direction is better. */
@@ -75,6 +76,8 @@ double shape_distance(const collider *k, const double p[3], double normal[3]) {
         return sphere_distance(k->size[0], p, normal);
     case COLLIDER_CYLINDER:
         return cylinder_distance(k, p, normal);
+    case COLLIDER_MESH:
+        return surface_distance(k->surface, p, normal);
     case COLLIDER_PLANE:
         break;
     }

@@ -20,8 +20,9 @@ typedef struct approach {
  * moving collider. 1, and what is known at the first place where the distance falls to the
  * collider's gap; 0: there is none, and the path ends further away than the gap. No thinness of the
  * collider nor length of the path makes it miss: it goes as far as the distance allows each time
- * (sphere tracing, Hart 1996). All shapes are convex, so a point kept to the outer side of the
- * plane through that place is kept out of the shape.
+ * (sphere tracing, Hart 1996). A point kept to the outer side of the plane through that place
+ * is kept out of a convex shape; in the hollow of a mesh it may meet another side of it, which is
+ * then found in the next step.
  */
 int shape_approach(const collider *k, const double p[3], const double u[3], approach *found);
 

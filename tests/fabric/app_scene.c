@@ -128,7 +128,7 @@ static void test_missing_keys(void **unused) {
                 ":16: missing key 'radius' in 'colliders.0', expected a number greater than 0");
     check_wrong(16, "  - gap: 0.01",
                 ":16: missing key 'kind' in 'colliders.0', expected one of 'plane', 'box', "
-                "'sphere', 'cylinder'");
+                "'sphere', 'cylinder', 'mesh'");
     check_wrong(14, "  - {low: [-1, 0.25]}",
                 ":14: missing key 'high' in 'pins.0', expected a list of 2, each a number");
 }
@@ -151,7 +151,7 @@ static void test_wrong_values(void **unused) {
                 ":12: 'surroundings.gravity' is '9.81', expected a list of 3, each a number");
     check_wrong(16, "  - kind: spere",
                 ":16: 'colliders.0.kind' is 'spere', expected one of 'plane', 'box', 'sphere', "
-                "'cylinder'; did you mean 'sphere'?");
+                "'cylinder', 'mesh'; did you mean 'sphere'?");
     check_wrong(4, "  boundary: 30",
                 ":4: 'mesh.boundary' is 30, expected less than 'mesh.vertices', 30");
     check_wrong(14, "  - {low: [-1, 1], high: [1, 0]}",
@@ -224,6 +224,28 @@ static void test_set_wrong(void **unused) {
     check_set(&s, "material.bend", "expected KEY=VALUE, such as material.bend=0.01");
     check_set(&s, "material.bend=", "no value, expected KEY=VALUE");
     scene_free(&s);
+}
+
+/* A collider from a file: found from the scene's folder, written with its whole path. */
+static void test_mesh_collider(void **unused) {
+    scene s, again;
+    (void)unused;
+    FILE *file = fopen("solid.obj", "w");
+    assert_non_null(file);
+    fputs("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", file);
+    fclose(file);
+    assert_int_equal(read_with(16, "  - kind: mesh\n    file: solid.obj\n  - kind: sphere", &s), 0);
+    assert_int_equal(s.colliders[0].kind, COLLIDER_MESH);
+    assert_non_null(s.colliders[0].surface);
+    assert_true(s.colliders[0].file[0] == '/');
+    assert_int_equal(scene_write(&s, "written.yaml"), 0);
+    assert_int_equal(scene_read(&again, "written.yaml"), 0);
+    assert_string_equal(again.colliders[0].file, s.colliders[0].file);
+    check_set(&s, "colliders=[]", NULL);
+    scene_free(&s);
+    scene_free(&again);
+    check_wrong(16, "  - kind: mesh\n    file: none.obj\n  - kind: sphere",
+                ":17: 'colliders.0.file' is 'none.obj': no such file");
 }
 
 /* Every scene that is shipped can be read, written and read again as the same. */
@@ -303,17 +325,12 @@ static void test_nearest_word(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read),
-        cmocka_unit_test(test_unknown_keys),
-        cmocka_unit_test(test_missing_keys),
-        cmocka_unit_test(test_wrong_values),
-        cmocka_unit_test(test_not_scenes),
-        cmocka_unit_test(test_set),
-        cmocka_unit_test(test_set_wrong),
-        cmocka_unit_test(test_shipped_scenes),
-        cmocka_unit_test(test_scenes_of_the_paper),
-        cmocka_unit_test(test_placement),
-        cmocka_unit_test(test_nearest_word),
+        cmocka_unit_test(test_read),           cmocka_unit_test(test_unknown_keys),
+        cmocka_unit_test(test_missing_keys),   cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_not_scenes),     cmocka_unit_test(test_set),
+        cmocka_unit_test(test_set_wrong),      cmocka_unit_test(test_mesh_collider),
+        cmocka_unit_test(test_shipped_scenes), cmocka_unit_test(test_scenes_of_the_paper),
+        cmocka_unit_test(test_placement),      cmocka_unit_test(test_nearest_word),
     };
     saved_error = dup(STDERR_FILENO);
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,6 +22,6 @@ add_library(fabric_physics_openmp STATIC ${FABRIC_PHYSICS_SOURCES})
 target_link_libraries(fabric_physics_openmp PUBLIC fabric_mesh fabric_flags OpenMP::OpenMP_C m
                       PRIVATE redcc_warnings)
 add_executable(test_fabric_threads physics/test_threads.c)
-target_link_libraries(test_fabric_threads PRIVATE fabric_physics_openmp fabric_physics_tests
-                      redcc_warnings)
+target_link_libraries(test_fabric_threads PRIVATE fabric_physics_tests fabric_physics_openmp
+                      fabric_mesh redcc_warnings)
 add_test(NAME fabric.physics.threads COMMAND test_fabric_threads)

@@ -11,6 +11,7 @@
 #include "output/picture.h"
 #include "output/stage.h"
 #include "output/state.h"
+#include "surface.h"
 
 enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_ROWS };
 enum { WIDTH_DEFAULT = 960, HEIGHT_DEFAULT = 720, MOST_CAMERA_POINTS = 200000 };
@@ -92,6 +93,8 @@ static long collider_points(const job *j, double time, double (*points)[3]) {
                 else if (c->kind == COLLIDER_CYLINDER)
                     half = fabs(c->axis[i]) * c->size[1] +
                            sqrt(fmax(0.0, 1.0 - c->axis[i] * c->axis[i])) * c->size[0];
+                else if (c->kind == COLLIDER_MESH)
+                    half = surface_reach(c->surface);
                 points[count][i] = c->position[i] + time * c->velocity[i] +
                                    ((corner >> i & 1) != 0 ? half : -half);
             }

@@ -4,6 +4,8 @@
 #include <GL/gl.h>
 #include <math.h>
 
+#include "surface.h"
+
 enum { AROUND = 96, DOWN = 48 };
 static const double PI = 3.14159265358979323846;
 static const double TILE = 0.25; /* m */
@@ -102,6 +104,19 @@ static void draw_cylinder(const collider *c, const double center[3]) {
     }
 }
 
+static void draw_mesh(const collider *c, const double center[3]) {
+    const mesh *m = surface_mesh(c->surface);
+    glBegin(GL_TRIANGLES);
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int p = 0; p < 3; p++) {
+            const int v = m->triangle[t][p];
+            glNormal3dv(surface_normal(c->surface, v));
+            glVertex3d(center[0] + m->position[v][0], center[1] + m->position[v][1],
+                       center[2] + m->position[v][2]);
+        }
+    glEnd();
+}
+
 void solids_draw(const collider *c, double time) {
     double center[3];
     place(c, time, center);
@@ -111,6 +126,8 @@ void solids_draw(const collider *c, double time) {
         draw_sphere(c, center);
     else if (c->kind == COLLIDER_CYLINDER)
         draw_cylinder(c, center);
+    else if (c->kind == COLLIDER_MESH)
+        draw_mesh(c, center);
 }
 
 /** The colour of a tile's corner at (x, y) from the middle: its own, fading outwards. */

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A closed triangle mesh as a solid: signed distance from any point. The nearest triangle is found
+ * in a tree of boxes; whether the point is inside tells the pseudonormal of the nearest face, edge
+ * or vertex (Baerentzen and Aanaes 2005: a vertex' normals weighted by their angles). The triangles
+ * must be counter-clockwise seen from outside; without a closed surface the sign is that of the
+ * side on which the point is.
+ */
+#ifndef FABRIC_SURFACE_H
+#define FABRIC_SURFACE_H
+
+#include "mesh.h"
+
+typedef struct surface surface;
+
+/** Takes the mesh over, and leaves *m empty. Triangles without area are left out. NULL with a
+ *  message in error[256], and *m as it was: none is left, or out of memory. */
+surface *surface_new(mesh *m, char *error);
+void surface_free(surface *s);
+
+/** Signed distance of p, negative inside (m), and the unit direction in which it grows. */
+double surface_distance(const surface *s, const double p[3], double normal[3]);
+
+/** The largest coordinate in magnitude, m. */
+double surface_reach(const surface *s);
+
+/** The vertex' normal, of any length. */
+const double *surface_normal(const surface *s, int vertex);
+
+/** The mesh it was made of. */
+const mesh *surface_mesh(const surface *s);
+
+#endif
