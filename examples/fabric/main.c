@@ -7,17 +7,6 @@
 #include "commands/commands.h"
 #include "words.h"
 
-static int no_accuracy_yet(const command *self, int argc, char **argv) {
-    (void)argc;
-    (void)argv;
-    return options_complain(self, "not in this version");
-}
-
-static const option no_options[] = {{NULL, NULL, NULL}};
-static const command accuracy_command = {"accuracy", "NAME [options]",
-                                         "What accuracy costs in time: not in this version.",
-                                         no_options, no_accuracy_yet};
-
 static const command *const commands[] = {&run_command,    &plan_command, &compare_command,
                                           &render_command, &mesh_command, &accuracy_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };

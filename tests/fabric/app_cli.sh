@@ -7,13 +7,12 @@ name=$(basename "$program")
 expect 2 "usage: $name COMMAND" "$program"
 expect 0 "usage: $name COMMAND" "$program" --help
 expect 0 "$name " "$program" --version
-for command in run plan compare render mesh; do
+for command in run plan compare render mesh accuracy; do
   expect 0 "usage: $name $command " "$program" $command --help
 done
 expect 2 "unknown command 'rum', did you mean 'run'?" "$program" rum patch
 expect 2 "unknown command 'xyzzy', --help lists the known ones" "$program" xyzzy
 expect 2 "unknown option '--hepl', did you mean '--help'?" "$program" --hepl
-expect 2 "$name accuracy: not in this version" "$program" accuracy dt
 
 expect 2 "$name run: unknown option '--step', did you mean '--steps'?" "$program" run patch --step 3
 expect 2 "option '--steps' needs a value: N" "$program" run patch --steps
@@ -24,7 +23,7 @@ expect 2 "--progress is 'liens', expected one of 'auto', 'bar', 'lines', 'json',
   "$program" run patch --progress liens
 expect 2 "which scene?" "$program" run
 expect 2 "one scene at a time, not 'b' as well" "$program" run a b
-expect 1 "no scene is called 'pach' in $scenes, expected a path or one of 'hanging', 'patch', 'sheet218k', 'tablecloth'; did you mean 'patch'?" \
+expect 1 "no scene is called 'pach' in $scenes, expected a path or one of 'flap', 'hanging', 'patch', 'sheet218k', 'tablecloth'; did you mean 'patch'?" \
   "$program" run pach
 expect 1 "./none.yaml: cannot be read: No such file or directory" "$program" run ./none.yaml
 expect 1 "--set material.bnd=1: unknown key 'bnd' in 'material'" "$program" run patch --set material.bnd=1

@@ -11,6 +11,7 @@ extern const command plan_command;
 extern const command compare_command;
 extern const command render_command;
 extern const command mesh_command;
+extern const command accuracy_command;
 
 /** What `--set` may be given how often, together. */
 enum { MOST_SETTINGS = 256 };

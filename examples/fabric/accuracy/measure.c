@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "accuracy/measure.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "simulation.h"
+
+double cpu_seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+scene divided(const scene *s, int steps) {
+    scene result = *s;
+    result.step = s->step * s->steps / steps;
+    result.steps = steps;
+    return result;
+}
+
+static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
+    char error[256] = "";
+    simulation *sim = simulation_new(cloth, s, error);
+    if (!sim) {
+        fprintf(stderr, "%s: %s\n", s->name, error);
+        return -1;
+    }
+    const double start = cpu_seconds();
+    int status = 0, n = 0;
+    for (; n < s->steps && status == 0; n++)
+        if (simulation_step(sim, error) != 0 ||
+            (most_rejections >= 0 && simulation_steps_rejected(sim) > most_rejections))
+            status = 1;
+    const double seconds = cpu_seconds() - start;
+    if (seconds < result->cpu_seconds)
+        result->cpu_seconds = seconds;
+    result->finished = status == 0;
+    result->steps = simulation_steps_taken(sim);
+    result->rejected = simulation_steps_rejected(sim);
+    result->cg_iterations = simulation_iterations(sim);
+    result->newton_iterations = simulation_newton_iterations(sim);
+    memcpy(result->x, simulation_positions(sim), sizeof *result->x * (size_t)result->vertices);
+    simulation_free(sim);
+    return 0;
+}
+
+int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result) {
+    *result = (measured){.vertices = cloth->vertex_count, .cpu_seconds = INFINITY};
+    result->x = malloc(sizeof *result->x * ((size_t)result->vertices + 1));
+    if (!result->x) {
+        fprintf(stderr, "%s: out of memory\n", s->name);
+        return -1;
+    }
+    for (int n = 0; n < repeat; n++)
+        if (run_once(s, cloth, most_rejections, result) != 0) {
+            measured_free(result);
+            return -1;
+        }
+    return 0;
+}
+
+void measured_free(measured *m) {
+    free(m->x);
+    *m = (measured){0};
+}
+
+double measured_distance(const measured *a, const measured *b, double *largest) {
+    double sum = 0, most = 0;
+    if (!a->finished || !b->finished) {
+        if (largest)
+            *largest = NAN;
+        return NAN;
+    }
+    for (int i = 0; i < a->vertices; i++) {
+        double square = 0;
+        for (int c = 0; c < 3; c++)
+            square += (a->x[i][c] - b->x[i][c]) * (a->x[i][c] - b->x[i][c]);
+        sum += square;
+        most = square > most ? square : most;
+    }
+    if (largest)
+        *largest = sqrt(most);
+    return sqrt(sum / a->vertices);
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One run of a scene in memory: where it ends and what it took. */
+#ifndef FABRIC_ACCURACY_MEASURE_H
+#define FABRIC_ACCURACY_MEASURE_H
+
+#include "mesh.h"
+#include "scene.h"
+
+typedef struct measured {
+    int finished; /* else the simulator gave up, or was stopped for its rejections */
+    int vertices;
+    double (*x)[3];     /* [vertices] m, at the end; measured_free's */
+    double cpu_seconds; /* of the process, all threads, in the steps; least of the repetitions */
+    long steps, rejected;
+    long cg_iterations, newton_iterations;
+} measured;
+
+/** No limit on rejected steps. */
+enum { ANY_REJECTIONS = -1 };
+
+/** Runs all steps of the scene `repeat` times. 0, or -1 after a message (out of memory, a scene
+ * that cannot be set up); a run that does not finish is a result. */
+int measure(const scene *s, const mesh *cloth, int repeat, long most_rejections, measured *result);
+void measured_free(measured *m);
+
+/** Root mean square and largest distance of the vertices, in m; not a number where either run did
+ *  not finish. */
+double measured_distance(const measured *a, const measured *b, double *largest);
+
+/** The scene with its duration divided into so many steps. */
+scene divided(const scene *s, int steps);
+
+/** CPU seconds of this process, all threads. */
+double cpu_seconds(void);
+
+#endif

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "accuracy/study.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "files.h"
+#include "integrator.h"
+
+const char *const integrator_names[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
+
+int study_run(study *of, const char *experiment, const char *variant, const scene *s,
+              double tolerance) {
+    if (of->row_count == MOST_ROWS) {
+        fprintf(stderr, "accuracy: more than %d runs in one experiment\n", MOST_ROWS);
+        return -1;
+    }
+    study_row *r = &of->rows[of->row_count];
+    *r = (study_row){.experiment = experiment,
+                     .vertices = of->cloth.vertex_count,
+                     .step = s->step,
+                     .tolerance = tolerance,
+                     .error_rms = NAN,
+                     .error_max = NAN,
+                     .error_own = NAN};
+    snprintf(r->variant, sizeof r->variant, "%s", variant);
+    if (measure(s, &of->cloth, of->repeat, ANY_REJECTIONS, &r->got) != 0)
+        return -1;
+    of->row_count++;
+    fprintf(stderr, "%-15s %-22s step %8.3g s  tolerance %7.1g  %6ld its  %8.3f s\n", experiment,
+            variant, r->step, tolerance, r->got.cg_iterations, r->got.cpu_seconds);
+    return 0;
+}
+
+static scene exact(const study *of, integrator_kind kind, int steps) {
+    scene s = divided(&of->base, steps);
+    s.integrator = (int)kind;
+    s.tolerance = 1e-3;
+    s.newton_tolerance = 1e-9;
+    s.newton_iterations = 200;
+    return s;
+}
+
+int study_reference(study *of) {
+    int steps = 2 * of->steps[of->step_count - 1];
+    measured coarse = {0}, other = {0};
+    const scene last = exact(of, INTEGRATOR_MIDPOINT, of->steps[of->step_count - 1]);
+    if (of->reference.x)
+        return 0;
+    if (measure(&last, &of->cloth, 1, ANY_REJECTIONS, &coarse) != 0)
+        return -1;
+    for (int round = 0; round < 3; round++, steps *= 2) {
+        const scene one = exact(of, INTEGRATOR_MIDPOINT, 2 * steps);
+        const scene two = exact(of, INTEGRATOR_BDF2, 4 * steps);
+        measured_free(&of->reference);
+        measured_free(&other);
+        if (measure(&one, &of->cloth, 1, ANY_REJECTIONS, &of->reference) != 0 ||
+            measure(&two, &of->cloth, 1, ANY_REJECTIONS, &other) != 0)
+            break;
+        of->reference_gap = measured_distance(&of->reference, &other, NULL);
+        const double smallest = measured_distance(&of->reference, &coarse, NULL);
+        fprintf(stderr, "reference: midpoint in %d steps and BDF2 in %d differ by %.3g m rms\n",
+                2 * steps, 4 * steps, of->reference_gap);
+        if (of->quick || of->reference_gap <= 0.1 * smallest)
+            break;
+    }
+    measured_free(&coarse);
+    const int status = other.x && of->reference.x ? 0 : -1;
+    measured_free(&other);
+    return status;
+}
+
+void study_compare(study *of) {
+    for (int k = 0; k < of->row_count; k++) {
+        study_row *r = &of->rows[k];
+        if (r->got.x && of->reference.x && r->got.vertices == of->reference.vertices)
+            r->error_rms = measured_distance(&r->got, &of->reference, &r->error_max);
+    }
+    for (int k = 0; k < of->row_count; k++) {
+        study_row *r = &of->rows[k];
+        r->front = isfinite(r->error_rms);
+        for (int m = 0; m < of->row_count; m++)
+            if (of->rows[m].error_rms < r->error_rms &&
+                of->rows[m].got.cpu_seconds <= r->got.cpu_seconds)
+                r->front = 0;
+    }
+}
+
+static void print_number(FILE *file, double value) {
+    if (isfinite(value))
+        fprintf(file, ",%.6g", value);
+    else
+        fputc(',', file);
+}
+
+int study_write(study *of, const char *name) {
+    char path[FILE_PATH_SIZE], file_name[64];
+    snprintf(file_name, sizeof file_name, "%s.csv", name);
+    if (files_join(path, of->folder, file_name) != 0)
+        return -1;
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+        return -1;
+    }
+    fputs("experiment,scene,vertices,variant,step,tolerance,steps,rejected,cg_iterations,"
+          "newton_iterations,cpu_seconds,error_rms,error_max,error_own,front\n",
+          file);
+    for (int k = 0; k < of->row_count; k++) {
+        study_row *r = &of->rows[k];
+        fprintf(file, "%s,%s,%d,%s,%.9g,%.3g,%ld,%ld,%ld,%ld,%.6g", r->experiment, of->base.name,
+                r->vertices, r->variant, r->step, r->tolerance, r->got.steps, r->got.rejected,
+                r->got.cg_iterations, r->got.newton_iterations, r->got.cpu_seconds);
+        print_number(file, r->error_rms);
+        print_number(file, r->error_max);
+        print_number(file, r->error_own);
+        fprintf(file, ",%d\n", r->front);
+        measured_free(&r->got);
+    }
+    of->row_count = 0;
+    const int failed = ferror(file);
+    if (fclose(file) == 0 && !failed)
+        return 0;
+    fprintf(stderr, "%s: cannot be written\n", path);
+    return -1;
+}
+
+void study_free(study *of) {
+    for (int k = 0; k < of->row_count; k++)
+        measured_free(&of->rows[k].got);
+    measured_free(&of->reference);
+    mesh_free(&of->cloth);
+    scene_free(&of->base);
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The experiments of `fabric accuracy`. Each runs a scene many times and writes NAME.csv and
+ * NAME.gnuplot into a folder, the same columns in every CSV:
+ *
+ *   experiment, scene, vertices, variant  what was varied, as text
+ *   step, s; tolerance                    of the time stepping; of what the experiment varies
+ *   steps, rejected                       taken and thrown away
+ *   cg_iterations, newton_iterations      all steps together: the machine's noise does not touch
+ * them cpu_seconds                           of the steps, least of the repetitions error_rms,
+ * error_max                  m, against the reference at the end of the scene error_own m, rms
+ * against the same method with exact algebra, where the experiment has it front 1: nothing in the
+ * table is both faster and more exact
+ */
+#ifndef FABRIC_ACCURACY_STUDY_H
+#define FABRIC_ACCURACY_STUDY_H
+
+#include "accuracy/measure.h"
+
+typedef struct study_row {
+    const char *experiment;
+    char variant[48];
+    int vertices;
+    double step, tolerance;
+    measured got; /* x is freed once errors are known */
+    double error_rms, error_max, error_own;
+    int front;
+} study_row;
+
+enum { MOST_ROWS = 256, MOST_COUNTS = 12 };
+
+typedef struct study {
+    scene base;
+    mesh cloth;
+    const char *folder;
+    int repeat;
+    int quick;                          /* fewer and coarser runs: to see that it works */
+    int steps[MOST_COUNTS], step_count; /* numbers of steps the scene is divided into, ascending */
+    measured reference;
+    double reference_gap; /* m rms, between the two methods that the reference rests on */
+    study_row rows[MOST_ROWS];
+    int row_count;
+} study;
+
+extern const char *const integrator_names[]; /* by integrator_kind, NULL after the last */
+
+/** Runs the scene and files the result. 0, or -1 after a message. */
+int study_run(study *of, const char *experiment, const char *variant, const scene *s,
+              double tolerance);
+/** Finds of->reference: the implicit midpoint and BDF2 with ever more steps, until they agree to a
+ *  tenth of the midpoint's error at the most steps of the study. 0, or -1 after a message. */
+int study_reference(study *of);
+/** Fills errors of all rows against the reference, and the front. */
+void study_compare(study *of);
+/** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
+int study_write(study *of, const char *name);
+void study_free(study *of);
+
+/** The experiments: 0, or -1 after a message. */
+int study_dt(study *of);         /* error against step and CPU time, every integrator */
+int study_cg(study *of);         /* error against the linear systems' tolerance */
+int study_newton(study *of);     /* error against Newton's tolerance */
+int study_integrator(study *of); /* energy in time; what step and stiffness each survives */
+int study_preconditioner(
+    study *of);                 /* iterations and time to a tolerance, and the direct solution */
+int study_precision(study *of); /* float, mixed, double */
+int study_sum(study *of);       /* the orders of reduction of the parallel program */
+int study_mesh(study *of);      /* finer meshes */
+
+/** folder/NAME.gnuplot, and NAME.png where gnuplot is installed. 0, or -1 after a message. */
+int study_plot(const study *of, const char *name);
+
+#endif

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What integrators do to energy, which steps they survive, finer meshes, orders of reduction. */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "accuracy/study.h"
+#include "files.h"
+#include "integrator.h"
+#include "options.h"
+#include "output/state.h"
+#include "simulation_state.h"
+#include "vector.h"
+
+static FILE *open_csv(const study *of, const char *name, const char *columns) {
+    char path[FILE_PATH_SIZE];
+    if (files_join(path, of->folder, name) != 0)
+        return NULL;
+    FILE *file = fopen(path, "w");
+    if (!file)
+        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+    else
+        fputs(columns, file);
+    return file;
+}
+
+static int close_csv(FILE *file) {
+    const int failed = ferror(file);
+    if (fclose(file) == 0 && !failed)
+        return 0;
+    fprintf(stderr, "accuracy: a table could not be written\n");
+    return -1;
+}
+
+/* Kinetic, elastic and of position in gravity's field, J. */
+static double total_energy(const simulation *sim) {
+    double sum = sim->monitor.energy;
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sum -= sim->mass[i] * vector_dot(sim->scene->gravity, sim->x[i]);
+    return sum;
+}
+
+/* The scene without what takes energy, in the middle number of steps. */
+static int write_energy(study *of, integrator_kind kind, FILE *file) {
+    char error[256] = "";
+    scene s = divided(&of->base, of->steps[of->step_count / 2]);
+    s.integrator = (int)kind;
+    s.stretch_damping = s.shear_damping = s.bend_damping = s.drag = 0;
+    s.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-6 : 1e-2;
+    s.newton_tolerance = 1e-7;
+    s.newton_iterations = 200;
+    simulation *sim = simulation_new(&of->cloth, &s, error);
+    if (!sim) {
+        fprintf(stderr, "%s: %s\n", s.name, error);
+        return -1;
+    }
+    const double first = total_energy(sim);
+    for (int n = 0; n < s.steps && simulation_step(sim, error) == 0; n++)
+        fprintf(file, "%s,%.6g,%.9g,%ld\n", integrator_names[kind], simulation_time(sim),
+                total_energy(sim) - first, simulation_steps_rejected(sim));
+    simulation_free(sim);
+    return 0;
+}
+
+/* A run of at least 3 steps, and 0.1 s, at one step and stiffness. */
+static int write_survival(study *of, integrator_kind kind, double step, double stretch,
+                          FILE *file) {
+    static const char *const outcomes[] = {"finished", "halved", "gave up"};
+    enum { MOST_REJECTIONS_HERE = 40 };
+    measured got;
+    scene s = of->base;
+    s.integrator = (int)kind;
+    s.step = step;
+    s.steps = step < 0.03 ? (int)ceil(0.1 / step) : 3;
+    s.stretch = stretch;
+    s.shear = stretch / 5;
+    s.newton_tolerance = 1e-4;
+    s.newton_iterations = 30;
+    s.max_iterations = 2000;
+    if (measure(&s, &of->cloth, 1, MOST_REJECTIONS_HERE, &got) != 0)
+        return -1;
+    const int outcome = !got.finished ? 2 : got.rejected > 0 ? 1 : 0;
+    fprintf(file, "%s,%g,%g,%d,%s,%ld,%.4g\n", integrator_names[kind], step, stretch, outcome,
+            outcomes[outcome], got.rejected, got.cpu_seconds);
+    fprintf(stderr, "%-13s step %7.4f s  stretch %8.1e N/m  %s (%ld rejected)\n",
+            integrator_names[kind], step, stretch, outcomes[outcome], got.rejected);
+    measured_free(&got);
+    return 0;
+}
+
+int study_integrator(study *of) {
+    static const double steps[] = {0.001, 0.0033, 0.01, 0.033, 0.1};
+    static const double stiffness[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+    int status = 0;
+    FILE *file = open_csv(of, "energy.csv", "integrator,time,change,rejected\n");
+    if (!file)
+        return -1;
+    for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT && status == 0; kind++)
+        status = write_energy(of, (integrator_kind)kind, file);
+    if (close_csv(file) != 0 || status != 0)
+        return -1;
+    file = open_csv(of, "robustness.csv",
+                    "integrator,step,stretch,outcome,meaning,rejected,cpu_seconds\n");
+    if (!file)
+        return -1;
+    for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT && status == 0; kind++)
+        for (int h = of->quick ? 3 : 0; h < 5 && status == 0; h++)
+            for (int k = 0; k < (of->quick ? 2 : 6) && status == 0; k++)
+                status = write_survival(of, (integrator_kind)kind, steps[h], stiffness[k], file);
+    return close_csv(file) != 0 ? -1 : status;
+}
+
+/* The lowest vertex: what a finer mesh must agree on, whose vertices are others. */
+static double lowest(const measured *of) {
+    double z = INFINITY;
+    for (int i = 0; i < of->vertices; i++)
+        z = of->x[i][2] < z ? of->x[i][2] : z;
+    return z;
+}
+
+int study_mesh(study *of) {
+    static const double factors[] = {0.25, 0.5, 1, 2, 4};
+    const int count = of->quick ? 3 : 5;
+    char error[256] = "";
+    double before = NAN;
+    FILE *file =
+        open_csv(of, "mesh.csv", "vertices,triangles,cg_iterations,cpu_seconds,lowest,change\n");
+    int status = file ? 0 : -1;
+    for (int k = 0; k < count && status == 0; k++) {
+        measured got;
+        mesh cloth;
+        scene s = divided(&of->base, of->steps[of->step_count - 1]);
+        s.vertices = (int)(factors[k] * of->base.vertices);
+        s.boundary = (int)(sqrt(factors[k]) * of->base.boundary);
+        s.tolerance = 1e-5;
+        if (scene_mesh(&s, &cloth, NULL, error) != 0) {
+            fprintf(stderr, "%s: mesh: %s\n", s.name, error);
+            status = -1;
+            break;
+        }
+        status = measure(&s, &cloth, of->repeat, ANY_REJECTIONS, &got);
+        if (status == 0) {
+            const double z = lowest(&got);
+            fprintf(file, "%d,%d,%ld,%.6g,%.9g,%.4g\n", s.vertices, cloth.triangle_count,
+                    got.cg_iterations, got.cpu_seconds, z, z - before);
+            fprintf(stderr, "%6d vertices: lowest %.6f m, %.3f s\n", s.vertices, z,
+                    got.cpu_seconds);
+            before = z;
+            measured_free(&got);
+        }
+        mesh_free(&cloth);
+    }
+    return file && close_csv(file) != 0 ? -1 : status;
+}
+
+/* Runs this program on the scene in a process of its own: the runtime reads its environment once.
+ * CPU seconds, or -1 after a message. */
+static double run_apart(const study *of, const char *order, const char *threads) {
+    char program[] = "/proc/self/exe", yaml[FILE_PATH_SIZE], out[FILE_PATH_SIZE];
+    if (files_join(yaml, of->folder, "sum.yaml") != 0 ||
+        files_join(out, of->folder, "sum-run") != 0)
+        return -1;
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        setenv("REDCC_ORDER", order, 1);
+        setenv("OMP_NUM_THREADS", threads, 1);
+        execl(program, program_name, "run", yaml, "-o", out, "--frames", "0", "--progress", "none",
+              (char *)NULL);
+        _exit(127);
+    }
+    int status;
+    struct rusage used;
+    if (child < 0 || wait4(child, &status, 0, &used) != child || !WIFEXITED(status) ||
+        WEXITSTATUS(status) != 0) {
+        fprintf(stderr, "accuracy: the run with REDCC_ORDER=%s failed\n", order);
+        return -1;
+    }
+    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+}
+
+static double farthest(const state *a, const state *b) {
+    double most = 0;
+    for (int k = 0; k < 3 * a->vertex_count; k++)
+        most = fmax(most, fabs(a->position[k] - b->position[k]));
+    return most;
+}
+
+/* Each order at several thread counts, against the serial order on one thread. */
+int study_sum(study *of) {
+    static const char *const orders[] = {"serial", "fixed", "any"}, *const counts[] = {"1", "2",
+                                                                                       "3"};
+    char path[FILE_PATH_SIZE], final_state[FILE_PATH_SIZE];
+    state first = {0};
+    if (files_join(path, of->folder, "sum.yaml") != 0 ||
+        files_join(final_state, of->folder, "sum-run/final.state") != 0)
+        return -1;
+    const scene s = divided(&of->base, of->steps[of->step_count / 2]);
+    if (scene_write(&s, path) != 0) {
+        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+        return -1;
+    }
+    FILE *file = open_csv(of, "sum.csv", "order,threads,cpu_seconds,difference\n");
+    int status = file ? 0 : -1;
+    for (int order = 0; order < 3 && status == 0; order++)
+        for (int k = 0; k < 3 && status == 0; k++) {
+            state now;
+            double seconds = INFINITY;
+            for (int n = 0; n < of->repeat && seconds >= 0; n++)
+                seconds = fmin(seconds, run_apart(of, orders[order], counts[k]));
+            if (seconds < 0 || state_read(&now, final_state) != 0) {
+                status = -1;
+                break;
+            }
+            if (!first.memory)
+                first = now;
+            fprintf(file, "%s,%s,%.4g,%.4g\n", orders[order], counts[k], seconds,
+                    farthest(&now, &first));
+            fprintf(stderr, "order %-7s %s threads  %8.3f s  differs by %.3g m\n", orders[order],
+                    counts[k], seconds, farthest(&now, &first));
+            if (now.memory != first.memory)
+                state_free(&now);
+        }
+    state_free(&first);
+    return file && close_csv(file) != 0 ? -1 : status;
+}

@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What is solved how exactly: step, tolerances, preconditioners, precisions. */
+#include <math.h>
+#include <stdio.h>
+
+#include "accuracy/study.h"
+#include "integrator.h"
+#include "solver.h"
+#include "solver_direct.h"
+
+static const char *const preconditioner_names[] = {"block-jacobi", "none", "jacobi", "gauss-seidel",
+                                                   "incomplete-cholesky"};
+static const char *const precision_names[] = {"double", "float", "mixed"};
+
+int study_dt(study *of) {
+    if (study_reference(of) != 0)
+        return -1;
+    for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++)
+        for (int k = 0; k < of->step_count; k++) {
+            scene s = divided(&of->base, of->steps[k]);
+            s.integrator = kind;
+            s.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-5 : 1e-2;
+            s.newton_tolerance = 1e-6;
+            s.newton_iterations = 200;
+            if (study_run(of, "dt", integrator_names[kind], &s,
+                          kind == INTEGRATOR_LINEAR_EULER ? s.tolerance : s.newton_tolerance) != 0)
+                return -1;
+        }
+    study_compare(of);
+    return study_write(of, "dt");
+}
+
+/* error_own of the rows from `first` on: against row `exact`. */
+static void compare_own(study *of, int first, int exact) {
+    for (int k = first; k < of->row_count; k++)
+        of->rows[k].error_own = measured_distance(&of->rows[k].got, &of->rows[exact].got, NULL);
+}
+
+int study_cg(study *of) {
+    static const double tolerances[] = {1e-12, 1e-1, 3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8};
+    const int count = of->quick ? 4 : 8, steps = of->steps[of->step_count / 2];
+    if (study_reference(of) != 0)
+        return -1;
+    for (int k = 0; k < count; k++) {
+        scene s = divided(&of->base, steps);
+        s.tolerance = tolerances[k];
+        if (study_run(of, "cg", "linear-euler", &s, tolerances[k]) != 0)
+            return -1;
+    }
+    compare_own(of, 0, 0);
+    study_compare(of);
+    return study_write(of, "cg");
+}
+
+int study_newton(study *of) {
+    static const double tolerances[] = {1e-10, 1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8};
+    const int count = of->quick ? 3 : 7, steps = of->steps[of->step_count / 2];
+    if (study_reference(of) != 0)
+        return -1;
+    for (int kind = INTEGRATOR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++) {
+        const int first = of->row_count;
+        for (int k = 0; k < count; k++) {
+            scene s = divided(&of->base, steps);
+            s.integrator = kind;
+            s.tolerance = 1e-2;
+            s.newton_tolerance = tolerances[k];
+            s.newton_iterations = 200;
+            if (study_run(of, "newton", integrator_names[kind], &s, tolerances[k]) != 0)
+                return -1;
+        }
+        compare_own(of, first, first);
+    }
+    study_compare(of);
+    return study_write(of, "newton");
+}
+
+static int run_direct(study *of, const scene *s) {
+    scene direct = *s;
+    if (!direct_solver_available())
+        return 0;
+    direct.method = METHOD_DIRECT;
+    return study_run(of, "preconditioner", "direct", &direct, 0);
+}
+
+int study_preconditioner(study *of) {
+    static const double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-8};
+    const int steps = of->steps[of->step_count / 2];
+    scene s = divided(&of->base, steps);
+    s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+    s.tolerance = 1e-12;
+    if (study_run(of, "preconditioner", "gauss-seidel", &s, s.tolerance) != 0)
+        return -1;
+    for (int kind = PRECONDITIONER_BLOCK_JACOBI; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
+        for (int k = 0; k < (of->quick ? 1 : 4); k++) {
+            s.preconditioner = kind;
+            s.tolerance = tolerances[k];
+            if (study_run(of, "preconditioner", preconditioner_names[kind], &s, s.tolerance) != 0)
+                return -1;
+        }
+    if (run_direct(of, &s) != 0)
+        return -1;
+    compare_own(of, 0, 0);
+    return study_write(of, "preconditioner");
+}
+
+int study_precision(study *of) {
+    static const double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-8};
+    const int steps = of->steps[of->step_count / 2];
+    scene s = divided(&of->base, steps);
+    s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+    s.tolerance = 1e-12;
+    if (study_run(of, "precision", "double", &s, s.tolerance) != 0)
+        return -1;
+    for (int precision = PRECISION_DOUBLE; precision <= PRECISION_MIXED; precision++)
+        for (int k = 0; k < (of->quick ? 1 : 4); k++) {
+            s.precision = precision;
+            s.tolerance = tolerances[k];
+            if (study_run(of, "precision", precision_names[precision], &s, s.tolerance) != 0)
+                return -1;
+        }
+    compare_own(of, 0, 0);
+    return study_write(of, "precision");
+}
