@@ -250,9 +250,9 @@ static bool hand_out(redcc_worker *worker) {
     return hand_out_hooked(worker);
 }
 
-int redcc_next(redcc_worker *worker) {
+static int next_chunk(redcc_worker *worker) {
     struct member *member = worker->execution;
-    if (!member || member->phase == PHASE_OVER)
+    if (member->phase == PHASE_OVER)
         return 0;
     if (member->phase == PHASE_RUN)
         begin_running(worker);
@@ -264,6 +264,16 @@ int redcc_next(redcc_worker *worker) {
         return 1;
     finish(worker);
     return member->phase == PHASE_CHECKING ? next_to_check(worker) : 0;
+}
+
+int redcc_next(redcc_worker *worker) {
+    const struct member *member = worker->execution;
+    if (!member)
+        return 0;
+    if (next_chunk(worker))
+        return 1;
+    redcc_float_control_take(member->float_control);
+    return 0;
 }
 
 int redcc_claims_last(redcc_worker *worker) {

@@ -234,6 +234,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     struct execution *execution = &held->execution;
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
+    execution->float_control = redcc_float_control();
     threads = nested || threads < 1 ? 1 : threads;
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
@@ -261,6 +262,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
     }
     struct member *member = execution->state->member[thread];
     worker->execution = member;
+    member->float_control = redcc_float_control();
+    redcc_float_control_take(execution->float_control);
     member->threads = threads;
     member->plan = NULL;
     member->failed = false;

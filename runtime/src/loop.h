@@ -10,6 +10,7 @@
 #define REDCC_LOOP_H
 
 #include "choose.h"
+#include "float_control.h"
 #include "graph/divide.h"
 #include "hook.h"
 #include "plan.h"
@@ -44,6 +45,8 @@ struct member {
     int thread;
     int threads;
     enum phase phase;
+    struct float_control
+        float_control;       /* the thread's own, while it has that of the loop's caller */
     const struct plan *plan; /* to execute */
     bool failed;             /* no memory */
     bool told_all;           /* the inspector told as many iterations as asked for */
@@ -74,9 +77,10 @@ struct execution {
     int parameter;
     redcc_order order;
     enum course course;
-    bool insists; /* one thread executes by the plan as well */
-    int asked;    /* threads */
-    int threads;  /* that came */
+    struct float_control float_control; /* of the thread that entered */
+    bool insists;                       /* one thread executes by the plan as well */
+    int asked;                          /* threads */
+    int threads;                        /* that came */
     struct barrier barrier;
     enum phase next; /* where the last to arrive sends all */
     bool verified;   /* so far the candidate's subscripts are unchanged */

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * How a thread does floating-point arithmetic: direction of rounding, subnormal numbers taken as
+ * zeros, exceptions that trap. The program may have changed it since OpenMP's threads were made;
+ * they must compute what the thread that entered the loop would. fenv.h has no name for most of
+ * it, and needs libm. Processors that are not named here keep what each thread has.
+ */
+#ifndef REDCC_FLOAT_CONTROL_H
+#define REDCC_FLOAT_CONTROL_H
+
+#include <stdint.h>
+
+struct float_control {
+    uint64_t vector; /* MXCSR; FPCR of 64-bit ARM */
+    uint16_t x87;    /* the control word, of long double */
+};
+
+/** The calling thread's. */
+static inline struct float_control redcc_float_control(void) {
+    struct float_control own = {0, 0};
+#if defined(__x86_64__)
+    uint32_t mxcsr;
+    __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
+    __asm__ volatile("fnstcw %0" : "=m"(own.x87));
+    own.vector = mxcsr & ~0x3fu; /* without the flags of exceptions that occurred */
+#elif defined(__aarch64__)
+    __asm__ volatile("mrs %0, fpcr" : "=r"(own.vector));
+#endif
+    return own;
+}
+
+/** Makes it the calling thread's. Flags of exceptions that occurred stay. */
+static inline void redcc_float_control_take(struct float_control wanted) {
+#if defined(__x86_64__)
+    uint32_t mxcsr;
+    __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
+    mxcsr = (mxcsr & 0x3fu) | (uint32_t)wanted.vector;
+    __asm__ volatile("ldmxcsr %0" : : "m"(mxcsr));
+    __asm__ volatile("fldcw %0" : : "m"(wanted.x87));
+#elif defined(__aarch64__)
+    __asm__ volatile("msr fpcr, %0" : : "r"(wanted.vector));
+#else
+    (void)wanted;
+#endif
+}
+
+#endif
