@@ -2,13 +2,20 @@
 #include "choose.h"
 
 /* Measured or reckoned; docs/methods.md says how. */
-enum { SMALL_TRIP = 4096 };
+enum { SMALL_TRIP = 4096, GRAPH_REST = 1024 };
 static const double least_seconds = 10e-6; /* a region and its barriers take 2 to 10 microseconds */
+static const double even_share = 1.1;      /* of an equal share of the iterations */
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double slack = 1.05;
+static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
+static const double graph_touch = 40e-9; /* and cutting the graph */
 
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
     return &chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)];
+}
+
+enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip) {
+    return chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)].rule;
 }
 
 static void rest(struct trial *trial, enum reason reason, long first, long factor, long most) {
@@ -31,45 +38,77 @@ static int serial_tries_needed(redcc_int trip) {
     return trip < SMALL_TRIP ? 2 : 1;
 }
 
-enum course redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
-                                enum reason *reason) {
+/* Is it the turn of owners cut from the access graph? */
+static bool graph_turn(struct trial *trial, double budget) {
+    if (trial->graph == GRAPH_LOST && trial->calls >= trial->graph_retry_at)
+        trial->graph = GRAPH_UNTRIED;
+    if (trial->graph == GRAPH_UNTRIED && trial->graph_seconds > 0 &&
+        trial->decided != COURSE_UNDECIDED && trial->serial_best > 0 &&
+        budget >= trial->graph_seconds) {
+        trial->graph = GRAPH_TRIED;
+        trial->graph_tries = 0;
+    }
+    return trial->graph == GRAPH_TRIED || trial->graph == GRAPH_KEPT;
+}
+
+static struct choice choose_plainly(struct trial *trial, redcc_int trip, double budget) {
+    if (trial->decided == COURSE_SERIAL) {
+        const bool affordable = trial->sweep_seconds > 0 && budget >= trial->sweep_seconds;
+        if (trial->calls < trial->retry_at && !affordable)
+            return (struct choice){.course = COURSE_SERIAL, .reason = trial->reason};
+        try_again(trial);
+    }
+    if (trial->decided == COURSE_PARALLEL)
+        return (struct choice){.course = COURSE_PARALLEL};
+    if (trip < SMALL_TRIP && trial->calls == 1) { /* once is no reason to wake threads */
+        trial->rule = RULE_SMALL_FIRST;
+        return (struct choice){.course = COURSE_SERIAL, .reason = REASON_LITTLE_WORK};
+    }
+    const bool enough = trial->serial_tries >= serial_tries_needed(trip);
+    const bool small_first = trip < SMALL_TRIP && trial->serial_tries == 0;
+    if (small_first || (trial->parallel_tries >= PARALLEL_TRIES - 1 && !enough)) {
+        trial->rule = trip < SMALL_TRIP ? RULE_SMALL : RULE_FASTER;
+        return (struct choice){.course = COURSE_SOLO};
+    }
+    return (struct choice){.course = COURSE_PARALLEL};
+}
+
+struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
+                                  double budget) {
     struct trial *trial = trial_of(chooser, trip);
     if (trial->threads != threads)
         *trial = (struct trial){.threads = threads};
     trial->calls++;
-    if (trial->decided == COURSE_SERIAL) {
-        *reason = trial->reason;
-        if (trial->calls < trial->retry_at)
-            return COURSE_SERIAL;
-        try_again(trial);
-    }
-    if (trial->decided == COURSE_PARALLEL)
-        return COURSE_PARALLEL;
-    if (trip < SMALL_TRIP && trial->calls == 1) {
-        *reason = REASON_LITTLE_WORK;
-        return COURSE_SERIAL; /* once is no reason to wake threads */
-    }
-    if (trip < SMALL_TRIP && trial->serial_tries == 0)
-        return COURSE_SOLO;
-    if (trial->parallel_tries < PARALLEL_TRIES - 1)
-        return COURSE_PARALLEL;
-    return trial->serial_tries < serial_tries_needed(trip) ? COURSE_SOLO : COURSE_PARALLEL;
+    struct choice choice = {.course = COURSE_PARALLEL, .by_graph = true};
+    if (!graph_turn(trial, budget))
+        choice = choose_plainly(trial, trip, budget);
+    choice.rule = trial->rule;
+    return choice;
 }
 
 static void learn_serial(struct trial *trial, redcc_int trip, double seconds) {
     const double each = seconds / (double)trip;
     if (trial->serial_tries++ == 0 || each < trial->serial_best)
         trial->serial_best = each;
+    trial->sweep_seconds = 0;
     if (trip < SMALL_TRIP && seconds < least_seconds)
         rest(trial, REASON_LITTLE_WORK, 256, 4, 1 << 20);
 }
 
-static void learn_parallel(struct trial *trial, redcc_int trip, double seconds) {
-    const double each = seconds / (double)trip;
+/* Counts executions in turn that took longer than the sequential loop; at the sixteenth all is
+ * open again. */
+static void watch(struct trial *trial, double each) {
+    trial->slow = each > trial->serial_best * slack ? trial->slow + 1 : 0;
+    if (trial->slow < 16)
+        return;
+    try_again(trial);
+    trial->graph = GRAPH_UNTRIED;
+    trial->rule = RULE_SLOWER;
+}
+
+static void learn_parallel(struct trial *trial, redcc_int trip, double each) {
     if (trial->decided == COURSE_PARALLEL) {
-        trial->slow = each > trial->serial_best * slack ? trial->slow + 1 : 0;
-        if (trial->slow == 16)
-            try_again(trial);
+        watch(trial, each);
         return;
     }
     const int before = trial->parallel_tries++;
@@ -77,31 +116,105 @@ static void learn_parallel(struct trial *trial, redcc_int trip, double seconds) 
         trial->parallel_best = each;
     if (trial->parallel_tries < PARALLEL_TRIES || trial->serial_tries < serial_tries_needed(trip))
         return;
+    trial->rule = RULE_FASTER;
     if (trial->parallel_best < trial->serial_best)
         trial->decided = COURSE_PARALLEL;
     else
         rest(trial, REASON_SERIAL_FASTER, 256, 4, 1 << 20);
 }
 
-void redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
-                        double seconds) {
+static double best_without_graph(const struct trial *trial) {
+    const bool timed = trial->parallel_tries > 1;
+    return timed && trial->parallel_best < trial->serial_best ? trial->parallel_best
+                                                              : trial->serial_best;
+}
+
+static void lose_graph(struct trial *trial) {
+    trial->graph = GRAPH_LOST;
+    trial->graph_retry_at = trial->calls + GRAPH_REST;
+    trial->rule = RULE_GRAPH_LOST;
+}
+
+static void learn_graph(struct trial *trial, redcc_int trip, double seconds) {
+    const double each = seconds / (double)trip;
+    if (trial->graph == GRAPH_KEPT) {
+        watch(trial, each);
+        return;
+    }
+    const int before = trial->graph_tries++;
+    if (before == 0) { /* with the inspection: what it takes, if it must be done again */
+        const double longer = seconds - trial->serial_best * (double)trip / trial->threads;
+        trial->graph_seconds = longer > 0 ? longer : trial->graph_seconds;
+    }
+    if (before == 1 || (before > 1 && each < trial->graph_best))
+        trial->graph_best = each;
+    if (trial->graph_tries < PARALLEL_TRIES)
+        return;
+    if (trial->graph_best < best_without_graph(trial)) {
+        trial->graph = GRAPH_KEPT;
+        trial->rule = RULE_GRAPH_KEPT;
+    } else {
+        lose_graph(trial);
+    }
+}
+
+double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
+                          bool by_graph, double seconds) {
     struct trial *trial = trial_of(chooser, trip);
     if (course == COURSE_SOLO)
         learn_serial(trial, trip, seconds);
+    else if (by_graph)
+        learn_graph(trial, trip, seconds);
     else
-        learn_parallel(trial, trip, seconds);
+        learn_parallel(trial, trip, seconds / (double)trip);
+    const bool known = course == COURSE_PARALLEL && trial->serial_best > 0;
+    return known ? trial->serial_best * (double)trip - seconds : 0;
 }
 
 void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason reason) {
     struct trial *trial = trial_of(chooser, trip);
-    if (reason == REASON_REPLICATION)
+    if (reason == REASON_NO_MEMORY && trial->graph == GRAPH_TRIED) {
+        lose_graph(trial); /* what there was before may do with less */
+    } else if (reason == REASON_REPLICATION) {
         rest(trial, reason, 16, 4, 1 << 20);
-    else /* may be otherwise for the next call's arrays */
+    } else { /* may be otherwise for the next call's arrays */
         rest(trial, reason, 2, 2, 64);
+        trial->rule = RULE_RESTING;
+    }
 }
 
-const struct method *redcc_choose_method(redcc_int trip, redcc_int executed, bool copies_possible) {
-    if ((double)executed <= most_share * (double)trip)
-        return &redcc_method_localwrite;
-    return copies_possible ? &redcc_method_expansion : NULL;
+void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip) {
+    struct trial *trial = trial_of(chooser, trip);
+    lose_graph(trial);
+    trial->graph_seconds = 0;
+}
+
+/* Without the graph. */
+static enum rule plain_way(const struct findings *findings, double sweep_seconds) {
+    if (findings->share <= most_share)
+        return RULE_INDEX;
+    if (findings->copies)
+        return RULE_COPIES;
+    return findings->swept || findings->budget >= sweep_seconds ? RULE_SERIAL : RULE_DEFERRED;
+}
+
+enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings) {
+    struct trial *trial = trial_of(chooser, findings->trip);
+    const double sweep_seconds = findings->touches * sweep_touch;
+    trial->rule = RULE_EVEN;
+    if (findings->share * findings->threads <= even_share) {
+        if (findings->swept)
+            trial->graph = GRAPH_UNTRIED;
+        trial->graph_seconds = 0;
+        return trial->rule;
+    }
+    if (findings->reusable && trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
+        trial->graph_seconds = findings->touches * graph_touch;
+    if (findings->by_graph && findings->budget >= trial->graph_seconds)
+        return trial->rule = RULE_GRAPH;
+    if (findings->by_graph)
+        trial->graph = GRAPH_UNTRIED; /* other subscripts; when the budget allows it */
+    trial->rule = plain_way(findings, sweep_seconds);
+    trial->sweep_seconds = trial->rule == RULE_DEFERRED ? sweep_seconds : 0;
+    return trial->rule;
 }

@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * REDCC_METHOD=auto: serial or parallel, and which method. docs/methods.md has the table.
+ * REDCC_METHOD=auto: serial or parallel, and which method. rule.h has the table.
  *
  * Executions are timed, and for each size of a loop (trip counts between two powers of two) the
- * faster course is kept. Who waits in a serial course tries again, at growing distances.
- * Used by one thread at a time: the one that holds the loop.
+ * faster course is kept. Who waits in a serial course tries again, at growing distances. Cutting
+ * the access graph, which takes as long as several executions, waits until the budget (budget.h)
+ * allows it; meanwhile the loop runs as it would without. Used by one thread at a time: the one
+ * that holds the loop.
  */
 #ifndef REDCC_CHOOSE_H
 #define REDCC_CHOOSE_H
 
 #include "method.h"
 #include "reason.h"
+#include "rule.h"
 
 enum course {
     COURSE_UNDECIDED,
@@ -19,10 +22,14 @@ enum course {
     COURSE_PARALLEL /* a method */
 };
 
+/** How far ownership by the access graph has come. */
+enum graph_trial { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
+
 /** What is known of a loop at trip counts of one size. */
 struct trial {
-    enum course decided; /* UNDECIDED, SERIAL or PARALLEL */
+    enum course decided; /* UNDECIDED, SERIAL or PARALLEL; of all but the graph */
     enum reason reason;  /* for SERIAL */
+    enum rule rule;      /* that decided */
     int threads;
     int serial_tries;
     int parallel_tries;
@@ -32,25 +39,59 @@ struct trial {
     long rest;          /* how many calls the last decision for SERIAL rested */
     double serial_best; /* seconds an iteration */
     double parallel_best;
+    double sweep_seconds; /* that an inspection was deferred for; 0: none was */
+    enum graph_trial graph;
+    int graph_tries;
+    double graph_seconds; /* that cutting the graph will take; 0: not known, or not to be done */
+    double graph_best;    /* seconds an iteration */
+    long graph_retry_at;
 };
 
 struct chooser {
     struct trial trial[64]; /* by the logarithm of the trip count */
 };
 
-/** What to do in this call; for COURSE_SERIAL also why. */
-enum course redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
-                                enum reason *reason);
+/** What to do in this call. */
+struct choice {
+    enum course course;
+    bool by_graph;      /* PARALLEL: by a plan with owners cut from the access graph */
+    enum reason reason; /* for SERIAL */
+    enum rule rule;
+};
 
-/** How long a SOLO or PARALLEL course took. */
-void redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
-                        double seconds);
+/** `budget` is redcc_budget(). */
+struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
+                                  double budget);
+
+/** How long a SOLO or PARALLEL course took; by_graph: with owners cut from the access graph.
+ * Returns the seconds gained over the sequential loop, 0 where that is not yet known. */
+double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
+                          bool by_graph, double seconds);
 
 /** The course could not be taken (a guard, too much replication, memory). */
 void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason reason);
 
-/** The method for a loop: `executed` is the most iterations that one of the threads would execute
- *  by LOCALWRITE, `copies_possible` whether private copies may and can be had. NULL: serial. */
-const struct method *redcc_choose_method(redcc_int trip, redcc_int executed, bool copies_possible);
+/** What an inspection found. */
+struct findings {
+    redcc_int trip;
+    int threads;
+    double share;   /* of the iterations, by the thread that would execute most by LOCALWRITE */
+    double touches; /* of all iterations, about */
+    bool swept;     /* the share is exact; else by a sample */
+    bool copies;    /* private copies may and can be had */
+    bool reusable;  /* the plan will be kept */
+    bool by_graph;  /* the choice was by_graph */
+    double budget;
+};
+
+/** The row that a loop of these findings falls under: EVEN, GRAPH, INDEX, COPIES, DEFERRED, SERIAL.
+ */
+enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
+
+/** The row that decided last. */
+enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip);
+
+/** The owners could not be cut from the access graph after all. */
+void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip);
 
 #endif

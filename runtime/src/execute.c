@@ -98,12 +98,12 @@ static void begin_running(redcc_worker *worker) {
     worker->position = 0;
     worker->base = member->base;
     worker->owner = member->owner;
-    place_owners(member);
     if (execution->course == COURSE_SOLO) {
-        for (uint32_t array = 0; array < plan->array_count; array++)
+        for (uint32_t array = 0; array < execution->request.loop->array_count; array++)
             member->base[array] = execution->request.bases[array];
         return;
     }
+    place_owners(member);
     place_bases(member, redcc_copy_of(plan, member->thread));
     if (redcc_settings()->validate && !execution->state->passing)
         take_snapshot(member);

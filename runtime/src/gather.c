@@ -19,6 +19,18 @@ static size_t expected_touches(const struct member *member, bool leading) {
     return (size_t)expected + (size_t)share / 16;
 }
 
+/* Owners by address will do, or what is chosen without the graph. False: make that plan. */
+static bool go_on_without(struct execution *execution) {
+    if (execution->method) {
+        execution->chosen = &redcc_method_localwrite;
+        return false;
+    }
+    execution->by_graph = false;
+    redcc_choose_no_graph(&execution->state->chooser, execution->request.trip);
+    redcc_choose_and_go_on(execution);
+    return true;
+}
+
 bool redcc_begin_gathering(struct execution *execution) {
     switch (redcc_divide_begin(&execution->divide, &execution->partition, execution->touched,
                                execution->threads, execution->request.trip)) {
@@ -26,8 +38,7 @@ bool redcc_begin_gathering(struct execution *execution) {
         redcc_refuse(execution, REASON_NO_MEMORY);
         return true;
     case DIVIDE_UNSUITABLE:
-        execution->chosen = &redcc_method_localwrite;
-        return false;
+        return go_on_without(execution);
     case DIVIDE_DONE:
         break;
     }
@@ -60,10 +71,8 @@ static void after_gathering(struct execution *execution) {
     execution->next = PHASE_DIVIDE;
     if (failed)
         redcc_refuse(execution, REASON_NO_MEMORY);
-    else if (too_much) { /* owners by address will do */
-        execution->chosen = &redcc_method_localwrite;
+    else if (too_much && !go_on_without(execution))
         redcc_make_plan(execution);
-    }
 }
 
 int redcc_gathering(redcc_worker *worker) {

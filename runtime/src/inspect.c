@@ -7,7 +7,9 @@
  */
 #include "inspect.h"
 
+#include "budget.h"
 #include "cuts.h"
+#include "estimate.h"
 #include "guard.h"
 #include "memory.h"
 #include "settings.h"
@@ -172,14 +174,25 @@ static void regroup_seen(struct execution *execution) {
     }
 }
 
+static enum rule choose_way(struct execution *execution, double share, bool swept);
+
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
-    if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads))
+    struct estimate estimate = {0, 0};
+    if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads) ||
+        (!execution->method && !redcc_estimate(&execution->partition, execution->samples,
+                                               execution->threads, &estimate))) {
         redcc_refuse(execution, REASON_NO_MEMORY);
+        return;
+    }
+    execution->touches = estimate.touches;
+    if (!execution->method && execution->course == COURSE_PARALLEL &&
+        choose_way(execution, estimate.share, false) == RULE_DEFERRED)
+        redcc_refuse(execution, REASON_REPLICATION);
 }
 
 /* One item stands for as many touches in all samples, and all have SAMPLED_TOUCHES at most. */
@@ -280,8 +293,8 @@ static bool memory_allows(size_t bytes) {
     return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
 }
 
-static const struct method *choose_method(const struct execution *execution) {
-    const redcc_loop *loop = execution->request.loop;
+/* What of the iterations the thread has that would execute most by LOCALWRITE. */
+static double largest_share(const struct execution *execution) {
     redcc_int most = 0;
     for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
         redcc_int sum = 0;
@@ -289,18 +302,45 @@ static const struct method *choose_method(const struct execution *execution) {
             sum += execution->state->member[thread]->executed[owner];
         most = sum > most ? sum : most;
     }
+    return (double)most / (double)execution->request.trip;
+}
+
+static enum rule choose_way(struct execution *execution, double share, bool swept) {
+    const redcc_loop *loop = execution->request.loop;
     const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
-    const bool copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
-                        redcc_copies_possible(&execution->partition, execution->touched) &&
-                        memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
-                                      (size_t)execution->threads);
-    return redcc_choose_method(execution->request.trip, most, copies);
+    const struct findings findings = {
+        .trip = execution->request.trip,
+        .threads = execution->threads,
+        .share = share,
+        .touches = execution->touches * (double)execution->request.trip,
+        .swept = swept,
+        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
+                  redcc_copies_possible(&execution->partition, execution->touched) &&
+                  memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
+                                (size_t)execution->threads),
+        .reusable = swept && redcc_plan_reusable(&execution->request, execution->sources),
+        .by_graph = execution->by_graph,
+        .budget = redcc_budget()};
+    return redcc_choose_way(&execution->state->chooser, &findings);
+}
+
+/* The method for all of it; NULL: one thread. */
+static const struct method *choose_method(struct execution *execution) {
+    switch (choose_way(execution, largest_share(execution), true)) {
+    case RULE_EVEN:
+    case RULE_INDEX:
+        return &redcc_method_localwrite;
+    case RULE_GRAPH:
+        return &redcc_method_graph_localwrite;
+    case RULE_COPIES:
+        return &redcc_method_expansion;
+    default:
+        return NULL;
+    }
 }
 
 /* The last question before a plan is made: may this method have this loop? */
 static enum reason objection(const struct execution *execution, const struct method *method) {
-    if (!method)
-        return REASON_REPLICATION;
     if (execution->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
         return REASON_MIXED;
     if (method->copies != COPY_NONE &&
@@ -330,11 +370,23 @@ void redcc_make_plan(struct execution *execution) {
         redcc_refuse(execution, REASON_NO_MEMORY);
 }
 
-static void choose_and_go_on(struct execution *execution) {
+/* All has been inspected, and nothing but the original loop is left: one thread executes it, so
+ * that it is known how long that takes. */
+static void go_alone(struct execution *execution) {
+    execution->course = COURSE_SOLO;
+    execution->planless = true;
+    execution->next = PHASE_RUN;
+}
+
+void redcc_choose_and_go_on(struct execution *execution) {
     const struct method *method = execution->method ? execution->method : choose_method(execution);
-    const enum reason reason = objection(execution, method);
     execution->chosen = method;
     execution->divided = false;
+    if (!method) {
+        go_alone(execution);
+        return;
+    }
+    const enum reason reason = objection(execution, method);
     if (reason != REASON_NONE)
         redcc_refuse(execution, reason);
     else if (!method->by_graph || !redcc_begin_gathering(execution))
@@ -365,7 +417,7 @@ static void after_sweep(struct execution *execution) {
         cut_and_sweep(execution);
         break;
     case MERGE_NOTHING:
-        choose_and_go_on(execution);
+        redcc_choose_and_go_on(execution);
         break;
     }
 }
@@ -378,7 +430,7 @@ static void prepare(struct member *member) {
     member->failed =
         !plan->method->prepare(plan, &evidence, member->thread) ||
         !redcc_copies_take(plan, member->thread, member->seen, execution->partition.base);
-    if (redcc_plan_reusable(plan, execution->request.loop))
+    if (redcc_plan_reusable(&execution->request, execution->sources))
         redcc_take_fingerprints(member);
 }
 

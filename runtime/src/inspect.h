@@ -17,12 +17,17 @@ int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_
 /** To be called by one thread, while the others wait: nothing is to be done in parallel. */
 void redcc_refuse(struct execution *execution, enum reason reason);
 
+/** To be called by one thread, when all iterations are told: the method named or chosen by what was
+ *  found, and on to its plan. */
+void redcc_choose_and_go_on(struct execution *execution);
+
 /** To be called by one thread, when all iterations are told: an empty plan by the method chosen,
  *  and all go on to prepare it. */
 void redcc_make_plan(struct execution *execution);
 
 /** To be called by one thread, instead of redcc_make_plan: sends all to tell their iterations once
- *  more, for ownership by the access graph. False: that cannot be had here. */
+ *  more, for ownership by the access graph; where that cannot be had, on by other means. False: to
+ *  redcc_make_plan. */
 bool redcc_begin_gathering(struct execution *execution);
 
 /** A member's steps on that way, by phase: GATHER, GATHERING (returns 1 where iterations are to be

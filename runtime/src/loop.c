@@ -2,6 +2,7 @@
 /** The life of a loop: its state, and enter, join, leave. */
 #include "loop.h"
 
+#include "budget.h"
 #include "clock.h"
 #include "compensate.h"
 #include "memory.h"
@@ -181,6 +182,10 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
+static void note_rule(struct statistics *statistics, enum rule rule) {
+    atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
+}
+
 /* The loop is held: begins an execution. False: to be run serially, for *reason. */
 static bool begin_execution(struct execution *execution, const redcc_loop *loop,
                             const struct settings *settings, int threads, enum reason *reason) {
@@ -190,10 +195,15 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->parameter = settings->parameter;
     execution->order = order_of(loop, settings);
     execution->course = COURSE_PARALLEL;
-    if (!execution->method)
-        execution->course =
-            redcc_choose_course(&state->chooser, execution->request.trip, threads, reason);
-    else if (execution->method->keeps > execution->order)
+    execution->by_graph = false;
+    if (!execution->method) {
+        const struct choice choice =
+            redcc_choose_course(&state->chooser, execution->request.trip, threads, redcc_budget());
+        execution->course = choice.course;
+        execution->by_graph = choice.by_graph;
+        *reason = choice.reason;
+        note_rule(statistics, choice.rule);
+    } else if (execution->method->keeps > execution->order)
         execution->order = execution->method->keeps;
     statistics->order = execution->order;
     if (execution->course == COURSE_SERIAL) {
@@ -208,6 +218,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->plan = NULL;
     execution->plan_is_kept = false;
     execution->inspected = false;
+    execution->planless = false;
     execution->validation = (struct validation){0};
     execution->reason = REASON_NONE;
     atomic_store_explicit(&execution->last_claimed, 0, memory_order_relaxed);
@@ -226,6 +237,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     if (trip <= 0 || (settings->method && !settings->method->prepare))
         return 0;
     enum reason reason = hindrance(loop, settings, threads, nested);
+    if (reason != REASON_NONE && !settings->method)
+        note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
     struct loop_state *held = hold(state, loop, insists(settings), &reason);
@@ -294,8 +307,31 @@ static void count_fallback(struct execution *execution) {
     state->reported.statistics.threads = 1;
     if (execution->reason == REASON_NO_MEMORY)
         redcc_drop_plans(state);
-    if (!execution->method)
-        redcc_choose_refused(&state->chooser, execution->request.trip, execution->reason);
+    if (execution->method)
+        return;
+    redcc_choose_refused(&state->chooser, execution->request.trip, execution->reason);
+    note_rule(&state->reported.statistics,
+              redcc_choose_rule(&state->chooser, execution->request.trip));
+}
+
+/* One thread has executed all: no plan was worth making. */
+static void count_planless(struct execution *execution, double now) {
+    struct loop_state *state = execution->state;
+    struct statistics *statistics = &state->reported.statistics;
+    const redcc_int trip = execution->request.trip;
+    const double inspecting = execution->ready - execution->entered;
+    serially(state, REASON_REPLICATION);
+    statistics->method = &redcc_method_serial;
+    statistics->threads = 1;
+    statistics->inspect_seconds += inspecting;
+    statistics->execute_seconds += now - execution->ready;
+    statistics->executed += trip;
+    statistics->in_loops += trip;
+    statistics->trip = statistics->most = trip;
+    redcc_choose_learn(&state->chooser, trip, COURSE_SOLO, false, execution->solo_seconds);
+    redcc_budget_gain(-inspecting);
+    redcc_choose_refused(&state->chooser, trip, REASON_REPLICATION);
+    note_rule(statistics, RULE_SERIAL);
 }
 
 static void trace_execution(const struct execution *execution, double now) {
@@ -335,30 +371,35 @@ static void count_execution(struct execution *execution, double now) {
     statistics->most = solo ? plan->trip : plan->most;
     statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
     trace_execution(execution, now);
-    if (!execution->method)
-        redcc_choose_learn(&state->chooser, execution->request.trip, execution->course,
-                           solo ? execution->solo_seconds : now - execution->entered);
+    if (execution->method)
+        return;
+    redcc_budget_gain(
+        redcc_choose_learn(&state->chooser, plan->trip, execution->course, plan->map != NULL,
+                           solo ? execution->solo_seconds : now - execution->entered));
+    note_rule(statistics, redcc_choose_rule(&state->chooser, plan->trip));
 }
 
 int redcc_leave(redcc_call *call) {
     if (!call->decided)
         return 0;
     struct execution *execution = call->execution;
-    const int done = execution->plan != NULL;
+    const int done = execution->plan != NULL || execution->planless;
     const bool validated = execution->validation.began;
     const double now = validated ? execution->executed : redcc_seconds();
     if (validated)
         redcc_validation_end(&execution->validation, execution->plan, execution->request.loop,
                              execution->request.bases,
                              &execution->state->reported.statistics.validated);
-    if (done)
+    if (execution->planless)
+        count_planless(execution, now);
+    else if (done)
         count_execution(execution, now);
     else
         count_fallback(execution);
     if (execution->inspected)
         redcc_inspection_end(execution);
-    if (done && !execution->plan_is_kept) {
-        if (redcc_plan_reusable(execution->plan, execution->request.loop))
+    if (execution->plan && !execution->plan_is_kept) {
+        if (redcc_plan_reusable(&execution->request, execution->sources))
             redcc_keep_plan(execution);
         else
             redcc_plan_free(execution->plan);

@@ -248,12 +248,12 @@ bool redcc_plan_fits(const struct plan *plan, const struct request *request, int
            sources_fit(plan, request, sources) && places_fit(plan, request, sources);
 }
 
-bool redcc_plan_reusable(const struct plan *plan, const redcc_loop *loop) {
-    if (!(loop->flags & REDCC_VERIFIABLE))
+bool redcc_plan_reusable(const struct request *request, const struct range *sources) {
+    if (!(request->loop->flags & REDCC_VERIFIABLE))
         return false;
-    for (uint32_t s = 0; s < plan->source_count; s++) {
-        const struct source_record *record = &plan->source[s];
-        if (!record->known && !record->anchored && record->extent.first < record->extent.end)
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        if (!known.end && !known.first && !redcc_range_empty(sources[s]))
             return false; /* where it would lie another time, nobody can say */
     }
     return true;

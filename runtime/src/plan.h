@@ -104,8 +104,9 @@ void redcc_plan_finish(struct plan *plan);
 bool redcc_plan_fits(const struct plan *plan, const struct request *request, int threads,
                      struct range *sources);
 
-/** May the plan be kept for other calls at all? */
-bool redcc_plan_reusable(const struct plan *plan, const redcc_loop *loop);
+/** May a plan for this request be kept for other calls at all? sources [source_count] is what is
+ *  read. */
+bool redcc_plan_reusable(const struct request *request, const struct range *sources);
 
 /** Bytes it takes, copies included. */
 size_t redcc_plan_bytes(const struct plan *plan);

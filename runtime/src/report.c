@@ -90,6 +90,16 @@ static void write_method(FILE *out, const struct statistics *statistics) {
     write_string(out, name);
 }
 
+static void write_choice(FILE *out, const struct statistics *statistics) {
+    static const char *const texts[] = {"REDCC_METHOD names the method",
+#define REDCC_RULE(id, known, done) known ": " done,
+                                        REDCC_RULE_LIST(REDCC_RULE)
+#undef REDCC_RULE
+    };
+    fputs(", \"choice\": ", out);
+    write_string(out, texts[atomic_load(&statistics->rule)]);
+}
+
 static void write_loop(FILE *out, const struct reported *loop) {
     const struct statistics *it = &loop->statistics;
     fputs("{\"file\": ", out);
@@ -98,6 +108,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     write_string(out, loop->function ? loop->function : "");
     fputs(", \"method\": ", out);
     write_method(out, it);
+    write_choice(out, it);
     fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
             redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
     fprintf(out, ", \"sum\": \"%s\"", it->compensated ? "compensated" : "plain");

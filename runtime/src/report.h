@@ -5,6 +5,7 @@
 
 #include "method.h"
 #include "reason.h"
+#include "rule.h"
 
 #include <stdatomic.h>
 
@@ -31,6 +32,7 @@ struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
     struct told_reason told[REDCC_TEXTS]; /* of REASON_OVERLAP */
+    atomic_int rule;                      /* enum rule: the row of auto's table that decided last */
     const struct method *method;          /* the last one used; NULL: none yet */
     int parameter;
     redcc_order order;

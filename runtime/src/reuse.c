@@ -11,6 +11,8 @@ void redcc_find_candidate(struct execution *execution, int threads) {
     execution->candidate = NULL;
     for (int p = 0; p < REDCC_PLANS; p++) {
         struct plan *plan = state->plans[p];
+        if (plan && !execution->method && plan->method->by_graph != execution->by_graph)
+            continue;
         if (plan && redcc_plan_fits(plan, &execution->request, threads, execution->sources)) {
             plan->last_use = ++state->plan_clock;
             plan->round++;

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef REDCC_ESTIMATE_H
+#define REDCC_ESTIMATE_H
+
+#include "partition.h"
+#include "sample.h"
+
+struct estimate {
+    double share;   /* of the iterations: what the owner that takes part in most of them has */
+    double touches; /* of an iteration */
+};
+
+/** What the samples of `threads` threads say of a partition that is cut. Where not all of an
+ *  iteration's touches are in the sample, the share is too low. False: no memory. */
+bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
+                    int threads, struct estimate *estimate);
+
+#endif

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The decision table of `auto`: identifier, what is known, what is done. The report names the row
+ *  that decided last; docs/methods.md shows the table, and a test compares the two. */
+#ifndef REDCC_RULE_H
+#define REDCC_RULE_H
+
+#define REDCC_RULE_LIST(X)                                                                         \
+    X(RULE_NOT_PARALLEL,                                                                           \
+      "one thread, inside a parallel region, or the loop is in use by another thread",             \
+      "the original loop")                                                                         \
+    X(RULE_SMALL_FIRST, "fewer than 4096 iterations, first call at such a trip count",             \
+      "the original loop")                                                                         \
+    X(RULE_SMALL, "fewer than 4096 iterations, next calls",                                        \
+      "one thread executes all within the region, timed; below 10 µs: the original loop from "    \
+      "then on")                                                                                   \
+    X(RULE_EVEN,                                                                                   \
+      "by `localwrite`, no thread executes more than 1.1 times an equal share of the iterations",  \
+      "`localwrite`")                                                                              \
+    X(RULE_GRAPH,                                                                                  \
+      "more; plans can be kept; what cutting the access graph will take is within the budget",     \
+      "`graph-localwrite` is tried")                                                               \
+    X(RULE_INDEX, "more, but no thread executes more than 0.85 of the iterations", "`localwrite`") \
+    X(RULE_COPIES,                                                                                 \
+      "more than that; order `any` or all arrays integer; copies possible and memory allows",      \
+      "`expansion`")                                                                               \
+    X(RULE_DEFERRED, "more than that by a sample; an inspection is not yet within the budget",     \
+      "the original loop")                                                                         \
+    X(RULE_SERIAL, "more than that; otherwise",                                                    \
+      "one thread executes all within the region, timed; then the original loop")                  \
+    X(RULE_FASTER, "two executions by a plan and one or two by one thread have been timed",        \
+      "the faster course is kept for trip counts of that size (between two powers of two)")        \
+    X(RULE_GRAPH_KEPT, "two executions by `graph-localwrite` were faster than all else",           \
+      "it is kept")                                                                                \
+    X(RULE_GRAPH_LOST, "they were not", "what there was before; tried again after 1024 calls")     \
+    X(RULE_SLOWER, "a parallel course is slower than the sequential loop was, 16 times in turn",   \
+      "both are timed again")                                                                      \
+    X(RULE_RESTING, "the original loop was chosen",                                                \
+      "tried again after 256 calls (16 after too much replication, 2 after a failed guard), then " \
+      "at growing distances")
+
+enum rule {
+    RULE_NONE, /* REDCC_METHOD names a method */
+#define REDCC_RULE(id, known, done) id,
+    REDCC_RULE_LIST(REDCC_RULE)
+#undef REDCC_RULE
+        RULE_COUNT
+};
+
+#endif
