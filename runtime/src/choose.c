@@ -137,6 +137,7 @@ static void lose_graph(struct trial *trial) {
 
 static void learn_graph(struct trial *trial, redcc_int trip, double seconds) {
     const double each = seconds / (double)trip;
+    trial->graph_runs++;
     if (trial->graph == GRAPH_KEPT) {
         watch(trial, each);
         return;
@@ -198,6 +199,24 @@ static enum rule plain_way(const struct findings *findings, double sweep_seconds
     return findings->swept || findings->budget >= sweep_seconds ? RULE_SERIAL : RULE_DEFERRED;
 }
 
+/* A graph was cut before, and other subscripts have come before it has paid: then it rests, longer
+ * each time. */
+static bool cut_in_vain(struct trial *trial, redcc_int trip) {
+    if (trial->graph_runs == 0)
+        return false;
+    const double best = trial->graph_best > 0 ? trial->graph_best : trial->serial_best / 2;
+    const double saved = (double)trial->graph_runs * (double)trip * (trial->serial_best - best);
+    trial->graph_runs = 0;
+    if (saved >= trial->graph_seconds) {
+        trial->graph_rest = 0;
+        return false;
+    }
+    trial->graph_rest = trial->graph_rest ? trial->graph_rest * 4 : 16;
+    trial->graph = GRAPH_LOST;
+    trial->graph_retry_at = trial->calls + trial->graph_rest;
+    return true;
+}
+
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings) {
     struct trial *trial = trial_of(chooser, findings->trip);
     const double sweep_seconds = findings->touches * sweep_touch;
@@ -210,10 +229,11 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
     }
     if (findings->reusable && trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
         trial->graph_seconds = findings->touches * graph_touch;
-    if (findings->by_graph && findings->budget >= trial->graph_seconds)
-        return trial->rule = RULE_GRAPH;
-    if (findings->by_graph)
-        trial->graph = GRAPH_UNTRIED; /* other subscripts; when the budget allows it */
+    if (findings->by_graph && trial->graph != GRAPH_LOST && !cut_in_vain(trial, findings->trip)) {
+        if (findings->budget >= trial->graph_seconds)
+            return trial->rule = RULE_GRAPH;
+        trial->graph = GRAPH_UNTRIED; /* when the budget allows it */
+    }
     trial->rule = plain_way(findings, sweep_seconds);
     trial->sweep_seconds = trial->rule == RULE_DEFERRED ? sweep_seconds : 0;
     return trial->rule;

@@ -44,6 +44,8 @@ struct trial {
     int graph_tries;
     double graph_seconds; /* that cutting the graph will take; 0: not known, or not to be done */
     double graph_best;    /* seconds an iteration */
+    long graph_runs;      /* executions since it was cut */
+    long graph_rest;      /* calls that it rested when it was cut in vain */
     long graph_retry_at;
 };
 

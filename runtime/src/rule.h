@@ -31,7 +31,9 @@
       "the faster course is kept for trip counts of that size (between two powers of two)")        \
     X(RULE_GRAPH_KEPT, "two executions by `graph-localwrite` were faster than all else",           \
       "it is kept")                                                                                \
-    X(RULE_GRAPH_LOST, "they were not", "what there was before; tried again after 1024 calls")     \
+    X(RULE_GRAPH_LOST, "they were not",                                                            \
+      "what there was before; tried again after 1024 calls (after 16, then at growing distances, " \
+      "where it was cut and other subscripts came before it had paid)")                            \
     X(RULE_SLOWER, "a parallel course is slower than the sequential loop was, 16 times in turn",   \
       "both are timed again")                                                                      \
     X(RULE_RESTING, "the original loop was chosen",                                                \

@@ -393,11 +393,35 @@ static void a_graph_is_cut_when_the_budget_allows_it(void **unused) {
     changed.by_graph = true;
     changed.budget = 1;
     assert_int_equal(redcc_choose_way(&chooser, &changed), RULE_GRAPH);
+    simulate_with(&chooser, shuffled.trip, 100, times, 1, &by_graph);
     changed.budget = 0;
     assert_int_equal(redcc_choose_way(&chooser, &changed), RULE_INDEX);
     by_graph = 0;
     simulate_with(&chooser, shuffled.trip, 100, times, 0, &by_graph);
     assert_int_equal(by_graph, 0);
+}
+
+/* The subscripts are others in each call. */
+static void graphs_cut_in_vain_become_rare(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    struct findings changed = shuffled;
+    const struct times times = {1e-3, 0.9e-3, 5e-3};
+    int by_graph = 0, cut = 0;
+    changed.budget = 1e9;
+    course_of(&chooser, shuffled.trip);
+    redcc_choose_way(&chooser, &shuffled);
+    simulate_with(&chooser, shuffled.trip, 10, times, 0, &by_graph);
+    for (int call = 0; call < 1000; call++) {
+        const struct choice choice =
+            redcc_choose_course(&chooser, shuffled.trip, 2, changed.budget);
+        changed.by_graph = choice.by_graph;
+        const bool graph = redcc_choose_way(&chooser, &changed) == RULE_GRAPH;
+        cut += graph;
+        redcc_choose_learn(&chooser, shuffled.trip, choice.course, graph,
+                           graph ? times.graph : times.parallel);
+    }
+    assert_in_range(cut, 1, 6);
 }
 
 static void a_graph_that_does_not_pay_is_left_alone(void **unused) {
@@ -467,6 +491,7 @@ int main(void) {
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
         cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
+        cmocka_unit_test(graphs_cut_in_vain_become_rare),
         cmocka_unit_test(the_rows_of_the_decision_table),
         cmocka_unit_test(the_decision_table_is_documented),
     };
