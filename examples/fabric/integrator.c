@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "clock.h"
 #include "forces.h"
 #include "newton.h"
 #include "simulation_state.h"
@@ -171,6 +172,22 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         }
 }
 
+/* Changes v_next so that the cloth does not go through itself; returns the work that took, J. */
+static double keep_from_itself(simulation *sim) {
+    self_collision *self = &sim->self_collision;
+    effect_account *account = &sim->effects[EFFECT_SELF_COLLISION];
+    if (!effect_is_on(sim, EFFECT_SELF_COLLISION))
+        return 0;
+    const double start = clock_seconds();
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sim->inverse_mass[i] = sim->constraints.given[i] == 3 ? 0 : 1 / sim->mass[i];
+    const double work =
+        self_collision_resolve(self, sim->h, sim->inverse_mass, read_only(sim->x), sim->v_next);
+    account->visited = self->visits;
+    account->seconds += clock_seconds() - start;
+    return work;
+}
+
 int integrator_move(simulation *sim) {
     const int count = sim->mesh->vertex_count;
     const double end = time_at_tick(sim, sim->ticks_done + sim->ticks);
@@ -179,8 +196,9 @@ int integrator_move(simulation *sim) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->v[i], 1, mean[i], sim->v_next[i]);
-    sim->push_work = collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h, sim->mass,
-                                         read_only(sim->x), sim->v_next);
+    const double self_work = keep_from_itself(sim);
+    sim->push_work = self_work + collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h,
+                                                     sim->mass, read_only(sim->x), sim->v_next);
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);
@@ -191,7 +209,7 @@ int integrator_move(simulation *sim) {
     if (sim->integrator.kind == INTEGRATOR_MIDPOINT || sim->integrator.two_states)
         end_velocity(sim, mean);
     collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
-    return !broken;
+    return !broken && !sim->self_collision.failed;
 }
 
 void integrator_accept(simulation *sim) {

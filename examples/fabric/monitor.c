@@ -108,6 +108,8 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
     m->next_depth = collisions_depth(step->collisions, step->time + step->h, step->x_next);
     if (m->next_depth > limits->penetration && m->next_depth > m->depth && !step->shortest)
         return complain(m, STEP_PENETRATION, m->next_depth, limits->penetration);
+    if (step->passing > 0 && !step->shortest)
+        return complain(m, STEP_PENETRATION, step->passing, 0);
     return STEP_GOOD;
 }
 

@@ -46,6 +46,7 @@ typedef struct monitored_step {
     const hinge_material *hinge_material;
     const collisions *collisions;
     solver_status status;
+    int passing;  /* pairs of the cloth that pass through each other in the step */
     int finite;   /* all of x_next and v_next */
     int shortest; /* the step cannot be halved any more */
 } monitored_step;

@@ -83,6 +83,7 @@ void plan_make(simulation *sim) {
     set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
     set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
     set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);
+    set_effect(sim, EFFECT_SELF_COLLISION, "self-collision", s->self_gap > 0, triangles);
     switch_effects(sim, 0);
     sim->next_event = next_event(s, 0);
 }

@@ -22,6 +22,7 @@ enum {
     EFFECT_PINS,
     EFFECT_CONTACT,
     EFFECT_FRICTION, /* its seconds are within contact's */
+    EFFECT_SELF_COLLISION,
     EFFECT_COUNT
 };
 

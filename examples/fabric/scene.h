@@ -69,6 +69,8 @@ typedef struct scene {
     pin *pins;
     int collider_count;
     collider *colliders;
+    double self_gap;      /* m, cloth keeps this distance from itself; 0: goes through itself */
+    double self_friction; /* Coulomb coefficient */
     /* time and solution */
     double step; /* s */
     int steps;

@@ -89,6 +89,12 @@ static const scene_key solution_keys[] = {
 static const scene_key monitor_keys[] = {LIMIT(energy), LIMIT(growth), LIMIT(strain),
                                          LIMIT(penetration), END};
 
+static const scene_key self_keys[] = {
+    {"gap", VALUE_NUMBER, offsetof(scene, self_gap), 1, 1, NOT_NEGATIVE, 0, NULL, NULL, NULL},
+    {"friction", VALUE_NUMBER, offsetof(scene, self_friction), 0, 1, NOT_NEGATIVE, 0, NULL, NULL,
+     NULL},
+    END};
+
 static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2),
                                      VECTOR(pin, high, 1, 2),
                                      VECTOR(pin, velocity, 0, 3),
@@ -134,6 +140,7 @@ const scene_key scene_keys[] = {
     SECTION("surroundings", 0, surroundings_keys),
     LIST(scene, pins, pin_keys, &pin_list),
     LIST(scene, colliders, collider_keys, &collider_list),
+    SECTION("self_collision", 0, self_keys),
     SECTION("time", 1, time_keys),
     SECTION("solution", 0, solution_keys),
     SECTION("monitor", 0, monitor_keys),
@@ -143,6 +150,7 @@ const scene scene_defaults = {
     .seed = 1,
     .order = MESH_ORDER_SORTED,
     .normal = {0.0, 0.0, 1.0},
+    .self_friction = 0.3,
     .tolerance = 1e-3,
     .max_iterations = 5000,
     .newton_tolerance = 1e-6,

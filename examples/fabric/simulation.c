@@ -60,6 +60,7 @@ monitored_step simulation_monitored(const simulation *sim) {
         .hinge_material = &sim->hinge_material,
         .collisions = &sim->collisions,
         .status = sim->solver_status,
+        .passing = sim->self_collision.left,
         .shortest = sim->ticks == 1,
     };
 }

@@ -11,6 +11,7 @@
 #include "integrator.h"
 #include "monitor.h"
 #include "plan.h"
+#include "self_collision.h"
 #include "simulation.h"
 #include "solver.h"
 #include "system.h"
@@ -53,6 +54,8 @@ struct simulation {
     linear_system system;
     collisions collisions;
     constraints constraints;
+    self_collision self_collision; /* empty without */
+    double *inverse_mass;          /* [vertices] 1/kg, 0: held; NULL without self-collision */
     solver solver;
     solver_status solver_status;
     double push_work; /* J, that keeping out of colliders by force took */

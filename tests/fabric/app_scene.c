@@ -113,7 +113,8 @@ static void test_unknown_keys(void **unused) {
     check_wrong(
         1, "title: test",
         ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
-        "'surroundings', 'pins', 'colliders', 'time', 'solution', 'monitor'; did you mean 'time'?");
+        "'surroundings', 'pins', 'colliders', 'self_collision', 'time', "
+                "'solution', 'monitor'; did you mean 'time'?");
     check_wrong(17, "    half_edges: [1, 1, 1]",
                 ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "
                 "'position', 'velocity', 'radius', 'friction', 'gap', 'from', 'until'");

@@ -8,7 +8,7 @@ target_include_directories(fabric_stage PUBLIC hard)
 target_link_libraries(fabric_stage PUBLIC fabric_physics_tests fabric_physics
                       PRIVATE redcc_warnings)
 
-foreach(name motion contact shape effects)
+foreach(name motion contact shape effects self)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Cloth against itself: pairs of features against dumb oracles, and whole cloths. */
+#include "stage.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "self_collision.h"
+#include "vector.h"
+
+static void random_points(double size, unsigned *seed, double x[4][3]) {
+    for (int k = 0; k < 4; k++)
+        for (int a = 0; a < 3; a++)
+            x[k][a] = size * random_number(seed);
+}
+
+/* Does the segment p q meet the triangle a b c? By signs of volumes, not as the code does it. */
+static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    double ab[3], ac[3], ad[3], cross[3];
+    vector_subtract(b, a, ab);
+    vector_subtract(c, a, ac);
+    vector_subtract(d, a, ad);
+    vector_cross(ab, ac, cross);
+    return vector_dot(cross, ad);
+}
+
+static int crosses(const double p[3], const double q[3], const double a[3], const double b[3],
+                   const double c[3]) {
+    if ((volume(a, b, c, p) < 0) == (volume(a, b, c, q) < 0))
+        return 0;
+    const int s = volume(p, q, a, b) < 0;
+    return (volume(p, q, b, c) < 0) == s && (volume(p, q, c, a) < 0) == s;
+}
+
+/* A vertex moves past a triangle that stays: it passes exactly if its way crosses the triangle. */
+static void test_vertex_through_triangle(void **state) {
+    (void)state;
+    unsigned seed = 1;
+    int passed = 0;
+    for (int n = 0; n < 20000; n++) {
+        double x[4][3], y[4][3];
+        self_contact found;
+        random_points(1, &seed, x);
+        memcpy(y, x, sizeof y);
+        for (int a = 0; a < 3; a++)
+            y[0][a] = random_number(&seed);
+        const int expected = crosses(x[0], y[0], x[1], x[2], x[3]);
+        assert_int_equal(self_pair_passes(0, (const double(*)[3])x, (const double(*)[3])y, &found),
+                         expected);
+        passed += expected;
+    }
+    assert_in_range(passed, 500, 10000);
+}
+
+/* An edge sweeps a parallelogram that another edge stays in the way of: both are edges, and the
+ * oracle is the edge against the parallelogram's two triangles. */
+static void test_edge_through_edge(void **state) {
+    (void)state;
+    unsigned seed = 2;
+    int passed = 0;
+    for (int n = 0; n < 20000; n++) {
+        double x[4][3], y[4][3], shift[3];
+        self_contact found;
+        random_points(1, &seed, x);
+        memcpy(y, x, sizeof y);
+        for (int a = 0; a < 3; a++)
+            shift[a] = random_number(&seed);
+        for (int k = 0; k < 2; k++)
+            vector_add_scaled(x[k], 1, shift, y[k]);
+        const int expected =
+            crosses(x[2], x[3], x[0], x[1], y[1]) || crosses(x[2], x[3], x[0], y[1], y[0]);
+        assert_int_equal(self_pair_passes(1, (const double(*)[3])x, (const double(*)[3])y, &found),
+                         expected);
+        passed += expected;
+    }
+    assert_in_range(passed, 500, 10000);
+}
+
+/* The grid finds what comparing all pairs of triangles finds. */
+static void test_grid_misses_no_pair(void **state) {
+    (void)state;
+    mesh m = cloth_sheet(7, 6, 0.1, 0.3, 4);
+    self_collision s;
+    assert_int_equal(self_collision_init(&s, &m, 0.01, 0), 0);
+    for (unsigned seed = 1; seed < 6; seed++) {
+        double(*x)[3] = cloth_moved(&m, 0.2, seed), (*v)[3] = cloth_moved(&m, 1, seed + 9);
+        const double h = seed == 5 ? 10 : 0.1;
+        assert_int_equal(self_grid_find(&s, h, (const double(*)[3])x, (const double(*)[3])v), 0);
+        int vertices = 0, expected = 0;
+        for (int n = 0; n < s.pair_count; n++)
+            vertices += !s.pair[n].is_edges;
+        for (int i = 0; i < m.vertex_count; i++)
+            for (int t = 0; t < m.triangle_count; t++) {
+                int owner = -1, meet = 1;
+                for (int u = m.triangle_count - 1; u >= 0; u--)
+                    for (int p = 0; p < 3; p++)
+                        owner = m.triangle[u][p] == i ? u : owner;
+                for (int p = 0; p < 3; p++)
+                    meet &= m.triangle[t][p] != i;
+                for (int a = 0; a < 3 && owner >= 0; a++)
+                    meet &= s.grid.box[owner][0][a] <= s.grid.box[t][1][a] &&
+                            s.grid.box[t][0][a] <= s.grid.box[owner][1][a];
+                expected += meet && owner >= 0;
+            }
+        assert_int_equal(vertices, expected);
+        free(x);
+        free(v);
+    }
+    self_collision_free(&s);
+    cloth_free(&m);
+}
+
+/* Edges of the cloth that cross one of its triangles: none may, ever. */
+static int crossings(const stage *on) {
+    const mesh *m = &on->m;
+    const double(*x)[3] = simulation_positions(on->sim);
+    int count = 0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int u = 0; u < m->triangle_count; u++)
+            for (int p = 0; p < 3; p++) {
+                const int *b = m->triangle[u], i = m->triangle[t][p];
+                const int j = m->triangle[t][(p + 1) % 3];
+                int shared = 0;
+                for (int q = 0; q < 3; q++)
+                    shared += b[q] == i || b[q] == j;
+                count += shared == 0 && crosses(x[i], x[j], x[b[0]], x[b[1]], x[b[2]]);
+            }
+    return count;
+}
+
+/* A cloth held by one edge hangs down to the ground; let go, it falls on itself. */
+static stage folding(double gap) {
+    static collider ground = {.kind = COLLIDER_PLANE,
+                              .position = {0, 0, -0.3},
+                              .axis = {0, 0, 1},
+                              .friction = 1,
+                              .gap = 0.01};
+    static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}, .until = 0.6};
+    stage on = stage_of(cloth_sheet(13, 7, 0.05, 0.3, 1), cloth_scene());
+    on.s.step = 0.02;
+    on.s.tolerance = 1e-4;
+    on.s.drag = 0.1;
+    on.s.bend = 1e-5;
+    on.s.colliders = &ground;
+    on.s.collider_count = 1;
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    on.s.self_gap = gap;
+    on.s.self_friction = 0.3;
+    return on;
+}
+
+static void test_cloth_folds_on_itself(void **state) {
+    (void)state;
+    int most[2] = {0, 0};
+    for (int kept = 0; kept < 2; kept++) {
+        stage on = folding(kept ? 0.008 : 0);
+        stage_begin(&on);
+        for (int n = 0; n < 100; n++) {
+            stage_run(&on, 1);
+            const int now = crossings(&on);
+            most[kept] = now > most[kept] ? now : most[kept];
+        }
+        stage_assert_finite(&on);
+        print_message("self-collision %s: %d crossings at most, %ld rejected, visited %ld\n",
+                      kept ? "on" : "off", most[kept], simulation_steps_rejected(on.sim),
+                      on.sim->effects[EFFECT_SELF_COLLISION].visited);
+        stage_end(&on);
+    }
+    assert_true(most[0] > 0);
+    assert_int_equal(most[1], 0);
+}
+
+/* Impulses are equal and opposite: in free fall with the cloth thrown at itself momentum stays. */
+static void test_momentum_stays(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(8, 6, 0.1, 0.3, 1), cloth_scene());
+    double before[3] = {0, 0, 0}, after[3] = {0, 0, 0}, size = 0;
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    on.s.self_gap = 0.01;
+    on.s.bend = 0;
+    on.s.step = 0.02;
+    on.s.tolerance = 1e-12;
+    on.s.limits.energy = 1e300; /* the velocity is put in behind the monitor's back */
+    for (int i = 0; i < on.m.vertex_count; i++) { /* folded: the right half above the left */
+        if (on.m.position[i][0] < 0.36)
+            continue;
+        on.m.position[i][0] = 0.72 - on.m.position[i][0];
+        on.m.position[i][2] = 0.06;
+    }
+    stage_begin(&on);
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.sim->v[i][2] = on.sim->x[i][2] > 0 ? -1 : 1;
+        vector_add_scaled(before, on.sim->mass[i], on.sim->v[i], before);
+        size += on.sim->mass[i];
+    }
+    stage_changed(&on);
+    stage_run(&on, 20);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        vector_add_scaled(after, on.sim->mass[i], on.sim->v[i], after);
+    vector_subtract(after, before, after);
+    assert_below(vector_length(after) / size, 1e-10);
+    assert_int_equal(crossings(&on), 0);
+    stage_end(&on);
+}
+
+/* A flat cloth meets itself nowhere: the bits are those without. */
+static void test_flat_cloth_has_its_bits(void **state) {
+    (void)state;
+    stage with = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
+    stage without = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
+    static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
+    with.s.pins = without.s.pins = &hold;
+    with.s.pin_count = without.s.pin_count = 1;
+    with.s.self_gap = 0.005;
+    stage_begin(&with);
+    stage_begin(&without);
+    stage_run(&with, 20);
+    stage_run(&without, 20);
+    assert_memory_equal(with.sim->x, without.sim->x, sizeof(double[3]) * 49);
+    assert_true(with.sim->effects[EFFECT_SELF_COLLISION].visited > 0);
+    assert_int_equal(without.sim->effects[EFFECT_SELF_COLLISION].visited, 0);
+    assert_null(without.sim->inverse_mass);
+    stage_end(&with);
+    stage_end(&without);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_vertex_through_triangle),
+        cmocka_unit_test(test_edge_through_edge),
+        cmocka_unit_test(test_grid_misses_no_pair),
+        cmocka_unit_test(test_momentum_stays),
+        cmocka_unit_test(test_flat_cloth_has_its_bits),
+        cmocka_unit_test(test_cloth_folds_on_itself),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
