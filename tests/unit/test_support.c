@@ -31,6 +31,25 @@ static void test_arena_is_zeroed_and_aligned(void **state) {
     arena_free(NULL);
 }
 
+static void test_arena_can_be_cleared(void **state) {
+    (void)state;
+    arena *a = arena_new();
+    for (unsigned round = 0; round < 3; round++) {
+        for (size_t size = 1; size < 200000; size *= 3) {
+            unsigned char *memory = arena_allocate(a, size);
+            for (size_t i = 0; i < size; i++)
+                assert_int_equal(memory[i], 0);
+            memset(memory, 0xff, size); /* must not show in the next round */
+        }
+        arena_clear(a);
+        assert_int_equal(arena_used(a), 0);
+    }
+    arena_free(a);
+    a = arena_new();
+    arena_clear(a);
+    arena_free(a);
+}
+
 static void test_arena_texts(void **state) {
     (void)state;
     arena *a = arena_new();
@@ -140,6 +159,7 @@ static void test_reading_files(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_arena_is_zeroed_and_aligned),
+        cmocka_unit_test(test_arena_can_be_cleared),
         cmocka_unit_test(test_arena_texts),
         cmocka_unit_test(test_buffer),
         cmocka_unit_test(test_vector),

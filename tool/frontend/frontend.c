@@ -108,10 +108,8 @@ static void convert_body(converter *c, const function_body *pending) {
         return;
     c->function = pending->function;
     c->depth = 0;
-    c->scratch = arena_new();
     pending->function->body = convert_statement(c, body);
-    arena_free(c->scratch);
-    c->scratch = NULL;
+    arena_clear(c->scratch);
     c->function = NULL;
 }
 
@@ -149,7 +147,9 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
         .expansion_ends = map_new(a),
         .expansion_begins = map_new(a),
     };
+    c.scratch = arena_new();
     convert_unit(&c);
+    arena_free(c.scratch);
     return unit;
 }
 

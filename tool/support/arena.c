@@ -79,6 +79,24 @@ void arena_free(arena *a) {
     free(a);
 }
 
+void arena_clear(arena *a) {
+    block *kept = NULL;
+    for (block *b = a->blocks, *next; b != NULL; b = next) {
+        next = b->next;
+        if (kept == NULL && b->size == BLOCK_SIZE)
+            kept = b;
+        else
+            free(b);
+    }
+    a->blocks = kept;
+    a->used = 0;
+    if (kept == NULL)
+        return;
+    kept->next = NULL;
+    memset(kept->bytes, 0, kept->used);
+    kept->used = 0;
+}
+
 size_t arena_used(const arena *a) {
     return a->used;
 }

@@ -12,6 +12,8 @@ typedef struct arena arena;
 arena *arena_new(void);
 void *arena_allocate(arena *a, size_t size); /* zeroed, aligned for any type */
 void arena_free(arena *a);
+/** Ends the life of all that was allocated; the arena may be filled again. */
+void arena_clear(arena *a);
 size_t arena_used(const arena *a);
 
 char *arena_copy(arena *a, const char *text, size_t length); /* ends in 0 */
