@@ -446,8 +446,9 @@ static void keep_continues(slicer *s, const ir_node *node, unsigned touch_count,
 }
 
 static unsigned kept_count(const slicer *s) {
+    const unsigned last = expression_last_id(s->j->loop);
     unsigned count = 0;
-    for (unsigned i = 0; i < s->j->function->node_count; i++)
+    for (unsigned i = s->j->loop->id; i <= last; i++)
         count += s->keep[i];
     return count;
 }

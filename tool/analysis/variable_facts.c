@@ -249,7 +249,7 @@ bool variable_is_exposed(variable_facts *facts, const ir_variable *variable) {
     return fact->exposure == EXPOSURE_YES;
 }
 
-bool variable_is_restricted(variable_facts *facts, const ir_variable *variable) {
+static bool is_restricted(variable_facts *facts, const ir_variable *variable) {
     const variable_fact *fact = &facts->facts[variable->id];
     unsigned allowed = variable->storage == IR_LOCAL ? 1 : 0;
     if (!variable_is_automatic(variable) || !variable->type->is_restrict ||
@@ -262,4 +262,11 @@ bool variable_is_restricted(variable_facts *facts, const ir_variable *variable) 
         if (pointer_value_escapes(facts, fact->occurrences.items[i], 0))
             return false;
     return true;
+}
+
+bool variable_is_restricted(variable_facts *facts, const ir_variable *variable) {
+    variable_fact *fact = &facts->facts[variable->id];
+    if (fact->restricted == RESTRICTED_NOT_ASKED)
+        fact->restricted = is_restricted(facts, variable) ? RESTRICTED_YES : RESTRICTED_NO;
+    return fact->restricted == RESTRICTED_YES;
 }

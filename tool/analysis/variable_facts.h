@@ -17,6 +17,7 @@ typedef struct variable_fact {
     const ir_node *declarator;
     enum { EXPOSURE_NOT_ASKED, EXPOSURE_YES, EXPOSURE_NO } exposure;
     enum { ESCAPE_NOT_ASKED, ESCAPE_IN_PROGRESS, ESCAPE_YES, ESCAPE_NO } escape;
+    enum { RESTRICTED_NOT_ASKED, RESTRICTED_YES, RESTRICTED_NO } restricted;
 } variable_fact;
 
 typedef struct variable_facts variable_facts;
