@@ -5,6 +5,7 @@
 
 #include "compile_commands.h"
 #include "frontend/frontend.h"
+#include "ir/ir_position.h"
 #include "ir/ir_text.h"
 #include "options.h"
 #include "output.h"
@@ -59,6 +60,19 @@ static void show_errors(const frontend_result *parsed) {
     for (unsigned i = 0; i < parsed->diagnostic_count; i++)
         if (parsed->diagnostics[i].is_error)
             fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
+}
+
+/* ---- pragmas ------------------------------------------------------------------------------- */
+
+/** Shows what is wrong with the pragmas of redcc in the file. Returns whether anything is. */
+static bool show_pragma_errors(arena *a, const ir_unit *unit) {
+    const user_pragmas pragmas = pragmas_of_unit(a, unit);
+    for (unsigned i = 0; i < pragmas.problem_count; i++) {
+        const ir_position at = ir_position_of(unit, pragmas.problems[i].offset);
+        fprintf(stderr, "%s:%u:%u: error: %s\n", at.file, at.line, at.column,
+                pragmas.problems[i].message);
+    }
+    return pragmas.problem_count > 0;
 }
 
 /* ---- verdicts ------------------------------------------------------------------------------ */
@@ -177,6 +191,8 @@ static outcome process(arena *a, const options *o, const char *path) {
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)
         return (outcome){0};
+    if (show_pragma_errors(a, parsed.unit))
+        return fail(file->path, "its pragmas are wrong; nothing was written");
     return translate(a, o, file, &flags, parsed.unit);
 }
 

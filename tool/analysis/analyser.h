@@ -18,6 +18,7 @@ typedef struct analyser {
     effects *effects;
     alias_rules rules;
     unit_text *text;
+    const user_pragmas *pragmas;
 } analyser;
 
 /** What an access of the loop turned out to be. */

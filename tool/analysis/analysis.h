@@ -11,6 +11,7 @@
 #ifndef ANALYSIS_ANALYSIS_H
 #define ANALYSIS_ANALYSIS_H
 
+#include "analysis/pragma.h"
 #include "ir/ir.h"
 
 /* ---- reasons ------------------------------------------------------------------------------- */
@@ -153,7 +154,9 @@ typedef struct loop_verdict {
     verdict_kind kind;
     const ir_node *loop; /* that is reported: outermost judged as one, or innermost where refused */
     const ir_function *function;
-    reason why;        /* refusals */
+    reason why; /* refusals */
+    unsigned pragma_count;
+    const user_pragma *pragmas; /* the user's word that the verdict rests on, or that it follows */
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
 

@@ -26,10 +26,12 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
     [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
-    [REASON_MAY_ALIAS] = "declare the pointers restrict, or give --assume-noalias",
+    [REASON_MAY_ALIAS] =
+        "declare the pointers restrict, or write #pragma redcc independent above the loop",
     [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
     [REASON_SCALAR_CARRIED] = "move the scalar's accumulation to a loop of its own",
-    [REASON_PRIVATE_NOT_PROVED] = "declare it inside the loop's body, or write all of it first",
+    [REASON_PRIVATE_NOT_PROVED] =
+        "declare it inside the loop's body, or write #pragma redcc private(NAME) above the loop",
     [REASON_LAST_VALUE] = "declare it inside the loop's body",
     [REASON_ESCAPES] =
         "declare it inside the loop's body, and pass it only to functions of this file",
@@ -43,9 +45,10 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_BREAK] = "use a condition around the body instead",
     [REASON_RETURN] = "use a condition around the body instead",
     [REASON_GOTO] = "use structured control",
-    [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), or --pure=NAME",
+    [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), --pure=NAME, or "
+                           "#pragma redcc pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
-    [REASON_CALLEE_READS] = "define the function in this file, or give --pure=NAME",
+    [REASON_CALLEE_READS] = "define the function in this file, or say #pragma redcc pure(NAME)",
     [REASON_IN_MACRO] = "write the loop and its updates out",
     [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
     [REASON_EXISTING_OPENMP] = "remove the directive to have the loop translated",

@@ -37,7 +37,8 @@ static bool take_private(judgement *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
     bool is_inside = is_declared_in(j, variable);
-    if (!is_inside &&
+    const user_pragma *word = pragma_above(j->an->pragmas, j->loop, PRAGMA_PRIVATE);
+    if (!is_inside && !pragma_names(word, variable->name) &&
         must_write_check(j->an->prover, j->counted.body, variable).verdict != PRIVATE_PROVED)
         return false;
     private_variable item = {(ir_variable *)variable, is_inside, false};

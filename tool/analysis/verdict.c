@@ -130,7 +130,18 @@ static bool judge_header(judgement *j) {
     return true;
 }
 
-static loop_verdict judge(const analyser *an, ir_function *function, ir_node *loop) {
+/* With what the user says of this loop alone. */
+static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
+    if (!pragma_above(an->pragmas, loop, PRAGMA_INDEPENDENT))
+        return an;
+    analyser *own = ARENA_NEW(an->memory, analyser);
+    *own = *an;
+    own->rules.assume_noalias = true;
+    return own;
+}
+
+static loop_verdict judge(const analyser *whole, ir_function *function, ir_node *loop) {
+    const analyser *an = analyser_for(whole, loop);
     judgement *j = ARENA_NEW(an->memory, judgement);
     j->an = an;
     j->function = function;
@@ -272,7 +283,25 @@ static void add_not_a_reduction(loop_search *s, ir_node *loop) {
     loop_facts *facts = ARENA_NEW(s->an->memory, loop_facts);
     facts->loop = loop;
     facts->function = s->function;
-    loop_verdict verdict = {VERDICT_NOT_A_REDUCTION, loop, s->function, {0}, facts};
+    loop_verdict verdict = {
+        .kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = s->function, .facts = facts};
+    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+/* The user wants the loop left alone, and all in it. */
+static void add_ignored(loop_search *s, ir_node *loop, const user_pragma *pragma) {
+    judgement *j = ARENA_NEW(s->an->memory, judgement);
+    j->an = s->an;
+    j->function = s->function;
+    j->loop = loop;
+    judgement_refuse(j, REASON_IGNORED, loop,
+                     arena_format(s->an->memory, "redcc %s", pragma->text));
+    note_irregular_arrays(j);
+    loop_verdict verdict = {.kind = VERDICT_REFUSE,
+                            .loop = loop,
+                            .function = s->function,
+                            .why = j->why,
+                            .facts = finish_facts(j)};
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
@@ -286,6 +315,11 @@ static void search(loop_search *s, ir_node *node) {
     bool is_irregular = has_irregular(s->an, node, node, false);
     loop_verdict verdict = {0};
     unsigned from = s->verdicts.count;
+    const user_pragma *ignored = pragma_above(s->an->pragmas, node, PRAGMA_IGNORE);
+    if (is_irregular && ignored) {
+        add_ignored(s, node, ignored);
+        return;
+    }
     if (!is_irregular) {
         add_not_a_reduction(s, node);
     } else if (is_candidate(s->an, node)) {
@@ -327,10 +361,58 @@ static void judge_function(loop_search *s, ir_function *function) {
               by_position);
 }
 
-analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options) {
+/* ---- the user's word --------------------------------------------------------------------------
+ */
+
+typedef struct pragma_use {
+    const user_pragma *pragma;
+    bool is_found;
+} pragma_use;
+
+static bool find_pure_call(ir_node *node, void *context) {
+    pragma_use *use = context;
+    use->is_found |= node->kind == IR_FUNCTION && pragma_names(use->pragma, node->function->name);
+    return !use->is_found;
+}
+
+static bool concerns(const user_pragma *pragma, const ir_node *loop) {
+    if (pragma->word != PRAGMA_PURE)
+        return pragma->loop == loop;
+    pragma_use use = {.pragma = pragma};
+    ir_walk((ir_node *)loop, find_pure_call, &use);
+    return use.is_found;
+}
+
+static void note_pragmas(const analyser *an, loop_verdict *verdict) {
+    VECTOR(user_pragma) found = {0};
+    for (unsigned i = 0; i < an->pragmas->count; i++)
+        if (concerns(&an->pragmas->items[i], verdict->loop))
+            VECTOR_PUSH(an->memory, &found, an->pragmas->items[i]);
+    verdict->pragmas = found.items;
+    verdict->pragma_count = found.count;
+}
+
+/* The options, with the functions that pragmas call pure. */
+static const analysis_options *with_pragmas(arena *a, const analysis_options *options,
+                                            const user_pragmas *pragmas) {
+    VECTOR(const char *) pure = {0};
+    for (unsigned i = 0; i < options->pure_count; i++)
+        VECTOR_PUSH(a, &pure, options->pure[i]);
+    for (unsigned i = 0; i < pragmas->count; i++)
+        for (unsigned k = 0; k < pragmas->items[i].name_count; k++)
+            if (pragmas->items[i].word == PRAGMA_PURE)
+                VECTOR_PUSH(a, &pure, pragmas->items[i].names[k]);
+    analysis_options *all = ARENA_NEW(a, analysis_options);
+    *all = *options;
+    all->pure_count = pure.count;
+    all->pure = pure.items;
+    return all;
+}
+
+analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
     static const analysis_options no_options;
-    if (!options)
-        options = &no_options;
+    const user_pragmas pragmas = pragmas_of_unit(a, unit);
+    const analysis_options *options = with_pragmas(a, given ? given : &no_options, &pragmas);
     must_write *prover = must_write_new(a, unit, options);
     variable_facts *facts = variable_facts_new(a, unit, prover);
     analyser an = {.memory = a,
@@ -340,10 +422,13 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *o
                    .facts = facts,
                    .effects = effects_new(a, unit, options, facts),
                    .rules = {facts, unit->strict_aliasing, options->assume_noalias},
-                   .text = unit_text_new(a, unit)};
+                   .text = unit_text_new(a, unit),
+                   .pragmas = &pragmas};
     loop_search search_state = {.an = &an};
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
             judge_function(&search_state, unit->functions[i]);
+    for (unsigned i = 0; i < search_state.verdicts.count; i++)
+        note_pragmas(&an, &search_state.verdicts.items[i]);
     return (analysis_result){search_state.verdicts.count, search_state.verdicts.items};
 }

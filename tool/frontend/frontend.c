@@ -124,6 +124,7 @@ static void convert_unit(converter *c) {
         convert_body(c, &pending);
     }
     find_directives(c->arena, c->unit);
+    mark_skipped_directives(c);
     finish_unit(c);
 }
 

@@ -314,13 +314,21 @@ static ir_node *convert_jump(converter *c, CXCursor cursor, ir_kind kind) {
     return node;
 }
 
+/* clang takes a pragma like `GCC unroll` for an attribute of the loop below it. */
+static bool begins_with_pragma(converter *c, CXCursor cursor) {
+    bool is_from_macro;
+    const ir_range range = range_of(c, extent_of(c, cursor), &is_from_macro);
+    return range.begin < range.end && strchr("#%?", c->unit->source->text[range.begin]) != NULL;
+}
+
 /* A statement with attributes, which mean nothing here. */
 static ir_node *convert_unexposed_statement(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     if (parts.count != 1)
         return opaque_statement(c, cursor, "statement");
     ir_node *node = convert_statement(c, parts.items[0]);
-    place_node(c, node, cursor);
+    if (!begins_with_pragma(c, cursor))
+        place_node(c, node, cursor);
     return node;
 }
 

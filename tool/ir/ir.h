@@ -241,6 +241,7 @@ typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* the logical line */
     const char *text;
+    bool is_skipped; /* it stands in a branch that is not compiled */
 } ir_directive;
 
 typedef struct ir_unit {
@@ -251,7 +252,7 @@ typedef struct ir_unit {
     unsigned variable_count; /* all, indexed by id */
     ir_variable **variables;
     unsigned directive_count; /* of the main file, in order */
-    const ir_directive *directives;
+    ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
     unsigned error_count; /* compiler errors anywhere */
 } ir_unit;

@@ -265,6 +265,8 @@ static void print_directive(const ir_printer *p, const ir_directive *directive) 
     ir_print_line(p, 1);
     buffer_format(p->out, "(%s ", words[directive->kind]);
     print_quoted(p, printable(directive->text));
+    if (directive->is_skipped)
+        buffer_text(p->out, " !skipped");
     ir_print_range(p, directive->range);
     buffer_byte(p->out, ')');
 }

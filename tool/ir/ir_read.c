@@ -355,9 +355,12 @@ static bool read_directive(ir_reader *r, const sexp *s, ir_directive *directive)
     if (s->count < 2 || s->items[1]->kind != SEXP_STRING)
         return ir_reader_expected(r, s, "a directive's text in quotes");
     directive->text = s->items[1]->text;
-    if (s->count > 3)
-        return ir_reader_expected(r, s->items[3], "nothing more of the directive");
-    return s->count < 3 || ir_read_range(r, s->items[2], 1, &directive->range);
+    const sexp *flag = s->count > 2 ? s->items[2] : NULL;
+    directive->is_skipped = flag && flag->kind == SEXP_ATOM && strcmp(flag->text, "!skipped") == 0;
+    const unsigned next = directive->is_skipped ? 3 : 2;
+    if (s->count > next + 1)
+        return ir_reader_expected(r, s->items[next + 1], "nothing more of the directive");
+    return s->count <= next || ir_read_range(r, s->items[next], 1, &directive->range);
 }
 
 /* Blanks, where only the length of the file is known. */

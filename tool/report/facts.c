@@ -74,8 +74,15 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
     }
 }
 
+uint32_t verdict_offset(const loop_verdict *verdict) {
+    for (const ir_node *node = verdict->loop; node; node = node->parent)
+        if (node->range.begin < node->range.end)
+            return node->range.begin;
+    return verdict->function->range.begin;
+}
+
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict) {
-    return ir_position_of(input->unit, verdict->loop->range.begin);
+    return ir_position_of(input->unit, verdict_offset(verdict));
 }
 
 ir_position reason_position(const report_input *input, const loop_verdict *verdict) {

@@ -17,6 +17,8 @@ text_list verdict_guards(arena *a, const loop_verdict *verdict);
 /** One line: "loop in 'kernel' runs in parallel: h (+ double)". */
 const char *verdict_sentence(arena *a, const loop_verdict *verdict);
 
+/** Of the loop's keyword; of what is around it where its own text is not in the file. */
+uint32_t verdict_offset(const loop_verdict *verdict);
 /** Of the loop's keyword, and of what stands in the way (the loop's own, where that has no place).
  */
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict);

@@ -31,6 +31,13 @@ static json_t *guards_of(arena *a, const loop_verdict *verdict) {
     return guards;
 }
 
+static json_t *pragmas_of(const loop_verdict *verdict) {
+    json_t *pragmas = json_array();
+    for (unsigned i = 0; i < verdict->pragma_count; i++)
+        json_array_append_new(pragmas, json_text(verdict->pragmas[i].text));
+    return pragmas;
+}
+
 static json_t *reason_of(const report_input *input, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
         return json_null();
@@ -54,6 +61,8 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
     json_object_set_new(loop, "reason", reason_of(input, verdict));
     json_object_set_new(loop, "arrays", arrays_of(verdict));
     json_object_set_new(loop, "guards", guards_of(a, verdict));
+    if (verdict->pragma_count > 0)
+        json_object_set_new(loop, "pragmas", pragmas_of(verdict));
     json_object_set_new(loop, "multiversioned", json_boolean(verdict->kind == VERDICT_TRANSFORM));
     return loop;
 }

@@ -46,6 +46,16 @@ static const char *rule_of(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_REFUSE ? reason_code(verdict->why.id) : verdict_word(verdict);
 }
 
+/** A property bag: what is taken on the user's word. */
+static json_t *properties_of(const loop_verdict *verdict) {
+    json_t *pragmas = json_array();
+    for (unsigned i = 0; i < verdict->pragma_count; i++)
+        json_array_append_new(pragmas, json_text(verdict->pragmas[i].text));
+    json_t *bag = json_object();
+    json_object_set_new(bag, "pragmas", pragmas);
+    return bag;
+}
+
 static json_t *result_of(arena *a, const report_input *input, const loop_verdict *verdict) {
     const bool is_refused = verdict->kind == VERDICT_REFUSE;
     json_t *result = json_object();
@@ -59,6 +69,8 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     json_t *locations = json_array();
     json_array_append_new(locations, location(verdict_position(input, verdict)));
     json_object_set_new(result, "locations", locations);
+    if (verdict->pragma_count > 0)
+        json_object_set_new(result, "properties", properties_of(verdict));
     if (is_refused) {
         json_t *where = location(reason_position(input, verdict));
         json_object_set_new(where, "message", message(verdict->why.message));

@@ -31,10 +31,18 @@ static bool has_place(ir_range range) {
     return range.begin < range.end;
 }
 
+/** What is taken on the user's word. */
+static void by_pragma(arena *a, buffer *out, const report_input *input,
+                      const loop_verdict *verdict) {
+    for (unsigned i = 0; i < verdict->pragma_count; i++)
+        message(out, input, verdict->pragmas[i].range.begin, "note",
+                arena_format(a, "by your word: %s", verdict->pragmas[i].text), "");
+}
+
 static void transformed(arena *a, buffer *out, const report_input *input,
                         const loop_verdict *verdict) {
     const loop_facts *facts = verdict->facts;
-    message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+    message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
             " [-Rredcc=reduction]");
     for (unsigned i = 0; i < facts->update_count; i++)
         if (has_place(facts->updates[i].target->range))
@@ -56,16 +64,18 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                                  read->name),
                     "");
     }
+    by_pragma(a, out, input, verdict);
 }
 
 static void refused(arena *a, buffer *out, const report_input *input, const loop_verdict *verdict) {
-    message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+    message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
             arena_format(a, " [-Rredcc-missed=%s]", reason_slug(verdict->why.id)));
     const char *advice = verdict->why.advice;
     if (has_place(verdict->why.range) && verdict->why.range.begin != verdict->loop->range.begin)
         message(out, input, verdict->why.range.begin, "note", advice ? advice : "here", "");
     else if (advice)
-        message(out, input, verdict->loop->range.begin, "note", advice, "");
+        message(out, input, verdict_offset(verdict), "note", advice, "");
+    by_pragma(a, out, input, verdict);
 }
 
 void report_text(arena *a, buffer *out, const report_input *input) {
@@ -76,7 +86,7 @@ void report_text(arena *a, buffer *out, const report_input *input) {
         else if (verdict->kind == VERDICT_REFUSE)
             refused(a, out, input, verdict);
         else
-            message(out, input, verdict->loop->range.begin, "remark", verdict_sentence(a, verdict),
+            message(out, input, verdict_offset(verdict), "remark", verdict_sentence(a, verdict),
                     " [-Rredcc-analysis=not-a-reduction]");
     }
 }

@@ -29,6 +29,10 @@ static void record(arena *a, buffer *out, const report_input *input, const loop_
     scalar(out, verdict->function->name);
     buffer_text(out, "\nArgs:\n  - String:          ");
     scalar(out, verdict_sentence(a, verdict));
+    for (unsigned i = 0; i < verdict->pragma_count; i++) {
+        buffer_text(out, "\n  - Pragma:          ");
+        scalar(out, verdict->pragmas[i].text);
+    }
     if (is_refused) {
         const ir_position why = reason_position(input, verdict);
         buffer_text(out, "\n  - Reason:          ");

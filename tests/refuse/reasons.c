@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Reasons that no other case of this folder is about.
+// covers: row 8, row 34, row 44, row 55, row 56, row 61, row 62
+
+void side_effect(int n, const int *restrict s, double *restrict h, const double *e) {
+    int j = 0;
+    for (int t = 0; t < n; t++) // EXPECT: refuse side-effect
+        h[s[j++]] += e[t];
+}
+
+struct holder {
+    double *b;
+};
+
+void base_conditional(int n, const int *restrict s, struct holder *restrict out) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse base-conditional
+        if (out)
+            out->b[s[t]] += 1.0;
+}
+
+struct list {
+    struct list *next;
+    double w;
+};
+
+void may_alias(int n, const int *s, double *h, const struct list *first) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse may-alias
+        double sum = 0;
+        for (const struct list *l = first; l; l = l->next)
+            sum += l->w;
+        h[s[t]] += sum;
+    }
+}
+
+void type_punned(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse type-punned
+        ((int *)h)[s[t]]++;
+}
+
+void step(int n, const int *restrict s, double *restrict h) {
+    for (int t = 1; t < n; t *= 2) // EXPECT: refuse step
+        h[s[t]]++;
+}
+
+void existing_openmp(int n, const int *restrict s, double *restrict h) {
+#pragma omp parallel for
+    for (int t = 0; t < n; t++) { // EXPECT: refuse existing-openmp
+#pragma omp atomic
+        h[s[t]]++;
+    }
+}
+
+void existing_openmp_with_others(int n, const int *restrict s, double *restrict h) {
+#ifdef _OPENMP
+#pragma omp parallel for
+#endif
+#pragma GCC ivdep
+    for (int t = 0; t < n; t++) // EXPECT: refuse existing-openmp
+        h[s[t]]++;
+}
+
+void opaque(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse opaque
+        h[s[t]] += ({ int k = s[t]; k; });
+}
+
+void ignored(int n, const int *restrict s, double *restrict h) {
+#pragma redcc ignore
+    for (int t = 0; t < n; t++) // EXPECT: refuse ignored
+        h[s[t]]++;
+}
+
+void text(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
+        static const double weights[2] = {0.5, 0.25};
+        h[s[t]] += weights[t % 2];
+    }
+}

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * #pragma redcc: the user's word about a loop or a function. docs/pragmas.md says what each means.
+ *   private(NAME, ...)   above a loop: each iteration writes what it reads of these before it reads
+ *   independent          above a loop: distinct pointers in it do not overlap
+ *   ignore               above a loop: it and the loops in it stay as they are
+ *   pure(NAME, ...)      anywhere: these functions have no side effects, as by --pure
+ */
+#ifndef ANALYSIS_PRAGMA_H
+#define ANALYSIS_PRAGMA_H
+
+#include "ir/ir.h"
+#include "support/vector.h"
+
+typedef enum pragma_word {
+    PRAGMA_OTHER, /* not of redcc */
+    PRAGMA_PRIVATE,
+    PRAGMA_INDEPENDENT,
+    PRAGMA_IGNORE,
+    PRAGMA_PURE
+} pragma_word;
+
+typedef struct user_pragma {
+    pragma_word word;
+    ir_range range;   /* of the directive */
+    const char *text; /* as reports show it: "private(f, g)" */
+    unsigned name_count;
+    const char *const *names;
+    const ir_node *loop; /* that it stands above; NULL for PRAGMA_PURE */
+} user_pragma;
+
+typedef struct pragma_problem {
+    uint32_t offset; /* in the file */
+    const char *message;
+} pragma_problem;
+
+typedef struct user_pragmas {
+    unsigned count;
+    const user_pragma *items; /* in source order, without those in branches not compiled */
+    unsigned problem_count;
+    const pragma_problem *problems;
+} user_pragmas;
+
+/**
+ * Reads one directive's text, splices and comments in it or not. Returns NULL, with *result filled
+ * in but for range and loop, or what is wrong, with *offset where in the text. Lives in the arena.
+ */
+const char *pragma_parse(arena *a, const char *text, user_pragma *result, uint32_t *offset);
+
+/** All pragmas of the unit; those that stand above no loop, or name what is not there, are
+ * problems.
+ */
+user_pragmas pragmas_of_unit(arena *a, const ir_unit *unit);
+
+/** The pragma of this kind above this loop, or NULL. */
+const user_pragma *pragma_above(const user_pragmas *all, const ir_node *loop, pragma_word word);
+bool pragma_names(const user_pragma *pragma, const char *name);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Which directives stand in a branch of #if that is not compiled. */
+#include "frontend/convert.h"
+
+static unsigned offset_of(CXSourceLocation location) {
+    unsigned offset;
+    clang_getExpansionLocation(location, NULL, NULL, NULL, &offset);
+    return offset;
+}
+
+/* clang's ranges go from the # of the directive that is false to the # that ends the branch. */
+void mark_skipped_directives(converter *c) {
+    CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
+    if (ranges == NULL)
+        return;
+    unsigned next = 0; /* both are in order; ranges do not overlap */
+    for (unsigned i = 0; i < ranges->count; i++) {
+        const unsigned begin = offset_of(clang_getRangeStart(ranges->ranges[i]));
+        const unsigned end = offset_of(clang_getRangeEnd(ranges->ranges[i]));
+        while (next < c->unit->directive_count && c->unit->directives[next].range.begin <= begin)
+            next++;
+        while (next < c->unit->directive_count && c->unit->directives[next].range.begin < end)
+            c->unit->directives[next++].is_skipped = true;
+    }
+    clang_disposeSourceRangeList(ranges);
+}
