@@ -2,7 +2,7 @@
 // The user's word: a private array whose proof is missing, functions without side effects, pointers
 // that do not overlap.
 // covers: row 17, row 29, row 54, row 56, row 59
-// FLAGS: -Wno-unknown-pragmas
+// CFLAGS: -Wno-unknown-pragmas
 #include "case.h"
 
 enum { N = 20000, M = 1200, PARTS = 8 };
