@@ -85,16 +85,25 @@ static bool is_entry_of(arena *a, const json_t *entry, const char *input, const 
     return file && same_file(joined(a, *directory, file), input);
 }
 
-const char *compile_commands_flags(arena *a, const char *folder, const char *input,
-                                   string_list *flags) {
-    const char *path = arena_format(a, "%s/compile_commands.json", folder);
+/** NULL, with *wrong set, where it cannot be read. */
+static json_t *load(arena *a, const char *path, const char **wrong) {
     json_error_t error;
     json_t *root = json_load_file(path, 0, &error);
     if (!root)
-        return error.line > 0
-                   ? arena_format(a, "%s:%d:%d: %s", path, error.line, error.column, error.text)
-                   : arena_format(a, "%s", error.text);
-    const char *wrong = arena_format(a, "%s has no command for '%s'", path, input);
+        *wrong = error.line > 0
+                     ? arena_format(a, "%s:%d:%d: %s", path, error.line, error.column, error.text)
+                     : arena_format(a, "%s", error.text);
+    return root;
+}
+
+const char *compile_commands_flags(arena *a, const char *folder, const char *input,
+                                   string_list *flags) {
+    const char *path = arena_format(a, "%s/compile_commands.json", folder);
+    const char *wrong = NULL;
+    json_t *root = load(a, path, &wrong);
+    if (!root)
+        return wrong;
+    wrong = arena_format(a, "%s has no command for '%s'", path, input);
     for (size_t i = 0; i < json_array_size(root); i++) {
         const json_t *entry = json_array_get(root, i);
         const char *directory;
@@ -106,5 +115,24 @@ const char *compile_commands_flags(arena *a, const char *folder, const char *inp
         break;
     }
     json_decref(root);
+    return wrong;
+}
+
+const char *compile_commands_files(arena *a, const char *folder, string_list *files) {
+    const char *path = arena_format(a, "%s/compile_commands.json", folder);
+    const char *wrong = NULL;
+    json_t *root = load(a, path, &wrong);
+    for (size_t i = 0; root && i < json_array_size(root); i++) {
+        const json_t *entry = json_array_get(root, i);
+        const char *directory = json_string_value(json_object_get(entry, "directory"));
+        const char *file = json_string_value(json_object_get(entry, "file"));
+        const size_t length = file ? strlen(file) : 0;
+        if (length > 2 && strcmp(file + length - 2, ".c") == 0)
+            VECTOR_PUSH(
+                a, files,
+                joined(a, joined(a, folder, directory ? directory : "."), arena_string(a, file)));
+    }
+    if (root)
+        json_decref(root);
     return wrong;
 }

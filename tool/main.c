@@ -3,209 +3,62 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compile_commands.h"
 #include "frontend/frontend.h"
-#include "ir/ir_position.h"
-#include "ir/ir_text.h"
 #include "options.h"
-#include "output.h"
-#include "self_check.h"
-#include "verify.h"
+#include "translate_file.h"
+#include "whole_program.h"
+#include "workers.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 
-typedef struct outcome {
-    bool failed;
-    unsigned transformed; /* loops */
-} outcome;
+/* ---- the files of the command line ---------------------------------------------------------- */
 
-static outcome fail(const char *path, const char *message) {
-    if (path)
-        fprintf(stderr, "redcc: error: %s: %s\n", path, message);
-    else
-        fprintf(stderr, "redcc: error: %s\n", message);
-    return (outcome){.failed = true};
+typedef struct inputs {
+    const options *options;
+    unsigned transformed;
+    int status;
+} inputs;
+
+static void translate_input(unsigned number, void *result, void *context) {
+    const inputs *all = context;
+    arena *a = arena_new();
+    *(file_outcome *)result =
+        translate_file(a, all->options, all->options->inputs.items[number], NULL);
+    arena_free(a);
 }
 
-/* ---- parsing ------------------------------------------------------------------------------- */
-
-static const char *parser_flags(arena *a, const options *o, const char *input, string_list *flags) {
-    if (o->database_folder) {
-        const char *wrong = compile_commands_flags(a, o->database_folder, input, flags);
-        if (wrong)
-            return wrong;
+static void count_input(unsigned number, const void *result, int ended_by, void *context) {
+    inputs *all = context;
+    const file_outcome *outcome = result;
+    if (ended_by != 0) {
+        workers_explain(all->options->inputs.items[number], ended_by);
+        all->status = EXIT_FAILED;
+        return;
     }
-    for (unsigned i = 0; i < o->flags.count; i++)
-        VECTOR_PUSH(a, flags, o->flags.items[i]);
-    return NULL;
+    all->transformed += outcome->transformed;
+    if (outcome->status == FILE_FAILED)
+        all->status = EXIT_FAILED;
+    else if (outcome->status == FILE_WRONG_PRAGMA && all->status == EXIT_DONE)
+        all->status = EXIT_USAGE;
 }
 
-/** Judged is the program that the parallel form becomes part of: the one with OpenMP on. */
-static frontend_result parse(arena *a, const source *file, const string_list *flags) {
-    string_list all = {0};
-    for (unsigned i = 0; i < flags->count; i++)
-        VECTOR_PUSH(a, &all, flags->items[i]);
-    VECTOR_PUSH(a, &all, "-fopenmp");
-    return frontend_parse(a, file, all.count, all.items);
-}
-
-static bool has_errors(const frontend_result *parsed) {
-    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
-        if (parsed->diagnostics[i].is_error)
-            return true;
-    return !parsed->unit || parsed->unit->error_count > 0;
-}
-
-static void show_errors(const frontend_result *parsed) {
-    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
-        if (parsed->diagnostics[i].is_error)
-            fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
-}
-
-/* ---- pragmas ------------------------------------------------------------------------------- */
-
-/** Shows what is wrong with the pragmas of redcc in the file. Returns whether anything is. */
-static bool show_pragma_errors(arena *a, const ir_unit *unit) {
-    const user_pragmas pragmas = pragmas_of_unit(a, unit);
-    for (unsigned i = 0; i < pragmas.problem_count; i++) {
-        const ir_position at = ir_position_of(unit, pragmas.problems[i].offset);
-        fprintf(stderr, "%s:%u:%u: error: %s\n", at.file, at.line, at.column,
-                pragmas.problems[i].message);
+static int translate_inputs(const options *o) {
+    inputs all = {.options = o};
+    const workers how = {.count = o->inputs.count,
+                         .at_once = 1,
+                         .result_size = sizeof(file_outcome),
+                         .work = translate_input,
+                         .done = count_input,
+                         .context = &all};
+    if (!workers_run(&how)) {
+        fputs("redcc: error: no process can be started\n", stderr);
+        return EXIT_FAILED;
     }
-    return pragmas.problem_count > 0;
-}
-
-/* ---- verdicts ------------------------------------------------------------------------------ */
-
-static analysis_result judge(arena *a, const ir_unit *unit, const options *o) {
-    const analysis_options how = {.pure_count = o->pure.count,
-                                  .pure = o->pure.items,
-                                  .assume_noalias = o->assume_noalias,
-                                  .report_all = o->all};
-    return analyse(a, unit, &how);
-}
-
-/** The verdicts as they came out: what could not be written is refused. */
-static analysis_result after_writing(arena *a, const analysis_result *analysis,
-                                     const emit_result *written) {
-    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysis->verdict_count + 1);
-    for (unsigned i = 0; i < analysis->verdict_count; i++) {
-        verdicts[i] = analysis->verdicts[i];
-        const reason *obstacle = &written->obstacles[i];
-        if (!obstacle->message)
-            continue;
-        verdicts[i].kind = VERDICT_REFUSE;
-        verdicts[i].why = *obstacle;
-        verdicts[i].why.id = REASON_TEXT;
-        verdicts[i].why.message =
-            arena_format(a, "its parallel form cannot be written: %s", obstacle->message);
+    if (all.status == EXIT_DONE && o->require && all.transformed == 0) {
+        fputs("redcc: error: no loop was transformed (--require)\n", stderr);
+        return EXIT_REQUIREMENT;
     }
-    return (analysis_result){analysis->verdict_count, verdicts};
-}
-
-static const char *show_report(arena *a, const options *o, const report_input *input) {
-    buffer text = {0};
-    const char *wrong = NULL;
-    report_write(a, &text, o->form, input);
-    const char *data = text.data ? text.data : "";
-    if (o->report_file)
-        wrong = output_write(a, o->report_file, data, text.length);
-    else if (o->form == REPORT_TEXT)
-        fwrite(data, 1, text.length, stderr);
-    else
-        wrong = output_write(a, "-", data, text.length);
-    buffer_free(&text);
-    return wrong;
-}
-
-/* ---- one file ------------------------------------------------------------------------------ */
-
-static void dump(const ir_unit *unit) {
-    buffer text = {0};
-    ir_print(&text, unit);
-    fwrite(text.data ? text.data : "", 1, text.length, stdout);
-    buffer_free(&text);
-}
-
-/** Parsing what is written costs as much as parsing the input: a report alone does without. */
-static const char *check_result(arena *a, const source *file, const string_list *flags,
-                                const emit_result *written, bool is_kept) {
-    const char *error = written->text ? NULL : "edits overlap";
-    if (!error && written->loop_count > 0 && is_kept)
-        error = self_check(a, file, flags, written->text, written->length);
-    if (!error)
-        return NULL;
-    return arena_format(a,
-                        "internal error, nothing was written: the result would not compile: %s\n"
-                        "redcc: note: please report this with the source file and the command "
-                        "line",
-                        error);
-}
-
-static outcome translate(arena *a, const options *o, const source *file, const string_list *flags,
-                         const ir_unit *unit) {
-    const analysis_result judged = judge(a, unit, o);
-    const emit_options how = {o->order, o->order_is_given};
-    const emit_result written = emit_file(a, unit, &judged, &how);
-    const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);
-    if (wrong)
-        return fail(file->path, wrong);
-    const analysis_result final = after_writing(a, &judged, &written);
-    const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
-    wrong = show_report(a, o, &input);
-    if (!wrong && o->verify) {
-        wrong = verify_output(a, file, flags, written.text, written.length);
-        if (!wrong)
-            fprintf(stderr, "redcc: verified: %s prints the same in both forms\n", file->path);
-    }
-    if (!wrong && o->output)
-        wrong = output_write(a, o->output, written.text, written.length);
-    if (wrong)
-        return fail(NULL, wrong);
-    return (outcome){.transformed = written.loop_count};
-}
-
-/** Standard input gets the name that compilers give it: no file can be called so by accident. */
-static const source *read_input(arena *a, const char *path, const char **wrong) {
-    const source *file = source_read(a, path, wrong);
-    if (!file || strcmp(path, "-") != 0)
-        return file;
-    return source_from_text(a, "<stdin>", file->text, file->length);
-}
-
-static outcome process(arena *a, const options *o, const char *path) {
-    const char *wrong = NULL;
-    const source *file = read_input(a, path, &wrong);
-    if (!file)
-        return fail(NULL, wrong);
-    string_list flags = {0};
-    wrong = parser_flags(a, o, path, &flags);
-    if (wrong)
-        return fail(NULL, wrong);
-    const frontend_result parsed = parse(a, file, &flags);
-    if (has_errors(&parsed)) {
-        show_errors(&parsed);
-        return fail(file->path, "cannot be parsed; nothing was written");
-    }
-    if (o->dump_ir)
-        dump(parsed.unit);
-    if (!o->analyze && !o->output && !o->verify)
-        return (outcome){0};
-    if (show_pragma_errors(a, parsed.unit))
-        return fail(file->path, "its pragmas are wrong; nothing was written");
-    return translate(a, o, file, &flags, parsed.unit);
-}
-
-static outcome process_all(const options *o) {
-    outcome all = {0};
-    for (unsigned i = 0; i < o->inputs.count; i++) {
-        arena *a = arena_new();
-        const outcome one = process(a, o, o->inputs.items[i]);
-        all.failed |= one.failed;
-        all.transformed += one.transformed;
-        arena_free(a);
-    }
-    return all;
+    return all.status;
 }
 
 static int run(arena *a, int argc, char **argv) {
@@ -223,14 +76,9 @@ static int run(arena *a, int argc, char **argv) {
         printf("redcc %s (%s)\n", REDCC_VERSION, frontend_version(a));
         return EXIT_DONE;
     }
-    const outcome all = process_all(&o);
-    if (all.failed)
-        return EXIT_FAILED;
-    if (o.require && all.transformed == 0) {
-        fputs("redcc: error: no loop was transformed (--require)\n", stderr);
-        return EXIT_REQUIREMENT;
-    }
-    return EXIT_DONE;
+    if (o.inputs.count == 0)
+        return whole_program_analyse(a, &o) ? EXIT_DONE : EXIT_FAILED;
+    return translate_inputs(&o);
 }
 
 int main(int argc, char **argv) {

@@ -8,13 +8,15 @@ const char options_help[] =
     "\n"
     "usage: redcc INPUT.c -o OUTPUT.c [options] [-- COMPILER-FLAGS]\n"
     "       redcc --analyze INPUT.c... [options] [-- COMPILER-FLAGS]\n"
+    "       redcc --analyze -p DIR [options] [-- COMPILER-FLAGS]\n"
     "\n"
     "  -o FILE              where the result goes; - is standard output. A file with\n"
     "                       nothing to transform is copied byte for byte\n"
     "  -I -isystem -iquote -include -D -U -std=\n"
     "                       as a compiler takes them; also after --\n"
     "  -p DIR               take the flags from DIR/compile_commands.json\n"
-    "  --analyze            report only, write no source\n"
+    "  --analyze            report only, write no source; with -p and no INPUT, on all C files\n"
+    "                       of the build, with what they tell of each other's functions\n"
     "  --report=FORM        text (default; remarks on standard error), json, sarif, yaml\n"
     "                       (on standard output with --analyze, else to --report-file)\n"
     "  --report-file=FILE   where the report goes\n"
@@ -290,8 +292,8 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
 }
 
 static const char *check_together(arena *a, const options *o) {
-    if (o->inputs.count == 0)
-        return "no input file";
+    if (o->inputs.count == 0 && !(o->analyze && o->database_folder))
+        return "no input file (all files of a build: --analyze -p FOLDER)";
     if (o->inputs.count > 1 && !o->analyze)
         return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
                             o->inputs.items[1]);
@@ -303,8 +305,12 @@ static const char *check_together(arena *a, const options *o) {
         return "where shall the result go? -o FILE, or --analyze";
     if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
         return "a report that is not text needs --report-file=FILE, or --analyze";
-    if (o->form == REPORT_SARIF && o->inputs.count > 1)
+    if (o->form == REPORT_SARIF && o->inputs.count != 1)
         return "--report=sarif takes one input file";
+    if (o->report_file && o->inputs.count != 1)
+        return "--report-file takes one input file";
+    if (o->inputs.count == 0 && o->require)
+        return "--require takes an input file";
     return NULL;
 }
 

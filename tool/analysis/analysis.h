@@ -150,12 +150,21 @@ typedef enum verdict_kind {
     VERDICT_NOT_A_REDUCTION
 } verdict_kind;
 
+/** A function of another file that a verdict rests on; set by who knows of other files. */
+typedef struct foreign_call {
+    const char *name, *file;
+    const char *word; /* what it is: "const" */
+    ir_range range;   /* of its name in the loop, or of the callee's on the way to it */
+} foreign_call;
+
 typedef struct loop_verdict {
     verdict_kind kind;
     const ir_node *loop; /* that is reported: outermost judged as one, or innermost where refused */
     const ir_function *function;
     reason why; /* refusals */
     unsigned pragma_count;
+    unsigned foreign_count;
+    const foreign_call *foreign;
     const user_pragma *pragmas; /* the user's word that the verdict rests on, or that it follows */
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;

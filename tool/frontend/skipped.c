@@ -8,7 +8,7 @@ static unsigned offset_of(CXSourceLocation location) {
     return offset;
 }
 
-/* clang's ranges go from the # of the directive that is false to the # that ends the branch. */
+/* clang's ranges go from the directive that is false into the one that ends the branch. */
 void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)
@@ -17,10 +17,13 @@ void mark_skipped_directives(converter *c) {
     for (unsigned i = 0; i < ranges->count; i++) {
         const unsigned begin = offset_of(clang_getRangeStart(ranges->ranges[i]));
         const unsigned end = offset_of(clang_getRangeEnd(ranges->ranges[i]));
-        while (next < c->unit->directive_count && c->unit->directives[next].range.begin <= begin)
-            next++;
-        while (next < c->unit->directive_count && c->unit->directives[next].range.begin < end)
-            c->unit->directives[next++].is_skipped = true;
+        for (; next < c->unit->directive_count; next++) {
+            ir_directive *directive = &c->unit->directives[next];
+            if (directive->range.begin >= end)
+                break;
+            directive->is_skipped =
+                directive->range.begin > begin && directive->kind != IR_DIRECTIVE_CONDITIONAL;
+        }
     }
     clang_disposeSourceRangeList(ranges);
 }

@@ -241,7 +241,7 @@ typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* the logical line */
     const char *text;
-    bool is_skipped; /* it stands in a branch that is not compiled */
+    bool is_skipped; /* it stands in a branch that is not compiled; not of conditionals */
 } ir_directive;
 
 typedef struct ir_unit {

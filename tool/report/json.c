@@ -31,6 +31,18 @@ static json_t *guards_of(arena *a, const loop_verdict *verdict) {
     return guards;
 }
 
+static json_t *foreign_of(const loop_verdict *verdict) {
+    json_t *calls = json_array();
+    for (unsigned i = 0; i < verdict->foreign_count; i++) {
+        json_t *call = json_object();
+        json_object_set_new(call, "function", json_text(verdict->foreign[i].name));
+        json_object_set_new(call, "file", json_text(verdict->foreign[i].file));
+        json_object_set_new(call, "is", json_text(verdict->foreign[i].word));
+        json_array_append_new(calls, call);
+    }
+    return calls;
+}
+
 static json_t *pragmas_of(const loop_verdict *verdict) {
     json_t *pragmas = json_array();
     for (unsigned i = 0; i < verdict->pragma_count; i++)
@@ -61,6 +73,8 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
     json_object_set_new(loop, "reason", reason_of(input, verdict));
     json_object_set_new(loop, "arrays", arrays_of(verdict));
     json_object_set_new(loop, "guards", guards_of(a, verdict));
+    if (verdict->foreign_count > 0)
+        json_object_set_new(loop, "from_other_files", foreign_of(verdict));
     if (verdict->pragma_count > 0)
         json_object_set_new(loop, "pragmas", pragmas_of(verdict));
     json_object_set_new(loop, "multiversioned", json_boolean(verdict->kind == VERDICT_TRANSFORM));

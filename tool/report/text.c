@@ -31,6 +31,21 @@ static bool has_place(ir_range range) {
     return range.begin < range.end;
 }
 
+/** What is known from other files. */
+static void by_other_files(arena *a, buffer *out, const report_input *input,
+                           const loop_verdict *verdict) {
+    for (unsigned i = 0; i < verdict->foreign_count; i++) {
+        const foreign_call *call = &verdict->foreign[i];
+        message(out, input, has_place(call->range) ? call->range.begin : verdict_offset(verdict),
+                "note",
+                arena_format(a,
+                             "'%s' is %s in %s: say so where it is declared, or this loop stays "
+                             "sequential when its file is translated",
+                             call->name, call->word, call->file),
+                "");
+    }
+}
+
 /** What is taken on the user's word. */
 static void by_pragma(arena *a, buffer *out, const report_input *input,
                       const loop_verdict *verdict) {
@@ -64,6 +79,7 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                                  read->name),
                     "");
     }
+    by_other_files(a, out, input, verdict);
     by_pragma(a, out, input, verdict);
 }
 
