@@ -80,10 +80,31 @@ static void gather(const self_pair *pair, double h, const double (*x)[3], const 
         }
 }
 
+/* Do the boxes that the two features sweep stay further apart than that? Most pairs do. */
+static int stay_apart(double apart, const self_pair *pair, const double start[4][3],
+                      const double end[4][3]) {
+    const int firsts = pair->is_edges ? 2 : 1;
+    for (int a = 0; a < 3; a++) {
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        for (int k = 0; k < 4; k++) {
+            const int side = k >= firsts;
+            const double least = start[k][a] < end[k][a] ? start[k][a] : end[k][a];
+            const double most = start[k][a] < end[k][a] ? end[k][a] : start[k][a];
+            low[side] = least < low[side] ? least : low[side];
+            high[side] = most > high[side] ? most : high[side];
+        }
+        if (low[0] > high[1] + apart || low[1] > high[0] + apart)
+            return 1;
+    }
+    return 0;
+}
+
 /* The change of the normal velocity that this contact asks for, m/s; 0: none. */
 static double asked(const self_collision *s, const self_pair *pair, double h, const double (*v)[3],
                     const double start[4][3], const double end[4][3], self_contact *found) {
     double speed = 0, least = 0;
+    if (stay_apart(s->gap, pair, start, end))
+        return 0;
     if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found))
         least = drawing_apart * (s->gap - found->distance) / h;
     else if (self_pair_passes(pair->is_edges, start, end, found))
@@ -157,10 +178,26 @@ static int count_passing(const self_collision *s, double h, const double (*x)[3]
         double start[4][3], end[4][3];
         self_contact found;
         gather(&s->pair[n], h, x, v, start, end);
-        passing += self_pair_passes(s->pair[n].is_edges, (const double(*)[3])start,
-                                    (const double(*)[3])end, &found);
+        if (!stay_apart(s->gap, &s->pair[n], (const double(*)[3])start, (const double(*)[3])end))
+            passing += self_pair_passes(s->pair[n].is_edges, (const double(*)[3])start,
+                                        (const double(*)[3])end, &found);
     }
     return passing;
+}
+
+/* Keeps the pairs that may come near. What impulses move a vertex by in a step is less than a gap,
+ * as a rule; what comes near all the same is found when the step is looked through at its end. */
+static void drop_far_pairs(self_collision *s, double h, const double (*x)[3],
+                           const double (*v)[3]) {
+    int kept = 0;
+    for (int n = 0; n < s->pair_count; n++) {
+        double start[4][3], end[4][3];
+        gather(&s->pair[n], h, x, v, start, end);
+        if (!stay_apart(2 * s->gap, &s->pair[n], (const double(*)[3])start,
+                        (const double(*)[3])end))
+            s->pair[kept++] = s->pair[n];
+    }
+    s->pair_count = kept;
 }
 
 static double kinetic_energy(const self_collision *s, const double *inverse_mass,
@@ -180,6 +217,7 @@ double self_collision_resolve(self_collision *s, double h, const double *inverse
     if (s->failed || s->pair_count == 0)
         return 0;
     const double before = kinetic_energy(s, inverse_mass, (const double(*)[3])v);
+    drop_far_pairs(s, h, x, (const double(*)[3])v);
     double largest = push_apart(s, h, inverse_mass, x, v);
     if (!(largest > 0))
         return 0;

@@ -29,6 +29,9 @@ if(TARGET fabric)
                    $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/same_bits)
   set_tests_properties(fabric.app.same_bits PROPERTIES LABELS threads)
   if(NOT REDCC_SANITIZE)
+    add_test(NAME fabric.app.gallery
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_gallery.sh $<TARGET_FILE:fabric-serial>
+                     $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/gallery)
     add_test(NAME fabric.app.translated
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_translated.sh $<TARGET_FILE:redcc>
                      ${PROJECT_SOURCE_DIR}/runtime/include ${PROJECT_SOURCE_DIR}/examples/fabric)

@@ -110,10 +110,9 @@ static void test_unknown_keys(void **unused) {
     check_wrong(12, "  gravty: [0, 0, -9.81]",
                 ":12: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', "
                 "'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?");
-    check_wrong(
-        1, "title: test",
-        ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
-        "'surroundings', 'pins', 'colliders', 'self_collision', 'time', "
+    check_wrong(1, "title: test",
+                ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
+                "'surroundings', 'pins', 'colliders', 'self_collision', 'time', "
                 "'solution', 'monitor'; did you mean 'time'?");
     check_wrong(17, "    half_edges: [1, 1, 1]",
                 ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "
@@ -251,7 +250,8 @@ static void test_mesh_collider(void **unused) {
 
 /* Every scene that is shipped can be read, written and read again as the same. */
 static void test_shipped_scenes(void **unused) {
-    static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch"};
+    static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch",
+                                        "flag",       "ball",    "curtain",   "ring"};
     (void)unused;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char path[4096];
@@ -262,8 +262,12 @@ static void test_shipped_scenes(void **unused) {
         assert_int_equal(scene_write(&first, "written.yaml"), 0);
         assert_int_equal(scene_read(&second, "written.yaml"), 0);
         assert_int_equal(first.collider_count, second.collider_count);
-        for (int c = 0; c < first.collider_count; c++)
-            assert_memory_equal(&first.colliders[c], &second.colliders[c], sizeof(collider));
+        for (int c = 0; c < first.collider_count; c++) {
+            collider copy = second.colliders[c];
+            assert_int_equal(copy.surface != NULL, first.colliders[c].surface != NULL);
+            copy.surface = first.colliders[c].surface; /* each has one of its own */
+            assert_memory_equal(&first.colliders[c], &copy, sizeof copy);
+        }
         assert_int_equal(first.pin_count, second.pin_count);
         for (int p = 0; p < first.pin_count; p++)
             assert_memory_equal(&first.pins[p], &second.pins[p], sizeof(pin));
