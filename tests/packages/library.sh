@@ -88,15 +88,18 @@ seconds_of() { awk '{s += $1 + $2} END {printf "%.2f\n", s}' "$PACKAGES_FOLDER/b
 # Loops of the build's report, files compiled twice counted once.
 loops() { jq -rs '[.[] | {file} + .loops[]] | unique | .[] | '"$1" "$PACKAGES_FOLDER/builds/$package/loops.jsonl"; }
 
-# How much longer the build takes; built again, so that the two stand beside each other in time.
+# How much longer the build takes: the builds made for the tests, and further ones beside each other.
 build_ratio() {
-  local round
-  for round in $(seq "${build_rounds:-3}"); do
-    build_with timed-plain "$real_compiler"
-    build_with timed-redcc "$PREFIX/bin/redcc-cc"
-    echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
-  done >"$PACKAGES_FOLDER/builds/$package/build-rounds"
-  awk '{print $1 / $2}' "$PACKAGES_FOLDER/builds/$package/build-rounds" | median
+  local round folder=$PACKAGES_FOLDER/builds/$package
+  {
+    echo "$(seconds_of redcc) $(seconds_of plain)"
+    for round in $(seq 2 "${build_rounds:-3}"); do
+      build_with timed-plain "$real_compiler"
+      build_with timed-redcc "$PREFIX/bin/redcc-cc"
+      echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
+    done
+  } >"$folder/build-rounds"
+  awk '{print $1 / $2}' "$folder/build-rounds" | median
 }
 
 # Plain over redcc-cc at two threads; "-" where the package names no work.
@@ -104,8 +107,8 @@ gain() {
   declare -F work >/dev/null || { echo -; return; }
   local round
   for round in $(seq "${WORK_ROUNDS:-5}"); do
-    awk -v p="$(time_work plain 1)" -v r="$(time_work redcc 2)" 'BEGIN {print p / r}'
-  done | median
+    awk -v p="$(time_work plain 1)" -v r="$(time_work redcc 2)" 'BEGIN {printf "%.2f\n", p / r}'
+  done | sort -g | awk '{v[NR] = $1} END {printf "%s (%s to %s)\n", v[int((NR + 1) / 2)], v[1], v[NR]}'
 }
 
 # The line of the table for docs/packages.md.
@@ -113,7 +116,7 @@ table_line() {
   local refusals builds
   builds=$(build_ratio)
   refusals=$(loops 'select(.verdict == "refused") | .reason.slug' | sort | uniq -c | sort -k1,1nr -k2 |
-    awk '{printf "%s%s %d", NR > 1 ? ", " : "", $2, $1}')
+    awk '{printf "%s%s %d", (NR > 1 ? ", " : ""), $2, $1}')
   printf '| %s | %s | %s | %s | %s | %s | %s |\n' "$package" \
     "$(jq -rs 'map(.file) | unique | length' "$PACKAGES_FOLDER/builds/$package/loops.jsonl")" \
     "$(loops .verdict | wc -l)" "$(loops .verdict | grep -c transformed)" "${refusals:-none}" \

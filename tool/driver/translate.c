@@ -8,6 +8,7 @@
 
 #include "driver/dependencies.h"
 #include "driver/files.h"
+#include "driver/identity.h"
 #include "driver/report_log.h"
 
 static const char *environment(const char *name) {
@@ -113,6 +114,9 @@ static const char *sensitive_word(session *s, const translation *t) {
         return "it mentions OpenMP, which is off (-fopenmp turns it on)";
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
         return "it uses __BASE_FILE__, which would name a temporary";
+    const char *asked = identity_asked_in(s->memory, &files, s->real.is_clang);
+    if (asked)
+        return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
     return NULL;
 }
 

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The real translator behind each real compiler: standards from c89 to gnu17, options that change what
+# a program means, and sources that ask which compiler they are compiled by.
+. "$(dirname "$0")/library.sh"
+export REDCC_ROOT=$BUILD OMP_NUM_THREADS=2
+redcc_cc=$REDCC_CC_PROGRAM
+compilers=gcc
+command -v clang-19 >/dev/null && compilers+=" clang-19"
+
+# A program of C89: $1 is put before it, $2 is the loop's subscript.
+write_program() {
+  printf '%s\n' "$1"
+  cat <<END2
+#include <stdio.h>
+#ifndef AT
+#define AT(t) (t)
+#endif
+static double b[64];
+static int s[20000], other[20000];
+int main(void)
+{
+    int t;
+    for (t = 0; t < 20000; t++) {
+        s[t] = t % 64;
+        other[t] = t / 3;
+    }
+    for (t = 0; t < 20000; t++)
+        b[s[AT(t)]] += 1.0 / (1 + t);
+    for (t = 0; t < 64; t++)
+        printf("%.17g\n", b[t]);
+    return 0;
+}
+END2
+}
+build_both() { # COMPILER OPTIONS...: p1 by the compiler, p2 by redcc-cc; messages; verdict in report
+  local compiler=$1
+  shift
+  rm -f report p1 p2
+  $compiler -O1 -ffp-contract=off "$@" x.c -o p1 && REDCC_REPORT=$PWD/report "$redcc_cc" "$compiler" -O1 "$@" x.c -o p2 2>messages ||
+    fail "$case_name: $compiler $*: $(cat messages)"
+  ./p1 >expected && ./p2 >actual && expect_same expected actual
+}
+
+begin "standards"
+write_program "" >x.c
+gcc -O1 x.c -o p1 && ./p1 >expected
+try_standard() { # COMPILER OPTIONS...
+  rm -f report
+  REDCC_REPORT=$PWD/report "$redcc_cc" "$@" -pedantic-errors -Wall -Wextra -Wdeclaration-after-statement -Werror \
+    -O1 x.c -o p2 2>messages || fail "$case_name: $*"
+  expect_empty messages
+  expect_match report '"verdict":"transformed"'
+  ./p2 | expect_same expected /dev/stdin
+}
+for standard in c89 iso9899:199409 gnu89 c99 gnu99 c11 gnu11 c17 gnu17; do try_standard gcc -std=$standard; done
+try_standard gcc -ansi
+[ "$compilers" = gcc ] || for standard in c89 c99 gnu17; do try_standard clang-19 -std=$standard; done
+end
+
+begin "options that change what a program means reach the translator, or turn it off"
+cat >x.c <<'END2'
+void f(int n, const long *s, const double *x, double *y) {
+    for (int t = 0; t < n; t++)
+        y[s[t]] += x[t];
+}
+END2
+guards() { rm -f report; REDCC_REPORT=$PWD/report "$redcc_cc" "$@" -c x.c && jq -rs '[.[].loops[].guards[]] | join(" ")' report; }
+expect_equal "$case_name" "no-overlap(y, x)" "$(guards -O2)"
+expect_equal "$case_name" "no-overlap(y, s) no-overlap(y, x)" "$(guards -O2 -fno-strict-aliasing)"
+expect_equal "$case_name" "no-overlap(y, x)" "$(guards -fno-strict-aliasing -fstrict-aliasing)"
+for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields -fpack-struct -undef -finput-charset=UTF-8; do
+  rm -f report
+  REDCC_REPORT=$PWD/report "$redcc_cc" gcc -v $option -c x.c 2>messages || fail "$case_name: $option"
+  expect_match messages 'an option that redcc cannot follow'
+  expect_no_file report
+done
+end
+
+begin "a source that asks which compiler this is"
+ask() { # CONDITION: other[t] where it holds
+  write_program "#if $1"$'\n#define AT(t) other[t]\n#endif' >x.c
+}
+for condition in '!defined(__clang__)' 'defined(__GNUC__) && !defined(__clang__)' '__GNUC__ > 5' \
+  '!__has_feature(x)' '__GNUC_MINOR__ != 2'; do
+  ask "$condition"
+  [ "$condition" != '!__has_feature(x)' ] || sed -i '1i#ifndef __has_feature\n#define __has_feature(x) 0\n#endif' x.c
+  build_both gcc -v
+  expect_match messages 'it asks which compiler this is'
+  expect_no_file report
+done
+for condition in 'defined(__GNUC__)' '__GNUC__ >= 3' 'defined(__clang__) || defined(__GNUC__)'; do
+  ask "$condition"
+  build_both gcc
+  expect_match report '"verdict":"transformed"'
+done
+for compiler in $compilers; do
+  [ $compiler != gcc ] || continue
+  ask 'defined(__clang__)' # libclang is one as well
+  build_both $compiler
+  expect_match report '"verdict":"transformed"'
+done
+write_program '#include "which.h"' >x.c
+printf '#ifdef __clang__\n#else\n#define AT(t) other[t]\n#endif\n' >which.h
+build_both gcc -v
+expect_match messages 'it asks which compiler this is \(__clang__\)'
+end
+
+finish

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "driver/identity.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "driver/condition.h"
+#include "driver/files.h"
+
+/* In the order of strcmp. They depend on the compiler, its version, or options that redcc is not
+ * told. */
+static const char *const sensitive[] = {
+    "__EXCEPTIONS",
+    "__FAST_MATH__",
+    "__FINITE_MATH_ONLY__",
+    "__FP_FAST_FMA",
+    "__FP_FAST_FMAF",
+    "__GNUC_PATCHLEVEL__",
+    "__GNUC_PREREQ",
+    "__GNUC_PREREQ__",
+    "__NO_MATH_ERRNO__",
+    "__PIC__",
+    "__PIE__",
+    "__SANITIZE_ADDRESS__",
+    "__SANITIZE_THREAD__",
+    "__SSP__",
+    "__VERSION__",
+    "__clang_major__",
+    "__clang_minor__",
+    "__clang_patchlevel__",
+    "__clang_version__",
+    "__glibc_clang_prereq",
+    "__glibc_has_attribute",
+    "__has_attribute",
+    "__has_builtin",
+    "__has_c_attribute",
+    "__has_extension",
+    "__has_feature",
+    "__has_warning",
+    "__pic__",
+    "__pie__",
+};
+
+/* What clang says it is, and what gcc 5 and later say. */
+enum { CLANG_MAJOR = 4, CLANG_MINOR = 2, FIRST_MAJOR = 5, LAST_MAJOR = 40, LAST_MINOR = 9 };
+
+static bool is_word_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_';
+}
+
+static int compare_names(const void *key, const void *entry) {
+    return strcmp(key, *(const char *const *)entry);
+}
+
+static bool is_sensitive(const char *word) {
+    return bsearch(word, sensitive, sizeof sensitive / sizeof sensitive[0], sizeof sensitive[0],
+                   compare_names) != NULL;
+}
+
+static bool is_version(const char *word) {
+    return strcmp(word, "__GNUC__") == 0 || strcmp(word, "__GNUC_MINOR__") == 0 ||
+           strcmp(word, "__clang__") == 0;
+}
+
+/* The line around `at`, lines that end in a backslash joined to it, without the backslashes. */
+static char *logical_line(arena *a, const char *text, const char *at) {
+    const char *first = at;
+    while (first > text && !(first[-1] == '\n' && !(first > text + 1 && first[-2] == '\\') &&
+                             !(first > text + 2 && first[-2] == '\r' && first[-3] == '\\')))
+        first--;
+    buffer line = {0};
+    for (const char *c = first; *c; c++) {
+        const char *end = c + (*c == '\\') + (c[0] == '\\' && c[1] == '\r');
+        if (*c == '\\' && *end == '\n') {
+            c = end;
+            continue;
+        }
+        if (*c == '\n')
+            break;
+        buffer_byte(&line, *c);
+    }
+    char *copy = arena_copy(a, line.data ? line.data : "", line.length);
+    buffer_free(&line);
+    return copy;
+}
+
+static bool is_same_for_all_versions(const char *expression) {
+    const condition_value clang =
+        condition_evaluate(expression, (condition_version){CLANG_MAJOR, CLANG_MINOR, true});
+    for (int major = FIRST_MAJOR; major <= LAST_MAJOR; major++)
+        for (int minor = 0; minor <= LAST_MINOR; minor++) {
+            const condition_value gcc =
+                condition_evaluate(expression, (condition_version){major, minor, false});
+            if (!condition_equal(&clang, &gcc))
+                return false;
+        }
+    return true;
+}
+
+/* Whether `word`, which stands in this line, makes no difference. */
+static bool is_harmless(const char *line, const char *word) {
+    line += strspn(line, " \t");
+    if (*line != '#')
+        return false;
+    line++;
+    line += strspn(line, " \t");
+    size_t length = strspn(line, "abcdefghijklmnopqrstuvwxyz");
+    const char *rest = line + length;
+    if ((length == 5 && strncmp(line, "ifdef", 5) == 0) ||
+        (length == 6 && strncmp(line, "ifndef", 6) == 0))
+        return strcmp(word, "__clang__") != 0; /* the others are defined by all concerned */
+    bool is_condition = (length == 2 && strncmp(line, "if", 2) == 0) ||
+                        (length == 4 && strncmp(line, "elif", 4) == 0);
+    return is_condition && is_same_for_all_versions(rest);
+}
+
+const char *identity_asked(arena *a, const char *text, bool is_clang) {
+    for (const char *at = strstr(text, "__"); at && *at; at = strstr(at, "__")) {
+        size_t length = 0;
+        while (is_word_byte(at[length]))
+            length++;
+        if (at > text && is_word_byte(at[-1])) {
+            at += length;
+            continue;
+        }
+        const char *word = arena_copy(a, at, length);
+        if (is_sensitive(word) ||
+            (!is_clang && is_version(word) && !is_harmless(logical_line(a, text, at), word)))
+            return word;
+        at += length;
+    }
+    return NULL;
+}
+
+static bool is_of_system(const char *path) {
+    return strncmp(path, "/usr/include/", 13) == 0 || strncmp(path, "/usr/lib/", 9) == 0;
+}
+
+const char *identity_asked_in(arena *a, const word_list *files, bool is_clang) {
+    for (unsigned i = 0; i < files->count; i++) {
+        if (is_of_system(files->items[i]))
+            continue;
+        size_t length;
+        const char *text = file_read(a, files->items[i], &length);
+        if (!text || strlen(text) != length)
+            return "of what cannot be read";
+        const char *word = identity_asked(a, text, is_clang);
+        if (word)
+            return word;
+    }
+    return NULL;
+}
