@@ -437,10 +437,10 @@ int main(int count, char **arguments) {
                                                 : bytes * kept.threads;
         printf("%s,%s,%s%s,%d,%s,%.6f,%.6f,%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.2f\n", arguments[1],
                arguments[2], ours && !getenv("REDCC_METHOD") ? "auto=" : "",
-               ours ? kept.method->name : names[course], omp_get_max_threads(),
-               order_of((enum course_of_bench)course, &kept), alone, mine, gain.median, gain.lowest,
-               gain.highest, ours && warm > 0 ? (spread_of(fresh).median - mine) / alone : 0,
-               100 * extra / bytes,
+               ours ? kept.method ? kept.method->name : "serial" : names[course],
+               omp_get_max_threads(), order_of((enum course_of_bench)course, &kept), alone, mine,
+               gain.median, gain.lowest, gain.highest,
+               ours && warm > 0 ? (spread_of(fresh).median - mine) / alone : 0, 100 * extra / bytes,
                ours && kept.in_loops ? (double)kept.executed / (double)kept.in_loops : 1,
                ours && kept.most ? (double)kept.trip / (double)kept.most : 0);
     }

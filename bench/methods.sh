@@ -1,24 +1,29 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The runtime's methods on a heavy and a light loop over a mesh of the paper's size (bench/loops.c),
-# against the sequential loop of the same run.
+# against the sequential loop of the same run, and beside what a user could write himself. Then
+# `auto` with order any. WARM: seconds of executions before `auto` is timed (it settles in them).
 . bench/common.sh
 threads=$(nproc)
+warm=${WARM:-6}
 cmake --build --preset release --target bench_loops >/dev/null
 loops=$(find "$build" -name bench_loops -type f)
 csv=$results/methods.csv
-echo "loop,mesh,method,threads,serial_seconds,planned_seconds,speed_up,inspection_of_serial" >"$csv"
+echo "loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,inspection_of_serial,extra_percent,replication,modelled" >"$csv"
 load_note
-for loop in heavy light; do
-  for mesh in sorted shuffled; do
-    for method in auto atomic localwrite expansion:a expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 dwa-lip-fixed \
-      expansion-fixed; do
-      line=$(REDCC_METHOD=$method OMP_NUM_THREADS=$threads "$loops" "$loop" "$mesh")
-      echo "$line"
-      echo "$loop,$mesh,$method,$threads,$(sed -E \
-        's/.*serial ([0-9.]+) s, planned ([0-9.]+) s, speed-up ([0-9.]+), inspection ([-0-9.]+).*/\1,\2,\3,\4/' \
-        <<<"$line")" >>"$csv"
+# Copies of the arrays of OpenMP's reductions lie on the stacks.
+ulimit -s unlimited 2>/dev/null || echo "note: the stack is limited; omp-sections may fail"
+export OMP_NUM_THREADS=$threads OMP_STACKSIZE=512M
+cells() { # arguments for loops after the mesh
+  for loop in heavy light; do
+    for mesh in sorted shuffled; do
+      "$loops" "$loop" "$mesh" "$@" | tee -a "$csv"
     done
   done
+}
+cells "$warm" others
+REDCC_ORDER=any cells "$warm"
+for method in localwrite graph-localwrite expansion:a expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2; do
+  REDCC_METHOD=$method cells 1
 done
 echo "kept: $csv"

@@ -82,6 +82,7 @@ struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int t
     struct choice choice = {.course = COURSE_PARALLEL, .by_graph = true};
     if (!graph_turn(trial, budget))
         choice = choose_plainly(trial, trip, budget);
+    choice.first_by_graph = choice.by_graph && trial->graph == GRAPH_TRIED && !trial->graph_tries;
     choice.rule = trial->rule;
     return choice;
 }

@@ -56,8 +56,9 @@ struct chooser {
 /** What to do in this call. */
 struct choice {
     enum course course;
-    bool by_graph;      /* PARALLEL: by a plan with owners cut from the access graph */
-    enum reason reason; /* for SERIAL */
+    bool by_graph;       /* PARALLEL: by a plan with owners cut from the access graph ... */
+    bool first_by_graph; /* ... which is to be made now */
+    enum reason reason;  /* for SERIAL */
     enum rule rule;
 };
 

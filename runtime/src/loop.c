@@ -201,6 +201,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
             redcc_choose_course(&state->chooser, execution->request.trip, threads, redcc_budget());
         execution->course = choice.course;
         execution->by_graph = choice.by_graph;
+        if (choice.first_by_graph) /* what there was before need not stay beside it */
+            redcc_drop_plans(state);
         *reason = choice.reason;
         note_rule(statistics, choice.rule);
     } else if (execution->method->keeps > execution->order)

@@ -24,9 +24,31 @@ static unsigned char *parts_in(const struct sets *sets, uint32_t thread) {
     return part;
 }
 
+/* Adds up the iterations that the thread does in each way. */
+static void count_parts(const struct summary *summary, const unsigned char *part,
+                        redcc_int *amount) {
+    for (size_t b = 0; b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; s < block->span_end; s++)
+            amount[part[summary->span[s].set]] += redcc_span_count(summary, block, s);
+    }
+}
+
+/* Where most of what the thread executes is guarded, the rest may as well be: it is the same to do,
+ * and runs do not end where one kind follows the other. */
+static void guard_most(const struct summary *summary, unsigned char *part) {
+    redcc_int amount[GUARDED + 1] = {0};
+    count_parts(summary, part, amount);
+    for (uint32_t set = 0; amount[GUARDED] > amount[PLAIN] && set < summary->sets.count; set++)
+        if (part[set] == PLAIN)
+            part[set] = GUARDED;
+}
+
 static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t thread) {
     unsigned char *part = parts_in(&summary->sets, thread);
     bool enough = part != NULL;
+    if (enough)
+        guard_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {
         const struct block *block = &summary->block[b];
         for (size_t s = block->span_begin; enough && s < block->span_end; s++) {

@@ -1,0 +1,28 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# How the two loops of bench/loops.c go with the threads: `auto` timed at 1, 2, 4, ... threads up to
+# the cores there are; beyond, what the schedules of the two LOCALWRITE methods say (iterations of
+# the loop over those of the thread that executes most), which leaves memory out of account.
+. bench/common.sh
+cores=$(nproc)
+cmake --build --preset release --target bench_loops >/dev/null
+loops=$(find "$build" -name bench_loops -type f)
+csv=$results/scaling.csv
+echo "kind,loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,inspection_of_serial,extra_percent,replication,modelled" >"$csv"
+load_note
+run() { # kind, threads, WARM
+  for loop in heavy light; do
+    for mesh in sorted shuffled; do
+      OMP_NUM_THREADS=$2 "$loops" "$loop" "$mesh" "$3" | sed "s/^/$1,/" | tee -a "$csv"
+    done
+  done
+}
+for ((threads = 1; threads <= cores; threads *= 2)); do
+  run measured "$threads" "${WARM:-6}"
+done
+for method in localwrite graph-localwrite; do
+  for threads in 2 8 16 33 64; do
+    OMP_WAIT_POLICY=passive REDCC_METHOD=$method run modelled "$threads" 0
+  done
+done
+echo "kept: $csv"
