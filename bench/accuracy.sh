@@ -37,6 +37,8 @@ else
 set terminal pngcairo size 1100,900 font ",11"
 set output "$plot"
 set multiplot layout 2,1
+set lmargin 10
+set rmargin 18
 set style data histograms
 set style histogram clustered gap 1
 set style fill solid 0.8 border -1

@@ -44,15 +44,18 @@ bool redcc_lost_new(struct plan *plan, const redcc_array *arrays) {
         *lost = (struct lost){.type = arrays[group].type, .offset = touched.first};
         lost->count = (size_t)(touched.end - touched.first) / size_of(lost->type);
         lost->value = redcc_memory_take(lost->count * sizeof *lost->value);
-        if (!lost->value)
+        lost->before = redcc_memory_take(lost->count * sizeof *lost->before);
+        if (!lost->value || !lost->before)
             return false;
     }
     return true;
 }
 
 void redcc_lost_free(struct plan *plan) {
-    for (uint32_t group = 0; plan->lost && group < plan->array_count; group++)
+    for (uint32_t group = 0; plan->lost && group < plan->array_count; group++) {
         redcc_memory_give(plan->lost[group].value);
+        redcc_memory_give(plan->lost[group].before);
+    }
     redcc_memory_give(plan->lost);
     plan->lost = NULL;
 }
@@ -60,7 +63,8 @@ void redcc_lost_free(struct plan *plan) {
 size_t redcc_lost_bytes(const struct plan *plan) {
     size_t bytes = 0;
     for (uint32_t group = 0; plan->lost && group < plan->array_count; group++)
-        bytes += redcc_memory_size(plan->lost[group].value);
+        bytes += redcc_memory_size(plan->lost[group].value) +
+                 redcc_memory_size(plan->lost[group].before);
     return bytes;
 }
 
@@ -102,16 +106,23 @@ void redcc_lost_bring(const struct plan *plan, int thread) {
     }
 }
 
-double redcc_lost_begin(const struct lost *lost, void *address) {
-    double before;
-    if (lost->type == REDCC_FLOAT) {
-        before = (double)*(float *)address;
-        *(float *)address = -0.0f;
-    } else {
-        before = *(double *)address;
-        *(double *)address = -0.0;
-    }
-    return before;
+/* The number of the element at `address`. */
+static size_t number_of(const struct lost *lost, const void *address) {
+    return (size_t)((const char *)address - lost->first) / size_of(lost->type);
+}
+
+void redcc_lost_begin(const struct lost *lost, void *address, size_t count) {
+    double *before = lost->before + number_of(lost, address);
+    if (lost->type == REDCC_FLOAT)
+        for (size_t i = 0; i < count; i++) {
+            before[i] = (double)((float *)address)[i];
+            ((float *)address)[i] = -0.0f;
+        }
+    else
+        for (size_t i = 0; i < count; i++) {
+            before[i] = ((double *)address)[i];
+            ((double *)address)[i] = -0.0;
+        }
 }
 
 /* What a + b is off by when rounded to `sum` (Knuth's TwoSum). */
@@ -120,19 +131,25 @@ static double error_of(double a, double b, double sum) {
     return (a - a_part) + (b - b_part);
 }
 
-void redcc_lost_end(const struct lost *lost, void *address, double before) {
-    const size_t into = (size_t)((char *)address - lost->first);
-    double error;
-    if (lost->type == REDCC_FLOAT) {
-        float *element = address;
-        const double value = (double)*element, sum = before + value;
-        *element = (float)sum;
-        error = (sum - (double)*element) + error_of(before, value, sum);
-    } else {
-        double *element = address;
-        const double value = *element;
-        *element = before + value;
-        error = error_of(before, value, *element);
+/* Each returns what is lost. Where nothing was added that is 0, and the element what it was. */
+static double add_to_float(float *element, double before) {
+    const double value = (double)*element, sum = before + value;
+    *element = (float)sum;
+    return (sum - (double)*element) + error_of(before, value, sum);
+}
+
+static double add_to_double(double *element, double before) {
+    const double value = *element;
+    *element = before + value;
+    return error_of(before, value, *element);
+}
+
+void redcc_lost_end(const struct lost *lost, void *address, size_t count) {
+    const size_t first = number_of(lost, address);
+    for (size_t i = 0; i < count; i++) {
+        const double before = lost->before[first + i];
+        lost->value[first + i] += lost->type == REDCC_FLOAT
+                                      ? add_to_float((float *)address + i, before)
+                                      : add_to_double((double *)address + i, before);
     }
-    lost->value[into / size_of(lost->type)] += error;
 }

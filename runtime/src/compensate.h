@@ -15,6 +15,7 @@
 /** What was lost of a group's elements. */
 struct lost {
     double *value;    /* of each touched element; NULL: the group is not compensated */
+    double *before;   /* of each one that is being updated: what it held */
     size_t count;     /* of elements */
     ptrdiff_t offset; /* of the first one, relative to the group's base */
     char *first;      /* where it is in this execution */
@@ -37,11 +38,11 @@ void redcc_lost_clear(const struct plan *plan, int thread, void *const *bases);
 /** Brings what was lost of this thread's share into the arrays. */
 void redcc_lost_bring(const struct plan *plan, int thread);
 
-/** The element at `address` is to be updated: sets it to the neutral element, returns what it held.
- */
-double redcc_lost_begin(const struct lost *lost, void *address);
+/** The `count` elements at `address` may be updated, each once: keeps what they hold, and sets them
+ *  to the neutral element. */
+void redcc_lost_begin(const struct lost *lost, void *address, size_t count);
 
-/** The element, which held `before`, holds a contribution now: adds it, and keeps what is lost. */
-void redcc_lost_end(const struct lost *lost, void *address, double before);
+/** Those that were hold a contribution now: adds it to what they held, and keeps what is lost. */
+void redcc_lost_end(const struct lost *lost, void *address, size_t count);
 
 #endif

@@ -79,7 +79,8 @@ static void install_hooks(struct member *member) {
         redcc_lost_clear(plan, member->thread, execution->request.bases);
         redcc_barrier_wait(&execution->barrier, member->threads);
     }
-    redcc_hooks_install(&member->hooks, plan, member->owner);
+    redcc_hooks_install(&member->hooks, plan, execution->request.loop->arrays,
+                        execution->request.bases, member->owner);
 }
 
 static bool is_hooked(const struct plan *plan) {

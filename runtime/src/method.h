@@ -43,7 +43,7 @@ struct method {
 
     bool by_graph; /* owners are cut from the access graph (graph/divide.h), where that can be done;
                       else, as without it, by address */
-    bool locks;    /* each element is locked while it is updated */
+    bool locks;    /* each unit is locked while it is updated */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);

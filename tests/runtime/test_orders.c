@@ -393,6 +393,114 @@ static void minimum_and_maximum_with_nan(void **unused) {
     }
 }
 
+/* Functions that update a whole row, or a part of one, after one question. */
+typedef double triple[3];
+
+static void add_row(double *to, int t) {
+    to[0] += 1e8 / (t + 1.0);
+    to[1] -= 1.0 / (t + 3.0);
+    to[2] += 1e-9 * t;
+}
+
+static void add_last_two(double *to, int t) {
+    to[0] += 0.1 * t;
+    to[1] += 1.0 / (t + 7.0);
+}
+
+#define THREE_UPDATES(ROW, OWNS)                                                                   \
+    if (OWNS(&(ROW)[0]))                                                                           \
+        add_row((ROW), t);                                                                         \
+    if (OWNS(&(ROW)[1]))                                                                           \
+        add_last_two(&(ROW)[1], t);                                                                \
+    if (OWNS(&(ROW)[0]))                                                                           \
+    (ROW)[0] += 0.3
+
+#define ALWAYS(address) 1
+#define OWNED(address) redcc_owns(&own, address)
+
+static void rows_by_functions(triple *array, int threads) {
+    void *const bases[] = {array};
+    const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};
+    static const redcc_array arrays[] = {
+        {"array", REDCC_SUM, REDCC_DOUBLE, sizeof(double), sizeof(triple)}};
+    static const redcc_source sources[] = {{"row", 1}};
+    redcc_loop loop = {.file = __FILE__,
+                       .line = 1,
+                       .function = __func__,
+                       .order = promised(),
+                       .flags = REDCC_VERIFIABLE,
+                       .array_count = 1,
+                       .arrays = arrays,
+                       .source_count = 1,
+                       .sources = sources};
+    redcc_call call;
+    if (redcc_enter(&call, &loop, TRIP, bases, known, NULL, threads, 0)) {
+#pragma omp parallel num_threads(call.threads)
+        {
+            redcc_worker worker;
+            redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
+            while (redcc_inspect(&worker))
+                for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {
+                    redcc_touch(&worker, 0, &array[row[t]], sizeof array[0]);
+                    redcc_iteration_done(&worker);
+                }
+            while (redcc_next(&worker)) {
+                triple *const to = worker.base[0];
+                const redcc_owner own = worker.owner[0];
+                for (const redcc_run *run = worker.run; run != worker.run_end; run++) {
+                    int t = (int)(worker.origin + run->begin);
+                    const int end = t + (int)(run->count_and_guard / 2);
+                    for (; t < end; t++)
+                        if (run->count_and_guard & 1) {
+                            THREE_UPDATES(to[row[t]], OWNED);
+                        } else {
+                            THREE_UPDATES(to[row[t]], ALWAYS);
+                        }
+                }
+            }
+        }
+    }
+    if (!redcc_leave(&call))
+        for (int t = 0; t < TRIP; t++) {
+            THREE_UPDATES(array[row[t]], ALWAYS);
+        }
+    redcc_loop_forget(&loop);
+}
+
+/* What is added to each row, in 64 bits of precision or more: that stands for the exact sums. */
+static void sum_rows(long double (*sum)[3]) {
+    for (int t = 0; t < TRIP; t++) {
+        triple part = {0, 0, 0}, rest = {0.3, 0, 0};
+        add_row(part, t);
+        add_last_two(&rest[1], t);
+        for (int c = 0; c < 3; c++)
+            sum[row[t]][c] += (long double)part[c] + (long double)rest[c];
+    }
+}
+
+static void rows_updated_by_functions(void **unused) {
+    (void)unused;
+    static long double exact[BINS][3];
+    triple first[BINS];
+    fill_rows();
+    memset(exact, 0, sizeof exact);
+    sum_rows(exact);
+    for (int i = 0; i < COUNTS; i++) {
+        triple found[BINS];
+        memset(found, 0, sizeof found);
+        rows_by_functions(found, thread_counts[i]);
+        if (i == 0)
+            memcpy(first, found, sizeof first);
+        if (promised() != REDCC_ORDER_ANY)
+            assert_memory_equal(first, found, sizeof first);
+        for (int e = 0; e < 3 * BINS; e++) {
+            const double sum = (double)exact[e / 3][e % 3];
+            const double off = fabs(found[e / 3][e % 3] - sum) / (fabs(sum) * DBL_EPSILON);
+            assert_true(off <= (redcc_settings()->compensated ? 1 : 500));
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cancellation),
@@ -404,6 +512,7 @@ int main(void) {
         cmocka_unit_test(float_counters_past_2_to_24),
         cmocka_unit_test(integers_wrap_around),
         cmocka_unit_test(minimum_and_maximum_with_nan),
+        cmocka_unit_test(rows_updated_by_functions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

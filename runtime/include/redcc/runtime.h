@@ -249,7 +249,7 @@ int redcc_next(redcc_worker *worker);
 int redcc_claims_last(redcc_worker *worker);
 
 /** Called by redcc_owns: may this thread write at `address`? If so the runtime takes part in the
- *  one update of that element which follows. */
+ *  one update of that element, or of that one and others in its unit, which follows. */
 int redcc_hooked(struct redcc_hook *hook, const void *address);
 
 /** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
@@ -309,7 +309,7 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
 }
 
 /** Executor, guarded form: may this thread write at `address`? Asked before each update of an
- *  element. */
+ *  element, or before one of several elements that begin there and lie in one unit. */
 static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) {
     const redcc_size into = (redcc_size)((const char *)address - owner->first);
     if (into < owner->size && (!owner->map || owner->map[into / owner->unit] == owner->self))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * atomic: the yardstick. Each thread executes an equal share of the iterations in the guarded form,
- * and holds a lock on an element from before its update up to the next one (hook.c): the updates
+ * and holds a lock on a unit (a row) from before an update up to the next one (hook.c): the updates
  * are indivisible for every operator and type, few of which have an instruction for that.
  */
 #include "shares.h"

@@ -1,0 +1,77 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The paper's evaluation on this machine, beside docs/paper.md: table 1 (a cache model), figures 11
+# and 12 (speed-up and efficiency by method, sorted and not: measured up to the cores there are; by
+# more threads modelled from the schedule), figure 13 (memory). One CSV with all of it, and a plot.
+#   PAPER_WARM=2            seconds of executions before each measurement
+#   PAPER_MODEL="4 8 16"    thread counts that are modelled
+#   PAPER_METHODS="..."     the methods
+. bench/common.sh
+methods=${PAPER_METHODS:-expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 pe-dwa-lip:4 localwrite \
+  graph-localwrite dwa-lip-fixed}
+model=${PAPER_MODEL:-4 8 16}
+warm=${PAPER_WARM:-2}
+cmake --build --preset release --target bench_loops bench_cache_model >/dev/null
+loops=$(find "$build" -name bench_loops -type f)
+cache=$(find "$build" -name bench_cache_model -type f)
+csv=$results/paper.csv
+load_note
+
+echo "table 1: cache misses of the final stages (a) and (b), in percent of the accesses (modelled)"
+"$cache" >"$work/table1"
+column -s, -t "$work/table1"
+{
+  echo "part,mesh,method,threads,speed_up,lowest,highest,efficiency,memory_over_serial,replication"
+  awk -F, 'NR > 1 {gsub(/ /, "-", $1); printf "table1,%s,a,%s,,,,,%s,\ntable1,%s,b,%s,,,,,%s,\n", $1, $2, $3, $1, $2, $4}' \
+    "$work/table1"
+} >"$csv"
+
+# one PART MESH METHOD THREADS WARM: a line of the CSV. Memory of the sequential code: the reduction
+# arrays; the modelled speed-up is without what copies cost to fill and to merge.
+one() {
+  REDCC_METHOD=$3 OMP_NUM_THREADS=$4 "$loops" heavy "$2" "$5" |
+    awk -F, -v part="$1" -v mesh="$2" -v method="$3" -v t="$4" '{
+      gain = part == "measured" ? $8 : $14
+      printf "%s,%s,%s,%d,%.2f,%s,%s,%.2f,%.3f,%s\n", part, mesh, method, t, gain, $9, $10,
+             gain / t, 1 + $12 / 100, $13}' >>"$csv"
+}
+for mesh in sorted shuffled; do
+  for method in $methods; do
+    for threads in $(seq 2 "$(nproc)"); do one measured "$mesh" "$method" "$threads" "$warm"; done
+    for threads in $model; do
+      case $method:$threads in # copies for so many threads would fill the memory, as in the paper
+        expansion*:*|pseudo*:*) [ "$threads" -le 4 ] || continue ;;
+      esac
+      one modelled "$mesh" "$method" "$threads" 0
+    done
+  done
+done
+echo "figures 11 (sorted), 12 (shuffled) and 13 (memory): the heavy loop, over the sequential one"
+grep -E '^(part|measured|modelled)' "$csv" | column -s, -t
+
+plot=$results/paper.png
+if ! command -v gnuplot >/dev/null; then
+  echo "no plot: gnuplot (Debian's gnuplot-nox) is not installed"
+else
+  {
+    echo 'set terminal pngcairo size 1200,900 font ",11"'
+    echo "set output '$plot'"
+    echo 'set multiplot layout 2,2; set key left top font ",9"; set logscale x 2; set grid; set xrange [1.8:20]'
+    for part in 5:speed-up 9:memory-over-sequential; do
+      for mesh in sorted shuffled; do
+        echo "set title '${part#*:}, $mesh'"
+        [ "${part%%:*}" = 5 ] && echo 'set yrange [0:*]' || echo 'set yrange [0.9:*]; set logscale y'
+        line="plot"
+        for method in $methods; do
+          grep -E "^(measured|modelled),$mesh,$method," "$csv" | sort -t, -k4n |
+            awk -F, -v c="${part%%:*}" '{print $4, $c}' >"$work/$mesh-$method-${part%%:*}"
+          line="$line '$work/$mesh-$method-${part%%:*}' with linespoints title '$method',"
+        done
+        echo "${line%,}"
+        echo 'unset logscale y'
+      done
+    done
+  } >"$work/plot"
+  gnuplot "$work/plot" && echo "plotted: $plot"
+fi
+echo "kept: $csv"
