@@ -21,8 +21,8 @@ echo "table 1: cache misses of the final stages (a) and (b), in percent of the a
 "$cache" >"$work/table1"
 column -s, -t "$work/table1"
 {
-  echo "part,mesh,method,threads,speed_up,lowest,highest,efficiency,memory_over_serial,replication"
-  awk -F, 'NR > 1 {gsub(/ /, "-", $1); printf "table1,%s,a,%s,,,,,%s,\ntable1,%s,b,%s,,,,,%s,\n", $1, $2, $3, $1, $2, $4}' \
+  echo "part,mesh,method,threads,speed_up,lowest,highest,efficiency,memory_over_serial,replication,miss_percent"
+  awk -F, 'NR > 1 {gsub(/ /, "-", $1); printf "table1,%s,a,%s,,,,,,,%s\ntable1,%s,b,%s,,,,,,,%s\n", $1, $2, $3, $1, $2, $4}' \
     "$work/table1"
 } >"$csv"
 
@@ -32,7 +32,7 @@ one() {
   REDCC_METHOD=$3 OMP_NUM_THREADS=$4 "$loops" heavy "$2" "$5" |
     awk -F, -v part="$1" -v mesh="$2" -v method="$3" -v t="$4" '{
       gain = part == "measured" ? $8 : $14
-      printf "%s,%s,%s,%d,%.2f,%s,%s,%.2f,%.3f,%s\n", part, mesh, method, t, gain, $9, $10,
+      printf "%s,%s,%s,%d,%.2f,%s,%s,%.2f,%.3f,%s,\n", part, mesh, method, t, gain, $9, $10,
              gain / t, 1 + $12 / 100, $13}' >>"$csv"
 }
 for mesh in sorted shuffled; do
