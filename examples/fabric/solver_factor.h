@@ -4,7 +4,8 @@
  *     none                   M = the mean diagonal times I
  *     Jacobi                 M = A's diagonal
  *     block-Jacobi           M = A's diagonal blocks, 3x3
- *     symmetric Gauss-Seidel M = (D + L) D^-1 (D + L)', D A's diagonal blocks, L those below
+ *     symmetric Gauss-Seidel M = (D + L) D^-1 (D + L)', L the blocks below A's diagonal and D its
+ *                            diagonal blocks over a relaxation, 1.3
  *     incomplete Cholesky    M = R'R, R with A's blocks as pattern and M = A on it: IC(0)
  *                            (Meijerink and van der Vorst 1977). Cloth's matrices are no
  * M-matrices, so fill that is dropped may leave a block indefinite: then A with its diagonal blocks

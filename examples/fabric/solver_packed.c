@@ -166,8 +166,12 @@ solver_status packed_solver_solve(packed_solver *p, solver *s, const linear_syst
                                   const constraints *c, const solver_limits *limits,
                                   double (*dv)[3], long *iterations) {
     build(p, c);
-    solver_apply(c, dv);
-    residual_of(s, system, c, (const double(*)[3])c->z);
+    if (solver_apply(c, dv) == DRIVEN)
+        residual_of(s, system, c, (const double(*)[3])c->z);
+    else { /* z is 0 */
+        memcpy(s->residual, system->b, sizeof *s->residual * (size_t)s->count);
+        solver_filter(c, s->residual);
+    }
     const double reference = transform(p, (const double(*)[3])s->residual);
     if (!isfinite(reference))
         return SOLVER_NOT_FINITE;

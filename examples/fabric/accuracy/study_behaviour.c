@@ -197,6 +197,10 @@ int study_sum(study *of) {
                                                                                        "3"};
     char path[FILE_PATH_SIZE], final_state[FILE_PATH_SIZE];
     state first = {0};
+#ifndef _OPENMP
+    fprintf(stderr, "note: %s is serial, every order is the same to it; use fabric\n",
+            program_name);
+#endif
     if (files_join(path, of->folder, "sum.yaml") != 0 ||
         files_join(final_state, of->folder, "sum-run/final.state") != 0)
         return -1;
