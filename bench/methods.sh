@@ -23,7 +23,8 @@ cells() { # arguments for loops after the mesh
 }
 cells "$warm" others
 REDCC_ORDER=any cells "$warm"
-for method in localwrite graph-localwrite expansion:a expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2; do
+for method in atomic localwrite graph-localwrite expansion:a expansion:b pseudo-expansion dwa-lip \
+  pe-dwa-lip:2 dwa-lip-fixed expansion-fixed; do
   REDCC_METHOD=$method cells 1
 done
 echo "kept: $csv"
