@@ -425,8 +425,10 @@ static void after_sweep(struct execution *execution) {
 static void prepare(struct member *member) {
     struct execution *execution = member->execution;
     struct plan *plan = execution->plan;
-    const struct evidence evidence = {&execution->partition, execution->summaries, execution->seen,
-                                      execution->threads, execution->request.trip};
+    const struct evidence evidence = {
+        &execution->partition,   execution->summaries,
+        execution->seen,         execution->threads,
+        execution->request.trip, (execution->request.loop->flags & REDCC_EVERY_ITERATION) != 0};
     member->failed =
         !plan->method->prepare(plan, &evidence, member->thread) ||
         !redcc_copies_take(plan, member->thread, member->seen, execution->partition.base);

@@ -20,6 +20,8 @@ struct evidence {
     const struct range *const *seen;      /* [threads][array_count] what each share touches */
     int threads;
     redcc_int trip;
+    bool every_iteration; /* those that touch nothing are to be executed as well; asked only of
+                             methods that keep the order serial */
 };
 
 enum copy_kind {

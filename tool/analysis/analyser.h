@@ -26,8 +26,9 @@ typedef enum access_class {
     CLASS_OPEN,      /* not decided */
     CLASS_SCALAR,    /* of a variable of the iteration's own, or one that nothing can change */
     CLASS_REDUCTION, /* an update of arrays[number] */
-    CLASS_SELF,      /* a read, by an update's statement, of the element that it updates */
-    CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
+    CLASS_SELF,  /* a read, by an update's statement, of the element that it updates; all accesses
+                    to a scalar that the loop accumulates into */
+    CLASS_SHARED /* a read of memory that other loops' iterations may read as well */
 } access_class;
 
 typedef struct judged_access {
@@ -58,6 +59,7 @@ typedef struct judgement {
     judged_access *accesses;
     VECTOR(judged_array) arrays;
     VECTOR(reduction_update) updates;
+    VECTOR(scalar_update) scalars;
     VECTOR(private_variable) privates;
     VECTOR(ir_variable *) captured;
     VECTOR(loop_source) sources;

@@ -115,6 +115,20 @@ typedef struct private_variable {
     bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
 } private_variable;
 
+/** How an operand of a scalar's update is kept: as the type in which the operation is made. */
+typedef enum operand_type { OPERAND_INTEGER, OPERAND_FLOAT, OPERAND_DOUBLE } operand_type;
+
+/** s op= e of a scalar that nothing else in the loop reads or writes: each iteration's operand is
+ *  kept, and all are applied in order after the loop. */
+typedef struct scalar_update {
+    ir_variable *variable;
+    const ir_node *statement; /* IR_EXPRESSION; executed at most once in an iteration */
+    const ir_node *value;     /* the operand; NULL: 1 */
+    ir_operator op;           /* + - * & | ^ */
+    operand_type operand;
+    bool is_conditional; /* not executed in each iteration */
+} scalar_update;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is judged */
     ir_function *function;
@@ -124,6 +138,8 @@ typedef struct loop_facts {
     const reduction_array *arrays;
     unsigned update_count;
     const reduction_update *updates; /* in source order */
+    unsigned scalar_count;
+    const scalar_update *scalars; /* in source order */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
     unsigned private_count;

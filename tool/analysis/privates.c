@@ -26,6 +26,9 @@ static bool is_known(const judgement *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->privates.count; i++)
         if (j->privates.items[i].variable == variable)
             return true;
+    for (unsigned i = 0; i < j->scalars.count; i++)
+        if (j->scalars.items[i].variable == variable)
+            return true;
     return variable == j->counted.counter;
 }
 

@@ -4,6 +4,7 @@
 #include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/extremum.h"
+#include "analysis/scalars.h"
 #include "analysis/update_call.h"
 #include "analysis/update_statement.h"
 #include "analysis/variation.h"
@@ -410,11 +411,14 @@ static bool judge_write(judgement *j, judged_access *write) {
             write->class = CLASS_SCALAR;
             return true;
         }
+        if (scalar_take_update(j, write))
+            return true;
         if ((!is_update && !is_irregular_call(j, write)) || !is_element(write->access.lvalue) ||
             where->object->type->kind != IR_ARRAY)
             return refuse_variable(j, write);
     } else if (where->object && !is_element(write->access.lvalue)) {
-        return judgement_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
+        return scalar_take_update(j, write) ||
+               judgement_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
                                 write->access.node, where->object->name);
     }
     return is_update ? judge_update(j, write) : judge_store(j, write);
@@ -444,8 +448,8 @@ bool judge_updates(judgement *j) {
                 a->access.kind == ACCESS_UPDATE && !a->access.callee &&
                 is_element(a->access.lvalue) &&
                 variation_is_irregular(j->an->facts, j->loop, a->access.lvalue);
-            if (a->access.kind != ACCESS_READ && is_irregular_update == (pass == 0) &&
-                !judge_write(j, a))
+            if (a->access.kind != ACCESS_READ && a->class == CLASS_OPEN &&
+                is_irregular_update == (pass == 0) && !judge_write(j, a))
                 return false;
         }
         if (pass == 0 && !judge_plain_reads(j))

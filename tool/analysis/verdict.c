@@ -7,6 +7,7 @@
 #include "analysis/candidate.h"
 #include "analysis/expression.h"
 #include "analysis/reason.h"
+#include "analysis/scalars.h"
 #include "analysis/variation.h"
 
 /* ---- reasons ----------------------------------------------------------------------------------
@@ -107,6 +108,8 @@ static loop_facts *finish_facts(judgement *j) {
     facts->counter_is_live_after = j->counter_is_live_after;
     facts->updates = j->updates.items;
     facts->update_count = j->updates.count;
+    facts->scalars = j->scalars.items;
+    facts->scalar_count = j->scalars.count;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->privates = j->privates.items;
@@ -151,7 +154,8 @@ static loop_verdict judge(const analyser *whole, ir_function *function, ir_node 
     /* What looked like a shared array may be private to each iteration. */
     if (is_fine && j->arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
-    is_fine = is_fine && judge_privates(j) && judge_sources(j) && judge_slice(j);
+    is_fine =
+        is_fine && judge_scalars(j) && judge_privates(j) && judge_sources(j) && judge_slice(j);
     if (!is_fine) {
         j->arrays.count = 0;
         note_irregular_arrays(j);

@@ -57,8 +57,24 @@ static const reduction_update *update_of(const loop_facts *facts, const ir_node 
     return NULL;
 }
 
+/** s += e: the operand is kept. */
+static bool print_operand(body_copy *copy, const ir_node *statement) {
+    loop_text *loop = copy->loop;
+    const int number = scalar_update_at(loop->facts, statement);
+    if (number < 0)
+        return false;
+    const ir_node *value = loop->facts->scalars[number].value;
+    const char *text = value ? text_expression(loop->arena, value, local_name, loop) : "1";
+    if (!text)
+        loop_obstacle(loop, statement->range, "an operand cannot be spelled a second time");
+    write_operand(loop, copy->printer.out, (unsigned)number, text ? text : "0");
+    return true;
+}
+
 static bool print_guard(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
+    if (print_operand(copy, statement))
+        return true;
     if (!copy->is_guarded || copy->guarding == statement)
         return false;
     const reduction_update *update = update_of(copy->loop->facts, statement);
@@ -211,6 +227,8 @@ static const char *copied_text(body_copy *copy) {
     const source *text = loop->unit->source;
     if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro has it as well */
         VECTOR_PUSH(loop->arena, &copy->printed, body);
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        print_instead(copy, loop->facts->scalars[i].statement);
     visit_bases(copy, body, print_base_in_macro);
     if (copy->is_guarded)
         choose_printed_updates(copy);
@@ -278,6 +296,7 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
     if (!is_guarded)
         check_updates(loop);
     declare_variables(loop, out);
+    write_neutral_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);

@@ -156,6 +156,8 @@ void fill_key(loop_text *loop, writer *out) {
 }
 
 static bool needs_order(const loop_facts *facts) {
+    if (facts->scalar_count > 0)
+        return true;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)
             return true;
@@ -168,7 +170,8 @@ static const char *flags_text(const loop_text *loop) {
         const char *name;
     } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
-                 {needs_order(loop->facts), "REDCC_ORDER_NEEDED"}};
+                 {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
+                 {loop->facts->scalar_count > 0, "REDCC_EVERY_ITERATION"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)

@@ -68,6 +68,15 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node) {
 
 /* ---- the block ----------------------------------------------------------------------------- */
 
+static void write_execution(loop_text *loop, writer *out) {
+    writer_line(out, "if (redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, %s,",
+                loop->source_count > 0 ? "redcc__known" : "0");
+    writer_line(out, "                redcc__key, omp_get_max_threads(), omp_in_parallel())) {");
+    write_region(loop, out);
+    writer_line(out, "}");
+    writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+}
+
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
@@ -75,18 +84,24 @@ static void write_attempt(loop_text *loop, writer *out) {
     writer_line(out, "void *redcc__bases[%u];", facts->array_count);
     declare_extents(loop, out);
     declare_key(loop, out);
+    declare_operands(loop, out);
     write_thread_local_copies(loop, out, false);
     for (unsigned i = 0; i < facts->array_count; i++)
         writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
                     loop_operand(loop, facts->arrays[i].base));
     fill_extents(loop, out);
     fill_key(loop, out);
-    writer_line(out, "if (redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, %s,",
-                loop->source_count > 0 ? "redcc__known" : "0");
-    writer_line(out, "                redcc__key, omp_get_max_threads(), omp_in_parallel())) {");
-    write_region(loop, out);
-    writer_line(out, "}");
-    writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+    const char *memory = operands_are_there(loop);
+    if (memory) {
+        writer_line(out, "if (%s) {", memory);
+        out->depth++;
+    }
+    write_execution(loop, out);
+    if (memory) {
+        out->depth--;
+        writer_line(out, "}");
+    }
+    apply_operands(loop, out);
     if (!counter_outlives(facts) && !has_last_values(facts))
         return;
     writer_line(out, "if (redcc__done) {");

@@ -68,6 +68,19 @@ void check_what_is_read_ahead(loop_text *loop);
 /** Is this pointer or array valid as soon as the loop is known to iterate? */
 bool can_be_read_ahead(const loop_facts *facts, const ir_node *base);
 
+/** scalars.c: room for the operands that each iteration keeps of scalar updates; whether there was
+ *  memory for it, as a condition (NULL: there are no such updates); */
+void declare_operands(loop_text *loop, writer *out);
+const char *operands_are_there(loop_text *loop);
+/** in an iteration, what updates that may not be executed leave behind, and what number `number`
+ *  does; */
+void write_neutral_operands(loop_text *loop, writer *out);
+void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
+/** after the loop, the updates themselves. */
+void apply_operands(loop_text *loop, writer *out);
+/** The number of the scalar update that is this statement, or -1. */
+int scalar_update_at(const loop_facts *facts, const ir_node *statement);
+
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
  * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
 const char *write_trip_count(loop_text *loop, writer *out);

@@ -111,7 +111,9 @@ enum {
     /** The order was asked for in so many words at translation (not just the default). */
     REDCC_ORDER_EXPLICIT = 2,
     /** Some update needs the order of each element kept: only methods that promise it will do. */
-    REDCC_ORDER_NEEDED = 4
+    REDCC_ORDER_NEEDED = 4,
+    /** Iterations that touch no element are to be executed as well. */
+    REDCC_EVERY_ITERATION = 8
 };
 
 /** A loop, as the translator knows it; one static object for each. */

@@ -44,9 +44,12 @@ static void guard_most(const struct summary *summary, unsigned char *part) {
             part[set] = GUARDED;
 }
 
-static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t thread) {
+static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t thread,
+                        bool takes_idle) {
     unsigned char *part = parts_in(&summary->sets, thread);
     bool enough = part != NULL;
+    if (enough && takes_idle)
+        part[0] = PLAIN; /* what touches nothing is executed by who inspected it */
     if (enough)
         guard_most(summary, part);
     for (size_t b = 0; enough && b < summary->block_count; b++) {
@@ -66,9 +69,11 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
 bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     struct schedule *schedule = &plan->schedule[thread];
     for (int from = 0; from < evidence->threads; from++)
-        if (!select_from(schedule, evidence->summary[from], (uint32_t)thread))
+        if (!select_from(schedule, evidence->summary[from], (uint32_t)thread,
+                         evidence->every_iteration && from == thread))
             return false;
-    if (thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence) &&
+    if (!evidence->every_iteration && thread == evidence->threads - 1 &&
+        redcc_last_touches_nothing(evidence) &&
         !redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false))
         return false;
     redcc_schedule_trim(schedule);

@@ -61,7 +61,7 @@ double scalar_carried(int n, const int *s, double *h) {
     double sum = 0;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         sum += s[i];
-        h[s[i]] += 1.0;
+        h[s[i]] += sum;
     }
     return sum;
 }

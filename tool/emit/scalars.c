@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Scalars that the loop accumulates into: each iteration keeps its operands, redcc__operands_N[k],
+ * and after the loop they are applied in order. Where several threads execute an iteration, each
+ * for its own elements, all of them store the same operand, indivisibly.
+ */
+#include "emit/loop.h"
+
+static const char *type_of(const scalar_update *update) {
+    static const char *const types[] = {"redcc_word", "float", "double"};
+    return types[update->operand];
+}
+
+/** What changes nothing: of floating sums -0.0, for 0.0 + -0.0 is 0.0 and -0.0 + -0.0 is -0.0. */
+static const char *neutral_of(const scalar_update *update) {
+    const bool is_integer = update->operand == OPERAND_INTEGER;
+    switch (update->op) {
+    case IR_OP_MULTIPLY:
+        return "1";
+    case IR_OP_BIT_AND:
+        return "~(redcc_word)0";
+    case IR_OP_ADD:
+        return is_integer ? "0" : update->operand == OPERAND_FLOAT ? "-0.0f" : "-0.0";
+    default:
+        return "0";
+    }
+}
+
+static char sign_of(ir_operator op) {
+    switch (op) {
+    case IR_OP_ADD:
+        return '+';
+    case IR_OP_SUBTRACT:
+        return '-';
+    case IR_OP_MULTIPLY:
+        return '*';
+    case IR_OP_BIT_AND:
+        return '&';
+    case IR_OP_BIT_OR:
+        return '|';
+    default:
+        return '^';
+    }
+}
+
+void declare_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        const char *type = type_of(&loop->facts->scalars[i]);
+        writer_line(out, "%s *const redcc__operands_%u =", type, i);
+        writer_line(out, "    (%s *)__builtin_malloc((redcc_size)redcc__trip * sizeof(%s));", type,
+                    type);
+    }
+}
+
+const char *operands_are_there(loop_text *loop) {
+    const char *text = NULL;
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        text = text ? arena_format(loop->arena, "%s && redcc__operands_%u", text, i)
+                    : arena_format(loop->arena, "redcc__operands_%u", i);
+    return text;
+}
+
+static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
+    const char *type = type_of(&loop->facts->scalars[number]);
+    writer_line(out,
+                "{ %s redcc__operand = (%s)%s; "
+                "__atomic_store(&redcc__operands_%u[redcc__k], &redcc__operand, "
+                "__ATOMIC_RELAXED); }",
+                type, type, value, number);
+}
+
+void write_neutral_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_conditional)
+            store_operand(loop, out, i,
+                          arena_format(loop->arena, "(%s)", neutral_of(&loop->facts->scalars[i])));
+}
+
+void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
+    store_operand(loop, out, number, arena_format(loop->arena, "(%s)", value));
+}
+
+int scalar_update_at(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        if (facts->scalars[i].statement == statement)
+            return (int)i;
+    return -1;
+}
+
+/** Several updates of an iteration are applied as they stand in it. */
+void apply_operands(loop_text *loop, writer *out) {
+    if (loop->facts->scalar_count == 0)
+        return;
+    writer_line(out, "if (redcc__done) {");
+    writer_line(out, "    redcc_int redcc__i;");
+    writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        const scalar_update *update = &loop->facts->scalars[i];
+        const char *name = update->variable->name;
+        const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
+        writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);",
+                    name, name, from, name, sign_of(update->op), i);
+    }
+    writer_line(out, "    }");
+    writer_line(out, "}");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        writer_line(out, "__builtin_free(redcc__operands_%u);", i);
+}
