@@ -219,13 +219,23 @@ static update_kind kind_of_update(const judgement *j, const judged_access *updat
     return (update_kind){REDUCTION_NONE, true};
 }
 
+/* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: found through the definition.
+ */
+static bool is_by_local_pointer(const judgement *j, const judged_access *update) {
+    const ir_node *target = update->access.form.target;
+    const ir_node *base = update->where.base;
+    const ir_variable *root = ir_root_variable(target);
+    return base && !is_inside_node(target, base) && ir_contains(j->counted.body, base) && root &&
+           root->type->kind == IR_POINTER && variable_single_definition(j->an->facts, root);
+}
+
 static bool judge_base(judgement *j, const judged_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const location *where = &update->where;
     if (where->is_punned)
         return judgement_refuse(j, REASON_TYPE_PUNNED, target, name);
-    if (!where->base || !is_inside_node(target, where->base) || where->base == target ||
-        (!where->object && !where->pointer))
+    if (!where->base || where->base == target || (!where->object && !where->pointer) ||
+        (!is_inside_node(target, where->base) && !is_by_local_pointer(j, update)))
         return judgement_refuse(j, REASON_BASE_VARIES, target, name);
     if (where->base->kind == IR_INDEX)
         return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
@@ -324,12 +334,14 @@ static bool judge_update(judgement *j, judged_access *update) {
     unsigned number;
     const ir_node *target = update->access.form.target;
     const char *name = judgement_name(j, target);
-    if (update->where.base && is_inside_node(target, update->where.base))
+    if (update->where.base &&
+        (is_inside_node(target, update->where.base) || is_by_local_pointer(j, update)))
         update->where.base = base_of(target, update->where.base);
     if (!judge_statement(j, update, name, &statement) || !judge_element(j, update, name) ||
         !judge_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
+    kind.needs_order |= is_by_local_pointer(j, update); /* it may not lead into a copy */
     if (!add_array(j, update, kind, &number) ||
         !judge_neighbours(j, update, kind, &j->arrays.items[number], number))
         return false;

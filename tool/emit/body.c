@@ -165,7 +165,8 @@ static void check_updates(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {
         const reduction_update *update = &facts->updates[i];
-        if (!contains_base(loop, update->statement, update->array))
+        if (!facts->arrays[update->array].order_is_kept &&
+            !contains_base(loop, update->statement, update->array))
             loop_obstacle(loop, update->statement->range,
                           "an update does not name '%s', the array it goes to",
                           facts->arrays[update->array].name);

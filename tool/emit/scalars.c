@@ -47,8 +47,10 @@ void declare_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const char *type = type_of(&loop->facts->scalars[i]);
         writer_line(out, "%s *const redcc__operands_%u =", type, i);
-        writer_line(out, "    (%s *)__builtin_malloc((redcc_size)redcc__trip * sizeof(%s));", type,
+        writer_line(out, "    redcc__trip > (redcc_int)((redcc_size)-1 / 2 / sizeof(%s)) ? 0",
                     type);
+        writer_line(out, "    : (%s *)__builtin_malloc((redcc_size)redcc__trip * sizeof(%s));",
+                    type, type);
     }
 }
 

@@ -86,13 +86,6 @@ void base_varies(int n, const int *s, double *a, double *b) {
     }
 }
 
-void local_row(int n, const int *s, double (*b)[3]) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse base-varies
-        double *row = b[s[i]];
-        row[1] += 1.0;
-    }
-}
-
 void rows(int n, const int *s, double **a) {
     for (int i = 0; i < n; i++) // EXPECT: refuse row-pointers
         a[s[i]][0] += 1.0;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The subscript is loaded under a condition on computed values, but the load is safe without it:
-// the same element was loaded before, or the counter alone says where it is.
-// covers: row 35
-#include "../case.h"
+// A switch before an update that a floating value decides: its break is no obstacle.
+// covers: row 6
+#include "case.h"
 
 enum { N = 12000, M = 700 };
 static int s[N][2];
@@ -10,9 +9,18 @@ static double x[M], h[M];
 
 static void decided(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
-        const double d = x[s[t][0]] - 0.25 * x[s[t][1]];
-        if (d > 0.0)
-            h[s[t][0]] += d;
+        const int i = s[t][0];
+        double sum = x[i];
+        switch (i % 3) {
+        case 0:
+            sum *= 2.0;
+            break;
+        default:
+            sum += 0.5;
+        }
+        h[i] += sum;
+        if (sum > 0.0)
+            h[s[t][1]] += x[i];
     }
 }
 
