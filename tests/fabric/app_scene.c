@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "scene.h"
+#include "surface.h"
 #include "words.h"
 
 static const char FILE_NAME[] = "scene-test.yaml";
@@ -271,6 +272,8 @@ static void test_shipped_scenes(void **unused) {
         assert_int_equal(first.pin_count, second.pin_count);
         for (int p = 0; p < first.pin_count; p++)
             assert_memory_equal(&first.pins[p], &second.pins[p], sizeof(pin));
+        for (int c = 0; c < second.collider_count; c++)
+            surface_free(second.colliders[c].surface);
         free(second.colliders);
         free(second.pins);
         second.colliders = first.colliders;
