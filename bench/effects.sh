@@ -43,7 +43,7 @@ measure() {
     printf ' %10.3f' "$(awk -v v="${values[part]}" -v n="$steps" 'BEGIN {print v / n / 1e6}')"
   done
   printf ' %10.4f\n' "$(awk -v v="${values[4]}" -v n="$iterations" -v s="$steps" \
-    'BEGIN {print n > 0 ? v / (n * s) / 1e6 : 0}')"
+    'BEGIN {print (n > 0 ? v / (n * s) / 1e6 : 0)}')"
   (IFS=,; echo "$name,$blocks,$iterations,${values[*]}") >>"$csv"
 }
 
@@ -67,3 +67,4 @@ step "strain limit" --set material.strain_limit=0.02
 step "far collider" --set colliders="[$far]"
 step "near collider" --set colliders="[$far, $ball]"
 step self-collision --set self_collision.gap=0.008
+measure "... but no bend" "${all[@]}" --set material.bend=0 --set material.bend_damping=0

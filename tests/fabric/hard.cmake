@@ -30,3 +30,28 @@ if(TARGET fabric_app)
   add_test(NAME fabric.hard.files COMMAND test_fabric_hard_files
            WORKING_DIRECTORY ${files_folder})
 endif()
+
+# Instructions of a build with the effects that do not act against one without them.
+find_program(VALGRIND valgrind)
+if(VALGRIND AND NOT REDCC_SANITIZE)
+  # Bits of plan.h: bend, bend damping, strain limit, drag, wind, self-collision.
+  set(without "1<<EFFECT_BEND|1<<EFFECT_BEND_DAMPING|1<<EFFECT_STRAIN_LIMIT|1<<EFFECT_DRAG|1<<EFFECT_WIND|1<<EFFECT_SELF_COLLISION")
+  add_library(fabric_physics_without STATIC EXCLUDE_FROM_ALL ${FABRIC_PHYSICS_SOURCES})
+  target_compile_definitions(fabric_physics_without PRIVATE "FABRIC_WITHOUT=(${without})")
+  target_link_libraries(fabric_physics_without PUBLIC fabric_mesh fabric_flags m
+                        PRIVATE redcc_warnings)
+  foreach(which physics physics_without)
+    add_executable(effect_cost_${which} EXCLUDE_FROM_ALL hard/effect_cost.c)
+    target_link_libraries(effect_cost_${which} PRIVATE fabric_physics_tests fabric_${which}
+                          fabric_mesh redcc_warnings)
+  endforeach()
+  add_test(NAME fabric.hard.build_without
+           COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target
+                   effect_cost_physics effect_cost_physics_without)
+  add_test(NAME fabric.hard.instructions
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/instructions.sh
+                   $<TARGET_FILE:effect_cost_physics> $<TARGET_FILE:effect_cost_physics_without>)
+  set_tests_properties(fabric.hard.build_without PROPERTIES FIXTURES_SETUP effect_cost LABELS slow)
+  set_tests_properties(fabric.hard.instructions PROPERTIES FIXTURES_REQUIRED effect_cost
+                       LABELS slow)
+endif()

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Effects that are there but do not act cost at most 1 % of the instructions of a build without them.
+# Arguments: WITH WITHOUT, two builds of effect_cost.
+set -euo pipefail
+count() {
+  valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" 2>&1 |
+    awk '/Collected/ {print $4}'
+}
+with=$(count "$1")
+without=$(count "$2")
+echo "instructions: $with with the effects, $without without"
+awk -v a="$with" -v b="$without" 'BEGIN {exit !(b > 1e6 && a <= 1.01 * b)}'
