@@ -18,7 +18,7 @@ run() { # kind, threads, WARM
   done
 }
 for ((threads = 1; threads <= cores; threads *= 2)); do
-  run measured "$threads" "${WARM:-6}"
+  run measured "$threads" "${WARM:-15}"
 done
 for method in localwrite graph-localwrite; do
   for threads in 2 8 16 33 64; do
