@@ -8,8 +8,8 @@
 /* A pivot that incomplete factorisation reduces to less than this part of what it was breaks it
  * down: the factor would be next to singular. */
 static const double least_pivot = 1e-2;
-/* The first shift; each breakdown doubles it. Without one nearly every matrix of a hanging cloth
- * breaks down, and a smaller one gains nothing. */
+/* The first shift; each breakdown doubles it. With 0.001 and 0.01 some matrices of the scene
+ * `hanging` broke down, with 0.1 none did. */
 static const double first_shift = 0.05;
 /* Over-relaxation of symmetric Gauss-Seidel. Of 0.8, 1, 1.2, 1.4 and 1.6 on the first 40 steps of
  * the paper's scenes, 1.2 and 1.4 take the fewest iterations: 6 to 19 % below 1. */

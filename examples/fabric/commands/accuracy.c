@@ -141,9 +141,10 @@ static void print_advice(const scene *s, const advice *a) {
             "accuracy dt --scene' measures it\n",
             a->measured_on);
     printf("--set time.integrator=%s --set time.step=%.9g --set time.steps=%d --set "
-           "solution.preconditioner=gauss-seidel --set solution.%s=%g\n",
+           "solution.preconditioner=gauss-seidel --set solution.%s=%g%s\n",
            a->integrator, s->step * s->steps / steps, steps,
-           linear ? "tolerance" : "newton_tolerance", a->tolerance);
+           linear ? "tolerance" : "newton_tolerance", a->tolerance,
+           linear ? "" : " --set solution.tolerance=0.01");
 }
 
 static int give_advice(const request *r) {
