@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Ownership cut from the access graph, on shuffled meshes: REDCC_METHOD=graph-localwrite. */
+/* Ownership cut from the access graph, on shuffled meshes: with REDCC_METHOD=graph-localwrite, and
+ * without it. */
+#include "budget.h"
 #include "graph/bisect.h"
 #include "loop.h"
 #include "memory.h"
 #include "plan_check.h"
 #include "problem.h"
+#include "settings.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -265,7 +268,57 @@ static void what_is_told_is_kept(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
+static bool has_map(const struct described *described) {
+    const struct loop_state *state = described->loop.state;
+    for (int p = 0; p < REDCC_PLANS; p++)
+        if (state->plans[p] && state->plans[p]->map)
+            return true;
+    return false;
+}
+
+/* Calls of a loop by auto; each gives the oracle's bits. Returns in how many of them there was a
+ * plan with a map in the end. */
+static int call_often(struct problem *problem, struct described *described, int calls) {
+    const size_t bytes = (size_t)problem->doubles * sizeof(double);
+    double *expected = malloc(bytes);
+    int mapped = 0;
+    long last;
+    problem_reset(problem);
+    problem_oracle(problem);
+    memcpy(expected, problem->first, bytes);
+    for (int call = 0; call < calls; call++) {
+        problem_reset(problem);
+        problem_run(problem, described, 4, &last);
+        assert_memory_equal(problem->first, expected, bytes);
+        mapped += has_map(described);
+    }
+    free(expected);
+    return mapped;
+}
+
+/* With all the time in the world, auto tries the graph as soon as the other courses are timed; and
+ * goes on rightly when the subscripts change. */
+static void auto_comes_to_the_graph(void **unused) {
+    (void)unused;
+    const struct mesh mesh = {.side = 60, .sheets = 1};
+    struct problem problem = mesh_problem(&mesh);
+    struct described described;
+    problem_describe(&problem, &described);
+    redcc_budget_gain(1e6);
+    assert_true(call_often(&problem, &described, 20) >= 3);
+    for (int change = 0; change < 6; change++) {
+        problem.row[100 * change] = (problem.row[100 * change] + 1) % problem.rows;
+        call_often(&problem, &described, 4);
+    }
+    redcc_loop_forget(&described.loop);
+    problem_free(&problem);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
 int main(void) {
+    const struct CMUnitTest by_auto[] = {cmocka_unit_test(auto_comes_to_the_graph)};
+    if (!redcc_settings()->method)
+        return cmocka_run_group_tests(by_auto, NULL, NULL);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(few_iterations_have_several_owners),
         cmocka_unit_test(sheets_that_do_not_touch),
