@@ -425,7 +425,7 @@ int main(int count, char **arguments) {
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
     const double alone = spread_of(taken[SERIAL]).median;
-    const double bytes = 24.0 * NODES + (heavy ? 72.0 * BLOCKS : 0);
+    const double bytes = 24.0 * (double)NODES + (heavy ? 72.0 * BLOCKS : 0);
     static const char *const names[] = {"serial", "", "omp-atomic", "omp-sections", "by-hand"};
     for (int course = REDCC; course < end; course++) {
         const struct spread gain =

@@ -7,15 +7,12 @@
  */
 #include "inspect.h"
 
-#include "budget.h"
 #include "cuts.h"
 #include "estimate.h"
 #include "guard.h"
 #include "memory.h"
-#include "settings.h"
 
 #include <string.h>
-#include <unistd.h>
 
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
@@ -174,8 +171,6 @@ static void regroup_seen(struct execution *execution) {
     }
 }
 
-static enum rule choose_way(struct execution *execution, double share, bool swept);
-
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
@@ -191,7 +186,7 @@ static void cut_and_sweep(struct execution *execution) {
     }
     execution->touches = estimate.touches;
     if (!execution->method && execution->course == COURSE_PARALLEL &&
-        choose_way(execution, estimate.share, false) == RULE_DEFERRED)
+        redcc_find_way(execution, estimate.share, false) == RULE_DEFERRED)
         redcc_refuse(execution, REASON_REPLICATION);
 }
 
@@ -277,68 +272,6 @@ static void gather_sources(struct execution *execution) {
     }
 }
 
-/* The same bits in whatever order the contributions come? */
-static bool any_order_is_exact(const redcc_loop *loop) {
-    for (uint32_t array = 0; array < loop->array_count; array++)
-        if (loop->arrays[array].type > REDCC_UINT64)
-            return false;
-    return true;
-}
-
-static bool memory_allows(size_t bytes) {
-    const size_t limit = redcc_settings()->memory_limit, used = redcc_memory_in_use();
-    if (limit)
-        return used < limit && bytes < limit - used;
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-    return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
-}
-
-/* What of the iterations the thread has that would execute most by LOCALWRITE. */
-static double largest_share(const struct execution *execution) {
-    redcc_int most = 0;
-    for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
-        redcc_int sum = 0;
-        for (int thread = 0; thread < execution->threads; thread++)
-            sum += execution->state->member[thread]->executed[owner];
-        most = sum > most ? sum : most;
-    }
-    return (double)most / (double)execution->request.trip;
-}
-
-static enum rule choose_way(struct execution *execution, double share, bool swept) {
-    const redcc_loop *loop = execution->request.loop;
-    const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
-    const struct findings findings = {
-        .trip = execution->request.trip,
-        .threads = execution->threads,
-        .share = share,
-        .touches = execution->touches * (double)execution->request.trip,
-        .swept = swept,
-        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
-                  redcc_copies_possible(&execution->partition, execution->touched) &&
-                  memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
-                                (size_t)execution->threads),
-        .reusable = swept && redcc_plan_reusable(&execution->request, execution->sources),
-        .by_graph = execution->by_graph,
-        .budget = redcc_budget()};
-    return redcc_choose_way(&execution->state->chooser, &findings);
-}
-
-/* The method for all of it; NULL: one thread. */
-static const struct method *choose_method(struct execution *execution) {
-    switch (choose_way(execution, largest_share(execution), true)) {
-    case RULE_EVEN:
-    case RULE_INDEX:
-        return &redcc_method_localwrite;
-    case RULE_GRAPH:
-        return &redcc_method_graph_localwrite;
-    case RULE_COPIES:
-        return &redcc_method_expansion;
-    default:
-        return NULL;
-    }
-}
-
 /* The last question before a plan is made: may this method have this loop? */
 static enum reason objection(const struct execution *execution, const struct method *method) {
     if (execution->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
@@ -379,7 +312,8 @@ static void go_alone(struct execution *execution) {
 }
 
 void redcc_choose_and_go_on(struct execution *execution) {
-    const struct method *method = execution->method ? execution->method : choose_method(execution);
+    const struct method *method =
+        execution->method ? execution->method : redcc_find_method(execution);
     execution->chosen = method;
     execution->divided = false;
     if (!method) {

@@ -17,6 +17,13 @@ int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_
 /** To be called by one thread, while the others wait: nothing is to be done in parallel. */
 void redcc_refuse(struct execution *execution, enum reason reason);
 
+/** The row of auto's table for a loop of which one thread would execute `share` of the iterations
+ * by LOCALWRITE: by all iterations (swept), or by the sample. */
+enum rule redcc_find_way(struct execution *execution, double share, bool swept);
+
+/** The method that follows when all iterations are told. NULL: one thread executes all. */
+const struct method *redcc_find_method(struct execution *execution);
+
 /** To be called by one thread, when all iterations are told: the method named or chosen by what was
  *  found, and on to its plan. */
 void redcc_choose_and_go_on(struct execution *execution);

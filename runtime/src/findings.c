@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** auto, once a loop is inspected: what was found of it, and the way that follows. */
+#include "inspect.h"
+
+#include "budget.h"
+#include "memory.h"
+#include "settings.h"
+
+#include <unistd.h>
+
+/* The same bits in whatever order the contributions come? */
+static bool any_order_is_exact(const redcc_loop *loop) {
+    for (uint32_t array = 0; array < loop->array_count; array++)
+        if (loop->arrays[array].type > REDCC_UINT64)
+            return false;
+    return true;
+}
+
+static bool memory_allows(size_t bytes) {
+    const size_t limit = redcc_settings()->memory_limit, used = redcc_memory_in_use();
+    if (limit)
+        return used < limit && bytes < limit - used;
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
+}
+
+/* What of the iterations the thread has that would execute most by LOCALWRITE. */
+static double largest_share(const struct execution *execution) {
+    redcc_int most = 0;
+    for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
+        redcc_int sum = 0;
+        for (int thread = 0; thread < execution->threads; thread++)
+            sum += execution->state->member[thread]->executed[owner];
+        most = sum > most ? sum : most;
+    }
+    return (double)most / (double)execution->request.trip;
+}
+
+enum rule redcc_find_way(struct execution *execution, double share, bool swept) {
+    const redcc_loop *loop = execution->request.loop;
+    const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
+    const struct findings findings = {
+        .trip = execution->request.trip,
+        .threads = execution->threads,
+        .share = share,
+        .touches = execution->touches * (double)execution->request.trip,
+        .swept = swept,
+        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
+                  redcc_copies_possible(&execution->partition, execution->touched) &&
+                  memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
+                                (size_t)execution->threads),
+        .reusable = swept && redcc_plan_reusable(&execution->request, execution->sources),
+        .by_graph = execution->by_graph,
+        .budget = redcc_budget()};
+    return redcc_choose_way(&execution->state->chooser, &findings);
+}
+
+const struct method *redcc_find_method(struct execution *execution) {
+    switch (redcc_find_way(execution, largest_share(execution), true)) {
+    case RULE_EVEN:
+    case RULE_INDEX:
+        return &redcc_method_localwrite;
+    case RULE_GRAPH:
+        return &redcc_method_graph_localwrite;
+    case RULE_COPIES:
+        return &redcc_method_expansion;
+    default:
+        return NULL;
+    }
+}
