@@ -142,7 +142,7 @@ static int next_solo(redcc_worker *worker) {
     return 0;
 }
 
-/* The loop is executed; the first thread executes it once more, into the copies that were taken
+/* The loop is executed; the first thread executes it once more, from what the arrays held
  * before. */
 static int next_to_check(redcc_worker *worker) {
     struct member *member = worker->execution;
@@ -152,13 +152,15 @@ static int next_to_check(redcc_worker *worker) {
     return 0;
 }
 
+/* All threads are done. */
 static void begin_checking(redcc_worker *worker) {
     struct member *member = worker->execution;
-    const struct plan *plan = member->plan;
+    struct execution *execution = member->execution;
+    redcc_validation_swap(&execution->validation, member->plan, execution->request.bases);
     member->phase = PHASE_CHECKING;
     worker->position = 0;
-    for (uint32_t array = 0; array < plan->array_count; array++)
-        member->base[array] = redcc_validation_base(&member->execution->validation, plan, array);
+    for (uint32_t array = 0; array < member->plan->array_count; array++)
+        member->base[array] = execution->request.bases[array];
 }
 
 /* Goes on to `stage` together with the others of the team. */
@@ -185,7 +187,10 @@ static void finish(redcc_worker *worker) {
         redcc_lost_bring(plan, member->thread);
     }
     member->phase = PHASE_OVER;
-    if (execution->validation.began && member->thread == 0) {
+    if (!execution->validation.began)
+        return;
+    redcc_barrier_wait(&execution->barrier, member->threads);
+    if (member->thread == 0) {
         execution->executed = redcc_seconds();
         begin_checking(worker);
     }

@@ -45,11 +45,17 @@ void redcc_validation_begin(struct validation *validation, const struct plan *pl
         give_back(validation, plan);
 }
 
-void *redcc_validation_base(const struct validation *validation, const struct plan *plan,
-                            uint32_t array) {
-    const uint32_t group = plan->group_of[array];
-    return (void *)((uintptr_t)validation->memory[group] +
-                    (uintptr_t)(plan->shift[array] - plan->touched[group].first));
+void redcc_validation_swap(struct validation *validation, const struct plan *plan,
+                           void *const *bases) {
+    for (uint32_t group = 0; group < plan->array_count; group++) {
+        char *memory = validation->memory[group];
+        char *array = (char *)bases[group] + plan->touched[group].first;
+        for (size_t i = 0; memory && i < bytes_of(plan, group); i++) {
+            const char held = array[i];
+            array[i] = memory[i];
+            memory[i] = held;
+        }
+    }
 }
 
 /* ---- differences --------------------------------------------------------------------------- */
@@ -163,12 +169,14 @@ void redcc_validation_end(struct validation *validation, const struct plan *plan
                           const redcc_loop *loop, void *const *bases, struct validated *validated) {
     bool kept = true;
     struct validated now = {.largest = 0};
-    for (uint32_t group = 0; group < plan->array_count; group++)
-        if (validation->memory[group])
-            kept = compare(plan, group, &loop->arrays[group],
-                           (char *)bases[group] + plan->touched[group].first,
-                           validation->memory[group], &now) &&
-                   kept;
+    for (uint32_t group = 0; group < plan->array_count; group++) {
+        char *array = (char *)bases[group] + plan->touched[group].first;
+        const char *found = validation->memory[group];
+        if (!found)
+            continue;
+        kept = compare(plan, group, &loop->arrays[group], found, array, &now) && kept;
+        memcpy(array, found, bytes_of(plan, group));
+    }
     redcc_trace(TRACE_VALIDATION, loop, "%s by %s: largest difference %.4g ulps%s%s",
                 kept ? "as promised" : "the promise is broken", plan->method->name, now.largest,
                 now.array ? " in " : "", now.array ? now.array : "");

@@ -19,7 +19,8 @@ struct plan;
 /** Of one execution. All zero: none. */
 struct validation {
     bool began;
-    char **memory; /* [array_count] of group g: copy of the bytes that are touched */
+    char **memory; /* [array_count] of group g: the bytes that are touched, before the loop; then
+                      its results */
 };
 
 /** Copies what the plan's groups hold, for arrays at `bases`; without memory for that there is no
@@ -27,12 +28,12 @@ struct validation {
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
                             void *const *bases);
 
-/** Where `array` would begin if its copy were the whole. */
-void *redcc_validation_base(const struct validation *validation, const struct plan *plan,
-                            uint32_t array);
+/** The loop is executed: puts what the arrays held before back, and its results aside. */
+void redcc_validation_swap(struct validation *validation, const struct plan *plan,
+                           void *const *bases);
 
-/** Compares the arrays at `bases` with the copies, which the loop was executed into, enters what it
- *  finds into the statistics, and gives the copies back. */
+/** The loop is executed once more: compares the arrays at `bases` with the results put aside, which
+ *  it then puts back, enters what it finds into *validated, and gives the memory back. */
 void redcc_validation_end(struct validation *validation, const struct plan *plan,
                           const redcc_loop *loop, void *const *bases, struct validated *validated);
 
