@@ -175,9 +175,11 @@ static int would_touch(const collider *k, double time, double h, const double x[
 }
 
 /* The velocity along the normal that ends the step at the gap. A vertex found inside is pushed out
- * by no more than the gap a step: the push stays in its velocity. */
-static double given_speed(const collider *k, const approach *found, double h) {
-    const double push = -found->room > k->gap ? k->gap : -found->room;
+ * by no more than the gap in a step of the scene: the push stays in its velocity, and in a part of
+ * that step must not be faster. */
+static double given_speed(const collisions *c, const collider *k, const approach *found, double h) {
+    const double most = k->gap * (h / c->scene->step);
+    const double push = -found->room > most ? most : -found->room;
     return vector_dot(found->normal, k->velocity) + push / h;
 }
 
@@ -188,15 +190,15 @@ static contact *find_contact(vertex_contacts *of, int collider_index) {
     return NULL;
 }
 
-static void add_contact(vertex_contacts *of, const contact *before, const approach *found,
-                        int index, const collider *k, double h) {
+static void add_contact(const collisions *c, vertex_contacts *of, const contact *before,
+                        const approach *found, int index, const collider *k, double h) {
     if (of->count == CONTACTS_PER_VERTEX)
         return;
     contact *added = &of->list[of->count++];
     *added = before ? *before : (contact){.collider = index};
     for (int a = 0; a < 3; a++)
         added->normal[a] = found->normal[a];
-    added->speed = given_speed(k, found, h);
+    added->speed = given_speed(c, k, found, h);
 }
 
 /* A_ii += c (I - n n'), b_i -= c (I - n n') (v - v_collider). */
@@ -245,7 +247,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
             if (!c->near[n] || (before && before->pulls >= patience) ||
                 !would_touch(k, time, h, x[i], expected, &found))
                 continue;
-            add_contact(&c->now[i], before, &found, n, k, h);
+            add_contact(c, &c->now[i], before, &found, n, k, h);
         }
     }
 }
@@ -336,7 +338,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
                 find_contact(&c->now[i], n) || !would_touch(k, time, h, x[i], after, &found) ||
                 !(found.beyond > 0))
                 continue;
-            add_contact(&c->now[i], NULL, &found, n, k, h);
+            add_contact(c, &c->now[i], NULL, &found, n, k, h);
             added++;
         }
     }
@@ -353,7 +355,7 @@ static int keep_out(const collisions *c, int i, double time, double h, const dou
         if (!c->near[n] || find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
             !(found.beyond > 0))
             continue;
-        const double lacking = given_speed(k, &found, h) - vector_dot(found.normal, v);
+        const double lacking = given_speed(c, k, &found, h) - vector_dot(found.normal, v);
         if (!(lacking > 0))
             continue;
         vector_add_scaled(v, lacking, found.normal, v);

@@ -172,7 +172,9 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         }
 }
 
-/* Changes v_next so that the cloth does not go through itself; returns the work that took, J. */
+/* Changes v_next so that the cloth does not go through itself; returns the energy that took from
+ * it, as work below 0, J. What it may have given is no work from outside: the monitor is to see it.
+ */
 static double keep_from_itself(simulation *sim) {
     self_collision *self = &sim->self_collision;
     effect_account *account = &sim->effects[EFFECT_SELF_COLLISION];
@@ -185,7 +187,7 @@ static double keep_from_itself(simulation *sim) {
         self_collision_resolve(self, sim->h, sim->inverse_mass, read_only(sim->x), sim->v_next);
     account->visited = self->visits;
     account->seconds += clock_seconds() - start;
-    return work;
+    return work < 0 ? work : 0;
 }
 
 int integrator_move(simulation *sim) {

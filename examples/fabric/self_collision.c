@@ -8,7 +8,7 @@
 
 /* Impulses are given in this many rounds, the pairs of each in order. */
 enum { most_rounds = 20 };
-/* What is nearer than the gap draws apart by this part of what is missing, a step. */
+/* What is nearer than the gap draws apart by this part of what is missing, a step of the scene. */
 static const double drawing_apart = 0.25;
 /* What would pass is kept this part of its distance, or of the gap, away. */
 static const double kept_away = 0.1;
@@ -52,8 +52,9 @@ static int share_out(self_collision *s) {
     return status;
 }
 
-int self_collision_init(self_collision *s, const mesh *m, double gap, double friction) {
-    *s = (self_collision){.mesh = m, .gap = gap, .friction = friction};
+int self_collision_init(self_collision *s, const mesh *m, double gap, double friction,
+                        double step) {
+    *s = (self_collision){.mesh = m, .gap = gap, .friction = friction, .step = step};
     s->grid.box = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.box);
     s->grid.owned = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.owned);
     if (s->grid.box && s->grid.owned && share_out(s) == 0)
@@ -106,7 +107,7 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
     if (stay_apart(s->gap, pair, start, end))
         return 0;
     if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found))
-        least = drawing_apart * (s->gap - found->distance) / h;
+        least = drawing_apart * (s->gap - found->distance) / s->step;
     else if (self_pair_passes(pair->is_edges, start, end, found))
         least = -(1 - kept_away) * found->distance / h;
     else

@@ -33,6 +33,7 @@ typedef struct self_grid {
 typedef struct self_collision {
     const mesh *mesh;
     double gap, friction; /* m */
+    double step;          /* s, the scene's: what is too near draws apart within some of these */
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
@@ -42,7 +43,7 @@ typedef struct self_collision {
 } self_collision;
 
 /** The mesh by reference. 0, or -1: out of memory. */
-int self_collision_init(self_collision *s, const mesh *m, double gap, double friction);
+int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
 void self_collision_free(self_collision *s);
 
 /** A step of h s from positions x (m) with velocities v (m/s): changes v. inverse_mass [vertices]

@@ -91,7 +91,7 @@ static int build(simulation *sim, char *error) {
     if (s->self_gap > 0) {
         sim->inverse_mass = calloc((size_t)vertices + 1, sizeof *sim->inverse_mass);
         if (!sim->inverse_mass || self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
-                                                      s->self_friction) != 0)
+                                                      s->self_friction, s->step) != 0)
             return -1;
     }
     plan_make(sim);

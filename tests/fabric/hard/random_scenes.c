@@ -132,6 +132,8 @@ static double energy_of(const simulation *sim) {
     triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
+    if (sim->scene->strain_limit > 0)
+        stretch += strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
     return sum + stretch + shear + hinge_energy_at(&sim->hinges, &sim->hinge_material, x);
 }
 
@@ -201,6 +203,9 @@ static int run_scene(unsigned seed, char *error) {
     s.collider_count = any(&seed, 3);
     for (int n = 0; n < s.collider_count; n++)
         colliders[n] = random_collider(size, &seed);
+    s.strain_limit = s.stretch > 0 && one_in(&seed, 3) ? decades(&seed, -3, 0) : 0;
+    s.self_gap = one_in(&seed, 3) ? size * decades(&seed, -5, 0) / columns : 0;
+    s.self_friction = decades(&seed, -2, 1);
     s.limits.penetration = 0.1 * size;
     if (mesh_clean(&m, found, error) == 0 && mesh_connect(&m, &non_manifold, error) == 0 &&
         mesh_check(&m, found) == 0)

@@ -81,7 +81,7 @@ static void test_grid_misses_no_pair(void **state) {
     (void)state;
     mesh m = cloth_sheet(7, 6, 0.1, 0.3, 4);
     self_collision s;
-    assert_int_equal(self_collision_init(&s, &m, 0.01, 0), 0);
+    assert_int_equal(self_collision_init(&s, &m, 0.01, 0, 0.1), 0);
     for (unsigned seed = 1; seed < 6; seed++) {
         double(*x)[3] = cloth_moved(&m, 0.2, seed), (*v)[3] = cloth_moved(&m, 1, seed + 9);
         const double h = seed == 5 ? 10 : 0.1;
