@@ -20,4 +20,19 @@ for order in sorted shuffled; do
       "$serial" compare serial-$order/final.state $order-$threads/final.state
   done
 done
+
+# And whatever integrates in time and solves the system.
+for setting in time.integrator=euler time.integrator=bdf2 time.integrator=midpoint \
+  solution.preconditioner=gauss-seidel solution.preconditioner=incomplete-cholesky \
+  solution.precision=mixed; do
+  run=(run patch --steps 12 --frames 0 --progress none --set $setting)
+  expect 0 "" "$serial" "${run[@]}" -o serial
+  for threads in 1 3; do
+    expect 0 "" "$parallel" "${run[@]}" -o parallel --threads $threads
+    expect 0 "positions: equal, every bit" \
+      "$serial" compare serial/final.state parallel/final.state
+    expect 0 "velocities: equal, every bit" \
+      "$serial" compare serial/final.state parallel/final.state
+  done
+done
 finish
