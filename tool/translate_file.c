@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/reason.h"
 #include "compile_commands.h"
+#include "compilers.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
@@ -83,6 +85,26 @@ static analysis_result judge(arena *a, ir_unit *unit, const options *o,
     return analyse(a, unit, foreign ? foreign_apply(a, foreign, unit, &own) : &own);
 }
 
+/** What is another program for the compiler that it is built by was not judged. */
+static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
+                                         const ir_unit *unit, analysis_result judged) {
+    bool has_transformed = false;
+    for (unsigned i = 0; i < judged.verdict_count; i++)
+        has_transformed |= judged.verdicts[i].kind == VERDICT_TRANSFORM;
+    if (!has_transformed || compilers_agree(a, file, flags, unit))
+        return judged;
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged.verdict_count);
+    for (unsigned i = 0; i < judged.verdict_count; i++) {
+        verdicts[i] = judged.verdicts[i];
+        if (verdicts[i].kind != VERDICT_TRANSFORM)
+            continue;
+        verdicts[i].kind = VERDICT_REFUSE;
+        verdicts[i].why =
+            reason_make(a, REASON_COMPILER, unit->compiler_word, verdicts[i].loop->range);
+    }
+    return (analysis_result){judged.verdict_count, verdicts};
+}
+
 /** The verdicts as they came out: what could not be written is refused. */
 static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
                                      const emit_result *written, const foreign_functions *foreign) {
@@ -156,7 +178,8 @@ static const char *check_result(arena *a, const source *file, const string_list 
 static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
-    const analysis_result judged = judge(a, unit, o, foreign);
+    const analysis_result judged =
+        of_both_compilers(a, file, flags, unit, judge(a, unit, o, foreign));
     const emit_options how = {o->order, o->order_is_given};
     const emit_result written = emit_file(a, unit, &judged, &how);
     const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);

@@ -103,6 +103,8 @@ void read_attributes(converter *c, CXCursor declaration, ir_function *function);
 bool has_cleanup(converter *c, CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */
 bool is_missing_header(CXDiagnostic diagnostic);
+/** Sets the unit's compiler_word. */
+void find_compiler_words(converter *c);
 /** Sets is_skipped of the unit's directives. */
 void mark_skipped_directives(converter *c);
 /** Fills in functions_with_errors and the unit's error_count. */

@@ -22,6 +22,7 @@ static const struct {
     {"-O", PREFIX},
     {"-U", ARGUMENT},
     {"-ansi", EXACT},
+    {"-fgnuc-version=", PREFIX},
     {"-fms-extensions", EXACT},
     {"-fno-builtin", PREFIX},
     {"-fno-short-enums", EXACT},

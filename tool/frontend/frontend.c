@@ -125,6 +125,7 @@ static void convert_unit(converter *c) {
     }
     find_directives(c->arena, c->unit);
     mark_skipped_directives(c);
+    find_compiler_words(c);
     finish_unit(c);
 }
 

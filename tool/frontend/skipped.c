@@ -22,7 +22,7 @@ void mark_skipped_directives(converter *c) {
             if (directive->range.begin >= end)
                 break;
             directive->is_skipped =
-                directive->range.begin > begin && directive->kind != IR_DIRECTIVE_CONDITIONAL;
+                directive->range.begin > begin && directive->kind == IR_DIRECTIVE_PRAGMA;
         }
     }
     clang_disposeSourceRangeList(ranges);

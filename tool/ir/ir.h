@@ -241,7 +241,7 @@ typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* the logical line */
     const char *text;
-    bool is_skipped; /* it stands in a branch that is not compiled; not of conditionals */
+    bool is_skipped; /* of pragmas: it stands in a branch that is not compiled */
 } ir_directive;
 
 typedef struct ir_unit {
@@ -255,6 +255,8 @@ typedef struct ir_unit {
     ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
     unsigned error_count; /* compiler errors anywhere */
+    const char *compiler_word; /* a name in the program's own text by which it may ask for the
+                                  compiler: "__clang"; NULL: none. Not in the text form */
 } ir_unit;
 
 /* ---- looking around ------------------------------------------------------------------------ */

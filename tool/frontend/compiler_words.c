@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Does the program ask which compiler it is compiled by? The parser is clang; the compiler may be
+ * another. Headers of the system are left out: that they hold for each is their business. */
+#define _GNU_SOURCE /* memmem */
+#include <string.h>
+
+#include "frontend/convert.h"
+
+static const char *word_in(file_text file) {
+    static const char *const words[] = {"__clang",     "__llvm__", "__GNUC",
+                                        "__VERSION__", "__has_",   "__GCC"};
+    const char *at = file.text, *end = file.text + file.length;
+    while (at != NULL && at < end && (at = memmem(at, (size_t)(end - at), "__", 2)) != NULL) {
+        for (unsigned i = 0; i < sizeof words / sizeof *words; i++) {
+            const size_t length = strlen(words[i]);
+            if ((size_t)(end - at) >= length && memcmp(at, words[i], length) == 0)
+                return words[i];
+        }
+        at++;
+    }
+    return NULL;
+}
+
+static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
+    (void)stack;
+    (void)depth;
+    converter *c = data;
+    if (c->unit->compiler_word == NULL &&
+        !clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+        c->unit->compiler_word = word_in(text_of_file(c, file));
+}
+
+void find_compiler_words(converter *c) {
+    clang_getInclusions(c->clang, visit, c);
+}
