@@ -25,6 +25,8 @@ const char options_help[] =
     "                       every number of threads), any\n"
     "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
+    "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
+    "                       gcc than for clang is left alone), known (you have looked at that)\n"
     "  --require            exit with 3 where no loop was transformed\n"
     "  --verify             build and run the sequential and the parallel program (the input\n"
     "                       must be all of it) and compare what they print\n"
@@ -47,6 +49,7 @@ typedef enum option_name {
     OPTION_ALL,
     OPTION_ANALYZE,
     OPTION_ASSUME_NOALIAS,
+    OPTION_COMPILER,
     OPTION_DUMP,
     OPTION_HELP,
     OPTION_ORDER,
@@ -66,6 +69,7 @@ static const struct long_option {
     {"--all", OPTION_ALL},
     {"--analyze", OPTION_ANALYZE},
     {"--assume-noalias", OPTION_ASSUME_NOALIAS},
+    {"--compiler=", OPTION_COMPILER},
     {"--dump=", OPTION_DUMP},
     {"--help", OPTION_HELP},
     {"--order=", OPTION_ORDER},
@@ -182,6 +186,15 @@ static const char *read_pure(arena *a, options *o, const char *value) {
     return NULL;
 }
 
+static const char *read_compiler(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"any", "known"};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--compiler takes any or known, not '%s'", value);
+    o->knows_compiler = number == 1;
+    return NULL;
+}
+
 static const char *read_dump(arena *a, options *o, const char *value) {
     o->dump_ir = strcmp(value, "ir") == 0;
     return o->dump_ir ? NULL : arena_format(a, "--dump takes ir, not '%s'", value);
@@ -198,6 +211,8 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_ASSUME_NOALIAS:
         o->assume_noalias = true;
         return NULL;
+    case OPTION_COMPILER:
+        return read_compiler(a, o, value);
     case OPTION_DUMP:
         return read_dump(a, o, value);
     case OPTION_HELP:

@@ -20,6 +20,7 @@ typedef struct options {
     const char *report_file;
     emit_order order;
     bool order_is_given;
+    bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;
 } options;
 

@@ -87,11 +87,12 @@ static analysis_result judge(arena *a, ir_unit *unit, const options *o,
 
 /** What is another program for the compiler that it is built by was not judged. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
-                                         const ir_unit *unit, analysis_result judged) {
+                                         const ir_unit *unit, bool knows_compiler,
+                                         analysis_result judged) {
     bool has_transformed = false;
     for (unsigned i = 0; i < judged.verdict_count; i++)
         has_transformed |= judged.verdicts[i].kind == VERDICT_TRANSFORM;
-    if (!has_transformed || compilers_agree(a, file, flags, unit))
+    if (!has_transformed || knows_compiler || compilers_agree(a, file, flags, unit))
         return judged;
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged.verdict_count);
     for (unsigned i = 0; i < judged.verdict_count; i++) {
@@ -179,7 +180,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
     const analysis_result judged =
-        of_both_compilers(a, file, flags, unit, judge(a, unit, o, foreign));
+        of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
     const emit_options how = {o->order, o->order_is_given};
     const emit_result written = emit_file(a, unit, &judged, &how);
     const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);
