@@ -66,6 +66,8 @@ static void texts_that_make_one(void **state) {
         {"#if 1 ? __GNUC__ : X\n", "__GNUC__"},
         {"#if __has_builtin(__builtin_clz)\n", "__has_builtin"},
         {"#ifdef __FAST_MATH__\n", "__FAST_MATH__"},
+        {"#if defined(__llvm__)\n", "__llvm__"},
+        {"#ifdef __LITTLE_ENDIAN__\n", "__LITTLE_ENDIAN__"},
         {"int a[__GNUC__];\n", "__GNUC__"},
         {"puts(__VERSION__);", "__VERSION__"},
         {"__GNUC__", "__GNUC__"},
@@ -79,6 +81,7 @@ static void for_clang_only_versions_count(void **state) {
     assert_asks("#if defined(__clang__) && __GNUC__ >= 7\n", true, NULL);
     assert_asks("#if __clang_major__ > 14\n", true, "__clang_major__");
     assert_asks("#if __has_attribute(x)\n", true, "__has_attribute");
+    assert_asks("#ifdef __llvm__\n", true, NULL);
 }
 
 static void assert_value(const char *expression, int64_t value) {

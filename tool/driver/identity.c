@@ -2,15 +2,14 @@
 #include "driver/identity.h"
 
 #include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "driver/condition.h"
 #include "driver/files.h"
 
-/* In the order of strcmp. They depend on the compiler, its version, or options that redcc is not
- * told. */
+/* What depends on the compiler's version, or on options that redcc is not told. */
 static const char *const sensitive[] = {
+    "__CET__",
     "__EXCEPTIONS",
     "__FAST_MATH__",
     "__FINITE_MATH_ONLY__",
@@ -42,6 +41,42 @@ static const char *const sensitive[] = {
     "__pie__",
 };
 
+/* What `gcc -dM -E` and `clang -dM -E` define differently besides (gcc 12, clang 19, x86-64). */
+static const char *const sensitive_for_gcc[] = {
+    "__BIGGEST_ALIGNMENT__",
+    "__BITINT_MAXWIDTH__",
+    "__BOOL_WIDTH__",
+    "__CONSTANT_CFSTRINGS__",
+    "__EVEX256__",
+    "__EVEX512__",
+    "__FLOAT128__",
+    "__FLOAT_WORD_ORDER__",
+    "__GCC_IEC_559",
+    "__GCC_IEC_559_COMPLEX",
+    "__GXX_ABI_VERSION",
+    "__HAVE_SPECULATION_SAFE_VALUE",
+    "__INVPCID__",
+    "__LITTLE_ENDIAN__",
+    "__LLONG_WIDTH__",
+    "__LONG_LONG_WIDTH__",
+    "__MMX_WITH_SSE__",
+    "__NO_MATH_INLINES",
+    "__POINTER_WIDTH__",
+    "__SCHAR_WIDTH__",
+    "__SIZEOF_FLOAT80__",
+    "__STDC_IEC_559_COMPLEX__",
+    "__STDC_IEC_559__",
+    "__STDC_IEC_60559_BFP__",
+    "__STDC_IEC_60559_COMPLEX__",
+    "__STDC_ISO_10646__",
+    "__WINT_UNSIGNED__",
+    "__llvm__",
+    "__seg_fs",
+    "__seg_gs",
+};
+
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+
 /* What clang says it is, and what gcc 5 and later say. */
 enum { CLANG_MAJOR = 4, CLANG_MINOR = 2, FIRST_MAJOR = 5, LAST_MAJOR = 40, LAST_MINOR = 9 };
 
@@ -49,13 +84,16 @@ static bool is_word_byte(char c) {
     return isalnum((unsigned char)c) || c == '_';
 }
 
-static int compare_names(const void *key, const void *entry) {
-    return strcmp(key, *(const char *const *)entry);
+static bool is_in(const char *word, const char *const *list, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(word, list[i]) == 0)
+            return true;
+    return false;
 }
 
-static bool is_sensitive(const char *word) {
-    return bsearch(word, sensitive, sizeof sensitive / sizeof sensitive[0], sizeof sensitive[0],
-                   compare_names) != NULL;
+static bool is_sensitive(const char *word, bool is_clang) {
+    return is_in(word, sensitive, COUNT(sensitive)) ||
+           (!is_clang && is_in(word, sensitive_for_gcc, COUNT(sensitive_for_gcc)));
 }
 
 static bool is_version(const char *word) {
@@ -125,7 +163,7 @@ const char *identity_asked(arena *a, const char *text, bool is_clang) {
             continue;
         }
         const char *word = arena_copy(a, at, length);
-        if (is_sensitive(word) ||
+        if (is_sensitive(word, is_clang) ||
             (!is_clang && is_version(word) && !is_harmless(logical_line(a, text, at), word)))
             return word;
         at += length;
