@@ -28,7 +28,7 @@ static const char canonical[] =
     "  (struct hidden !incomplete)\n"
     "  (struct node.2 4 !unnamed\n"
     "    (field y int 0))\n"
-    "  (global list ptr(struct(node)) !address-taken @1-20)\n"
+    "  (global list ptr(struct(node)) !address-taken !other-name @1-20)\n"
     "  (static v struct(vec))\n"
     "  (global h ptr(struct(hidden)))\n"
     "  (thread-local t const(volatile(named(\"enum color\",uint))))\n"
@@ -256,7 +256,8 @@ static void test_bad_texts(void **state) {
          "1:28: expected the name of a struct or union of this unit"},
         {"(unit \"a\" (global x int @3))", "1:25: expected a range: @begin-end"},
         {"(unit \"a\" (global x int @4-3))", "1:25: expected a range: @begin-end"},
-        {"(unit \"a\" (global x int !static))", "1:25: expected !address-taken or @begin-end"},
+        {"(unit \"a\" (global x int !static))",
+         "1:25: expected !address-taken, !other-name or @begin-end"},
         {"(unit \"a\" (global x int) (static x int))",
          "1:34: expected a name not used before (\"name.2\")"},
         {"(unit \"a\" (struct s 8 (field x)))", "1:23: expected a field's name and type"},

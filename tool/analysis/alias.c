@@ -42,6 +42,27 @@ bool types_may_overlap(const ir_type *a, const ir_type *b) {
     }
 }
 
+/* An array of no, or of unknown, length: its elements lie where others, or nothing, are declared.
+ */
+static bool is_open(const ir_type *type) {
+    for (; type->kind == IR_ARRAY; type = type->target)
+        if (type->count <= 0)
+            return true;
+    if (type->kind != IR_RECORD || !type->record)
+        return false;
+    for (unsigned i = 0; i < type->record->field_count; i++)
+        if (is_open(type->record->fields[i].type))
+            return true;
+    return false;
+}
+
+static bool apart_in_record(const ir_field *a, const ir_field *b) {
+    if (a->is_bit_field || b->is_bit_field)
+        return false;
+    return !(is_open(a->type) && b->offset >= a->offset) &&
+           !(is_open(b->type) && a->offset >= b->offset);
+}
+
 /* Different fields of one record, found before the two ways part otherwise. Subscripts between do
  * not matter: the same element has both fields apart, different elements are apart anyway. */
 static bool fields_part(const location *a, const location *b) {
@@ -56,7 +77,7 @@ static bool fields_part(const location *a, const location *b) {
         if (x->record != y->record || !x->record || x->record->is_union)
             return false;
         if (x->field != y->field)
-            return !x->field->is_bit_field && !y->field->is_bit_field;
+            return apart_in_record(x->field, y->field);
     }
     return false;
 }
@@ -112,7 +133,8 @@ overlap locations_overlap(const alias_rules *rules, const location *a, const loc
         return OVERLAP_NO;
     if (a->object && b->object) {
         if (a->object != b->object)
-            return OVERLAP_NO;
+            return a->object->has_other_name || b->object->has_other_name ? OVERLAP_MAYBE
+                                                                          : OVERLAP_NO;
         return fields_part(a, b) ? OVERLAP_NO : OVERLAP_SAME;
     }
     if (a->pointer && b->pointer && expression_same(a->pointer, b->pointer))

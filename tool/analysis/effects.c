@@ -402,7 +402,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     const library_function *library = library_find(function->name);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call, function->name);
-    } else if (function->body) {
+    } else if (function->body && !function->is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)
             access_problem_add(w, REASON_RECURSION, call, function->name);

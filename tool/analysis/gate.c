@@ -52,6 +52,49 @@ static const char *openmp_above(const judgement *j, unsigned first) {
     return NULL;
 }
 
+/* Past blanks, comments, empty statements and directives; where something else begins, or `to`. */
+static uint32_t skip_to_text(const source *s, uint32_t from, uint32_t to) {
+    bool is_line_start = false;
+    while (from < to) {
+        const char *c = s->text + from;
+        if (is_line_start && *c == '#') {
+            while (from < to && !(s->text[from] == '\n' && s->text[from - 1] != '\\'))
+                from++;
+        } else if (c[0] == '/' && (c[1] == '/' || c[1] == '*')) {
+            const char *end = strstr(c + 2, c[1] == '/' ? "\n" : "*/");
+            from = end ? (uint32_t)(end - s->text) + (c[1] == '*' ? 2 : 0) : to;
+        } else if (isspace((unsigned char)*c) || *c == ';') {
+            is_line_start = *c == '\n' || (is_line_start && *c != ';');
+            from++;
+        } else {
+            return from;
+        }
+    }
+    return to;
+}
+
+/* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
+ * and a compiler wants a loop after it. */
+static bool judge_text_before(judgement *j) {
+    const source *s = j->an->unit->source;
+    const ir_node *block = j->loop->parent;
+    if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
+        return true;
+    uint32_t from = block->range.begin + 1;
+    for (unsigned i = 0; i < block->child_count && block->children[i] != j->loop; i++)
+        if (block->children[i]->range.end > from)
+            from = block->children[i]->range.end;
+    const uint32_t to = j->loop->range.begin;
+    const uint32_t at = skip_to_text(s, from, to);
+    if (at >= to)
+        return true;
+    uint32_t end = at;
+    while (end < to && s->text[end] != '\n' && end - at < 40)
+        end++;
+    return judgement_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
+                            arena_copy(j->an->memory, s->text + at, end - at));
+}
+
 static bool judge_directives(judgement *j) {
     const ir_unit *unit = j->an->unit;
     const ir_directive *fenv_access = unit_text_fenv_access(j->an->text);
@@ -89,7 +132,7 @@ bool judge_text(judgement *j) {
         return judgement_refuse(j, REASON_IN_MACRO, loop, "the loop");
     if (loop->range.begin >= loop->range.end)
         return judgement_refuse(j, REASON_NO_RANGE, loop, "the loop");
-    if (!judge_directives(j))
+    if (!judge_directives(j) || !judge_text_before(j))
         return false;
     const ir_range everything = {0, s ? s->length : 0};
     if (unit_text_has_counter(j->an->text, has_macro(loop) ? everything : loop->range))
@@ -104,8 +147,10 @@ bool judge_text(judgement *j) {
 /* ---- jumps ------------------------------------------------------------------------------------
  */
 
-/* `owner_depth`: loops and switches inside the judged loop around the statement. */
-static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_switches) {
+/* How many loops and switches inside the judged loop stand around the statement, and how many
+ * switches: a case without one belongs to a switch around the loop, which leads into it. */
+static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_switches,
+                       unsigned switches) {
     const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
     switch (node->kind) {
     case IR_BREAK:
@@ -115,20 +160,27 @@ static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_swi
     case IR_GOTO:
     case IR_LABEL:
         return judgement_refuse(j, REASON_GOTO, node, counter);
+    case IR_CASE:
+    case IR_DEFAULT:
+        if (!switches)
+            return judgement_refuse(j, REASON_GOTO, node, counter);
+        break;
     default:
         break;
     }
     if (ir_is_loop(node) || node->kind == IR_SWITCH)
         loops_and_switches++;
+    if (node->kind == IR_SWITCH)
+        switches++;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!judge_jump(j, node->children[i], loops_and_switches))
+        if (!judge_jump(j, node->children[i], loops_and_switches, switches))
             return false;
     return true;
 }
 
 bool judge_jumps(judgement *j) {
     for (unsigned i = 0; i < j->loop->child_count; i++)
-        if (!judge_jump(j, j->loop->children[i], 0))
+        if (!judge_jump(j, j->loop->children[i], 0, 0))
             return false;
     return true;
 }

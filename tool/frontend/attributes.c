@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Attributes of functions: pure, const, noreturn. */
+/* Attributes, of functions mostly: pure, const, noreturn, weak; alias, may_alias. */
 #include <ctype.h>
 #include <string.h>
 
@@ -27,24 +27,51 @@ static bool is_noreturn(converter *c, CXCursor attribute) {
     return has_word(c, attribute, words, 3);
 }
 
-typedef struct cleanup_search {
+typedef struct attribute_search {
     converter *converter;
+    const char *const *words;
+    unsigned count;
     bool is_found;
-} cleanup_search;
+} attribute_search;
 
-static enum CXChildVisitResult find_cleanup(CXCursor child, CXCursor parent, CXClientData data) {
+static enum CXChildVisitResult find_attribute(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
-    static const char *const words[] = {"cleanup", "__cleanup__"};
-    cleanup_search *search = data;
+    attribute_search *search = data;
     search->is_found = clang_getCursorKind(child) == CXCursor_UnexposedAttr &&
-                       has_word(search->converter, child, words, 2);
+                       has_word(search->converter, child, search->words, search->count);
     return search->is_found ? CXChildVisit_Break : CXChildVisit_Continue;
 }
 
-bool has_cleanup(converter *c, CXCursor declaration) {
-    cleanup_search search = {.converter = c};
-    clang_visitChildren(declaration, find_cleanup, &search);
+/* Has the declaration an attribute of one of these names? */
+static bool has_attribute(converter *c, CXCursor declaration, const char *const *words,
+                          unsigned count) {
+    attribute_search search = {.converter = c, .words = words, .count = count};
+    clang_visitChildren(declaration, find_attribute, &search);
     return search.is_found;
+}
+
+bool has_cleanup(converter *c, CXCursor declaration) {
+    static const char *const words[] = {"cleanup", "__cleanup__"};
+    return has_attribute(c, declaration, words, 2);
+}
+
+static enum CXChildVisitResult find_label(CXCursor child, CXCursor parent, CXClientData data) {
+    (void)parent;
+    bool *is_found = data;
+    *is_found = clang_getCursorKind(child) == CXCursor_AsmLabelAttr;
+    return *is_found ? CXChildVisit_Break : CXChildVisit_Continue;
+}
+
+bool has_other_name(converter *c, CXCursor declaration) {
+    static const char *const words[] = {"alias", "__alias__", "weakref", "__weakref__"};
+    bool is_found = false;
+    clang_visitChildren(declaration, find_label, &is_found);
+    return is_found || has_attribute(c, declaration, words, 4);
+}
+
+bool is_under_may_alias(converter *c, CXCursor declaration) {
+    static const char *const words[] = {"may_alias", "__may_alias__"};
+    return has_attribute(c, declaration, words, 2);
 }
 
 static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientData data) {
@@ -68,7 +95,9 @@ static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientDa
 }
 
 void read_attributes(converter *c, CXCursor declaration, ir_function *function) {
+    static const char *const replaceable[] = {"weak", "__weak__", "ifunc", "__ifunc__"};
     reading r = {.converter = c, .function = function};
+    function->is_weak |= has_attribute(c, declaration, replaceable, 4);
     clang_visitChildren(declaration, visit, &r);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);

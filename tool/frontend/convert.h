@@ -101,6 +101,10 @@ ir_function *convert_function(converter *c, CXCursor declaration);
 void read_attributes(converter *c, CXCursor declaration, ir_function *function);
 /** Does a function get the variable's address where its scope ends (GNU's cleanup attribute)? */
 bool has_cleanup(converter *c, CXCursor declaration);
+/** Is the variable declared as another name of an object: by an alias attribute, an asm label? */
+bool has_other_name(converter *c, CXCursor declaration);
+/** Has the typedef or record the attribute may_alias? */
+bool is_under_may_alias(converter *c, CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */
 bool is_missing_header(CXDiagnostic diagnostic);
 /** Sets the unit's compiler_word. */

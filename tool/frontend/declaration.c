@@ -55,6 +55,7 @@ ir_variable *convert_variable(converter *c, CXCursor declaration) {
     v->name = take_string(c, clang_getCursorSpelling(first));
     v->type = convert_type(c, type_of_variable(declaration));
     v->storage = storage_of(first);
+    v->has_other_name = has_other_name(c, first) || has_other_name(c, declaration);
     bool is_parameter = v->storage == IR_PARAMETER;
     if (is_parameter)
         v->type = decayed(c, v->type);

@@ -133,6 +133,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     ir_unit *unit = ARENA_NEW(a, ir_unit);
     unit->arena = a;
     unit->source = src;
+    unit->strict_aliasing = true;
     converter c = {
         .arena = a,
         .unit = unit,
@@ -188,7 +189,9 @@ static void run(void *data) {
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, &t->result);
         t->result.unit = convert(t->arena, t->source, name, clang);
-        t->result.unit->strict_aliasing = chosen.strict_aliasing;
+        /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
+        const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL;
+        t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);

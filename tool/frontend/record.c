@@ -55,6 +55,8 @@ const ir_record *convert_record(converter *c, CXType canonical) {
     record = ARENA_NEW(c->arena, ir_record);
     *map_at(c->records, &key, sizeof key) = record;
     CXCursor definition = clang_getCursorDefinition(declaration);
+    if (is_under_may_alias(c, declaration) || is_under_may_alias(c, definition))
+        c->unit->strict_aliasing = false;
     record->is_union = clang_getCursorKind(declaration) == CXCursor_UnionDecl;
     record->size = -1;
     name_record(c, record, declaration, canonical);

@@ -291,6 +291,34 @@ static bool has_qualifiers(CXType type) {
            clang_isRestrictQualifiedType(type);
 }
 
+/* Does the type, or what it points to, go by a typedef with the attribute may_alias? The canonical
+ * type does not tell. */
+static bool names_may_alias(converter *c, CXType type) {
+    while (type.kind != CXType_Invalid) {
+        switch (type.kind) {
+        case CXType_Pointer:
+            type = clang_getPointeeType(type);
+            break;
+        case CXType_ConstantArray:
+        case CXType_IncompleteArray:
+        case CXType_VariableArray:
+            type = clang_getArrayElementType(type);
+            break;
+        case CXType_Elaborated:
+            type = clang_Type_getNamedType(type);
+            break;
+        case CXType_Typedef:
+            if (is_under_may_alias(c, clang_getTypeDeclaration(type)))
+                return true;
+            type = clang_getTypedefDeclUnderlyingType(clang_getTypeDeclaration(type));
+            break;
+        default:
+            return false;
+        }
+    }
+    return false;
+}
+
 const ir_type *convert_type(converter *c, CXType type) {
     const void *key[2] = {type.data[0], (const void *)(uintptr_t)type.kind};
     const ir_type *known = map_get(c->types, key, sizeof key);
@@ -298,6 +326,8 @@ const ir_type *convert_type(converter *c, CXType type) {
         return known;
     CXType canonical = clang_getCanonicalType(type);
     if (canonical.data[0] != type.data[0] || canonical.kind != type.kind) {
+        if (c->unit->strict_aliasing && names_may_alias(c, type))
+            c->unit->strict_aliasing = false;
         known = convert_type(c, canonical);
         *map_at(c->types, key, sizeof key) = (void *)known;
         return known;

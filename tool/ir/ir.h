@@ -102,6 +102,7 @@ typedef struct ir_variable {
     ir_range range;              /* of its first declarator */
     bool address_taken;          /* by &, or as an array that decays other than under a subscript
                                     or as an argument */
+    bool has_other_name;         /* another variable may name the same object: alias, asm label */
 } ir_variable;
 
 struct ir_function {
@@ -115,9 +116,10 @@ struct ir_function {
     ir_range range;
     bool is_static, is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
-    bool has_other_attributes;                  /* of whatever kind */
-    unsigned reference_count;                   /* how often the unit's bodies name it */
-    bool has_errors; /* the compiler complained inside it: judge nothing in it */
+    bool is_weak;              /* what runs may be another definition than the one in this unit */
+    bool has_other_attributes; /* of whatever kind */
+    unsigned reference_count;  /* how often the unit's bodies name it */
+    bool has_errors;           /* the compiler complained inside it: judge nothing in it */
     bool is_in_main_file;
 };
 

@@ -218,6 +218,8 @@ static void print_variable(const ir_printer *p, const ir_variable *v, unsigned d
     ir_print_type(p, v->type);
     if (v->address_taken)
         buffer_text(p->out, " !address-taken");
+    if (v->has_other_name)
+        buffer_text(p->out, " !other-name");
     ir_print_range(p, v->range);
     buffer_byte(p->out, ')');
 }
@@ -226,10 +228,15 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
     const struct {
         bool is_set;
         const char *word;
-    } flags[] = {{f->is_static, "static"},         {f->is_variadic, "variadic"},
-                 {f->is_noreturn, "noreturn"},     {f->is_attribute_pure, "pure"},
-                 {f->is_attribute_const, "const"}, {f->has_other_attributes, "attributes"},
-                 {f->has_errors, "errors"},        {!f->is_in_main_file, "header"}};
+    } flags[] = {{f->is_static, "static"},
+                 {f->is_variadic, "variadic"},
+                 {f->is_noreturn, "noreturn"},
+                 {f->is_attribute_pure, "pure"},
+                 {f->is_attribute_const, "const"},
+                 {f->has_other_attributes, "attributes"},
+                 {f->is_weak, "weak"},
+                 {f->has_errors, "errors"},
+                 {!f->is_in_main_file, "header"}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)
             buffer_format(p->out, " !%s", flags[i].word);

@@ -187,8 +187,10 @@ static bool read_variable_attributes(ir_reader *r, const sexp *s, ir_variable *v
         const sexp *item = s->items[i];
         if (is_word(item, "!address-taken"))
             v->address_taken = true;
+        else if (is_word(item, "!other-name"))
+            v->has_other_name = true;
         else if (item->kind != SEXP_ATOM || item->text[0] != '@')
-            return ir_reader_expected(r, item, "!address-taken or @begin-end");
+            return ir_reader_expected(r, item, "!address-taken, !other-name or @begin-end");
         else if (!ir_read_range(r, item, 1, &v->range))
             return false;
     }
@@ -230,9 +232,13 @@ static bool read_function_flag(ir_reader *r, const sexp *item, ir_function *f) {
     const struct {
         const char *word;
         bool *flag;
-    } flags[] = {{"!static", &f->is_static},         {"!variadic", &f->is_variadic},
-                 {"!noreturn", &f->is_noreturn},     {"!pure", &f->is_attribute_pure},
-                 {"!const", &f->is_attribute_const}, {"!attributes", &f->has_other_attributes},
+    } flags[] = {{"!static", &f->is_static},
+                 {"!variadic", &f->is_variadic},
+                 {"!noreturn", &f->is_noreturn},
+                 {"!pure", &f->is_attribute_pure},
+                 {"!const", &f->is_attribute_const},
+                 {"!attributes", &f->has_other_attributes},
+                 {"!weak", &f->is_weak},
                  {"!errors", &f->has_errors}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (is_word(item, flags[i].word)) {
