@@ -333,11 +333,11 @@ static void partly_written(kernel *k) {
         put(k, &k->body, "%s[%s & 1] = %s;\n", name, k->scope.positions.name[0], v);
         break;
     case 2:
-        put(k, &k->body, "for (int c = 0; c < (%s & 3); c++)\n%s[c] = %s;\n", integer(k, 0), name,
+        put(k, &k->body, "for (int r = 0; r < (%s & 3); r++)\n%s[r] = %s;\n", integer(k, 0), name,
             v);
         break;
     default:
-        put(k, &k->body, "for (int c = 0; c < 3; c++)\nif (%s)\n%s[c] = %s;\n", condition(k), name,
+        put(k, &k->body, "for (int r = 0; r < 3; r++)\nif (%s)\n%s[r] = %s;\n", condition(k), name,
             v);
         break;
     }
