@@ -37,7 +37,7 @@ typedef struct self_collision {
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
-    int failed; /* out of memory */
+    int failed; /* out of memory, or the step ends in something not finite */
     int left;   /* pairs that still pass through each other, of the step treated last */
     long visits;
 } self_collision;
@@ -51,7 +51,7 @@ void self_collision_free(self_collision *s);
 double self_collision_resolve(self_collision *s, double h, const double *inverse_mass,
                               const double (*x)[3], double (*v)[3]);
 
-/** Finds the pairs that may meet in the step; 0, or -1: out of memory. */
+/** Finds the pairs that may meet in the step; 0, or -1: out of memory, or not all is finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
 /** How two features meet: weights of the four vertices' velocities, the normal from the second

@@ -93,11 +93,13 @@ static int make_room(self_collision *s, int entries, int buckets) {
     return g->entry && g->start ? 0 : -1;
 }
 
-/* Fills the buckets; returns how many, 0: out of memory. */
+/* Fills the buckets; returns how many, 0: out of memory, or a box is not finite. */
 static int fill(self_collision *s, double *size) {
     const int triangles = s->mesh->triangle_count;
     *size = 2 * mean_extent(s);
-    if (!(*size > 0) || !isfinite(*size))
+    if (!isfinite(*size))
+        return 0; /* no cell is large enough */
+    if (!(*size > 0))
         *size = 1;
     while (visit_cells(s, *size, 1, NULL) > (double)MOST_CELLS_EACH * triangles)
         *size *= 2;

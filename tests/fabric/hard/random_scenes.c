@@ -14,6 +14,7 @@
 
 #include "cloth.h"
 #include "mesh_rest.h"
+#include "shape.h"
 #include "simulation.h"
 #include "simulation_state.h"
 #include "vector.h"
@@ -159,6 +160,12 @@ static int run(const mesh *m, const scene *s, char *error) {
         return error[0] ? REFUSED : SILENT;
     for (int n = 0; n < s->collider_count; n++)
         driven |= vector_length(s->colliders[n].velocity) > 0;
+    for (int n = 0; n < s->collider_count; n++)
+        for (int i = 0; i < m->vertex_count; i++) { /* a collider pushes out what starts in it */
+            double p[3], normal[3];
+            vector_subtract(m->position[i], s->colliders[n].position, p);
+            driven |= shape_distance(&s->colliders[n], p, normal) < s->colliders[n].gap;
+        }
     const double first = energy_of(sim);
     double highest = height_of(sim);
     for (int n = 0; n < 3 && outcome == FINISHED; n++) {

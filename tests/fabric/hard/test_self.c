@@ -110,6 +110,23 @@ static void test_grid_misses_no_pair(void **state) {
     cloth_free(&m);
 }
 
+/* No grid has cells for what is not finite: that is said, not sought for ever. */
+static void test_not_finite_is_refused(void **state) {
+    (void)state;
+    mesh m = cloth_sheet(4, 4, 0.1, 0.3, 4);
+    self_collision s;
+    double(*x)[3] = cloth_moved(&m, 0.1, 1), (*v)[3] = cloth_moved(&m, 1, 2);
+    assert_int_equal(self_collision_init(&s, &m, 0.01, 0, 0.1), 0);
+    v[3][1] = INFINITY;
+    assert_int_equal(self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v), -1);
+    v[3][1] = 1e200;
+    assert_int_equal(self_grid_find(&s, 0.1, (const double(*)[3])x, (const double(*)[3])v), 0);
+    free(x);
+    free(v);
+    self_collision_free(&s);
+    cloth_free(&m);
+}
+
 /* Edges of the cloth that cross one of its triangles: none may, ever. */
 static int crossings(const stage *on) {
     const mesh *m = &on->m;
@@ -229,6 +246,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_vertex_through_triangle),
         cmocka_unit_test(test_edge_through_edge),
+        cmocka_unit_test(test_not_finite_is_refused),
         cmocka_unit_test(test_grid_misses_no_pair),
         cmocka_unit_test(test_momentum_stays),
         cmocka_unit_test(test_flat_cloth_has_its_bits),
