@@ -399,13 +399,30 @@ static void test_node_alone(void **state) {
     arena_free(a);
 }
 
+/* A byte 0 in a text: bad, and no reason to stop reading with a crash. */
+static void test_zero_byte(void **state) {
+    (void)state;
+    static const char text[] = "(unit \"a\" (global x named(\"q\0\",int)))";
+    arena *a = arena_new();
+    const char *message = NULL;
+    assert_null(ir_read(a, text, sizeof text - 1, &message));
+    assert_non_null(message);
+    arena_free(a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),     cmocka_unit_test(test_canonical_text_is_kept),
-        cmocka_unit_test(test_short_forms),    cmocka_unit_test(test_records_by_natural_alignment),
-        cmocka_unit_test(test_inferred_types), cmocka_unit_test(test_bad_texts),
-        cmocka_unit_test(test_cut_texts),      cmocka_unit_test(test_deep_text),
-        cmocka_unit_test(test_check),          cmocka_unit_test(test_node_alone),
+        cmocka_unit_test(test_zero_byte),
+        cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_canonical_text_is_kept),
+        cmocka_unit_test(test_short_forms),
+        cmocka_unit_test(test_records_by_natural_alignment),
+        cmocka_unit_test(test_inferred_types),
+        cmocka_unit_test(test_bad_texts),
+        cmocka_unit_test(test_cut_texts),
+        cmocka_unit_test(test_deep_text),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_node_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -104,9 +104,13 @@ static ir_type *read_named(type_reader *t) {
     if (*t->at != '"')
         return expected(t, "a spelling in quotes");
     buffer spelling = {0};
-    t->at = sexp_unquote(&spelling, t->at, t->at + strlen(t->at));
-    const char *kept = arena_copy(t->reader->arena, spelling.data, spelling.length);
+    const char *after = sexp_unquote(&spelling, t->at, t->at + strlen(t->at));
+    const char *kept =
+        after != NULL ? arena_copy(t->reader->arena, spelling.data, spelling.length) : NULL;
     buffer_free(&spelling);
+    if (after == NULL)
+        return expected(t, "a spelling in quotes");
+    t->at = after;
     if (!read_byte(t, ',', "','"))
         return NULL;
     ir_type *type = read(t);
