@@ -193,7 +193,7 @@ static void in_expression(kernel *k) {
         put(k, &k->body, "if ((%s) && (%s += 1) != 0)\n;\n", when, where);
         break;
     case 1:
-        put(k, &k->body, "%s += 1, %s;\n", where, update(k, a, place(k, a, subscript(k))));
+        put(k, &k->body, "%s += 1, %s -= 1;\n", where, place(k, a, subscript(k)));
         break;
     case 2:
         put(k, &k->body, "(void)((%s) ? (%s += 1) : 0);\n", when, where);
@@ -378,9 +378,10 @@ static void thread_local_value(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
+/* Negated by its bytes: what is exact on integers stays so. */
 static void punned_value(kernel *k) {
     const char *name = new_name(k, "u");
-    put(k, &k->body, "union {\ndouble d;\nunsigned char b[8];\n} %s;\n%s.d = %s;\n%s.b[0] ^= 1;\n",
+    put(k, &k->body, "union {\ndouble d;\nunsigned char b[8];\n} %s;\n%s.d = %s;\n%s.b[7] ^= 0x80;\n",
         name, name, value(k, 1), name);
     add_name(&k->scope.values, text(k, "%s.d", name));
 }

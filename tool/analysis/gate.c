@@ -57,7 +57,7 @@ static uint32_t skip_to_text(const source *s, uint32_t from, uint32_t to) {
     bool is_line_start = false;
     while (from < to) {
         const char *c = s->text + from;
-        if (is_line_start && *c == '#') {
+        if (is_line_start && (*c == '#' || (c[0] == '%' && c[1] == ':'))) {
             while (from < to && !(s->text[from] == '\n' && s->text[from - 1] != '\\'))
                 from++;
         } else if (c[0] == '/' && (c[1] == '/' || c[1] == '*')) {
@@ -80,7 +80,9 @@ static bool judge_text_before(judgement *j) {
     const ir_node *block = j->loop->parent;
     if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
         return true;
-    uint32_t from = block->range.begin + 1;
+    uint32_t from = block->range.begin;
+    if (s->text[from] == '{') /* else a macro makes it, and who knows what behind it */
+        from++;
     for (unsigned i = 0; i < block->child_count && block->children[i] != j->loop; i++)
         if (block->children[i]->range.end > from)
             from = block->children[i]->range.end;

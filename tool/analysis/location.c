@@ -25,6 +25,18 @@ static void add_step(location *l, const ir_field *field, const ir_record *record
     l->steps[l->step_count++] = (location_step){field, record, subscript};
 }
 
+/* Moved away from a single object, as v[0].x by &v[0].x + k: C gives it no meaning, but programs
+ * and compilers take it to lead through all of the object that this one is a part of. */
+static void leave_single_object(location *l) {
+    l->step_count = 0;
+    l->is_inexact = true;
+}
+
+static bool is_zero(const ir_node *node) {
+    int64_t value;
+    return expression_constant(node, &value) && value == 0;
+}
+
 static location unknown_location(void) {
     return (location){.is_inexact = true};
 }
@@ -63,8 +75,8 @@ static location lvalue_location(const question *q, const ir_node *node, unsigned
             if (l.step_count && !l.steps[l.step_count - 1].field && !l.is_inexact)
                 l.steps[l.step_count - 1].subscript =
                     l.steps[l.step_count - 1].subscript ? NULL : node->children[1];
-            else
-                l.is_inexact = true; /* moved away from a single object: not followed */
+            else if (!is_zero(node->children[1]))
+                leave_single_object(&l);
         }
         break;
     case IR_MEMBER:
@@ -126,8 +138,8 @@ static location pointed_location(const question *q, const ir_node *node, unsigne
             l = pointed_location(q, node->children[left_is_pointer ? 0 : 1], depth);
             if (l.step_count && !l.steps[l.step_count - 1].field)
                 l.steps[l.step_count - 1].subscript = NULL;
-            else
-                l.is_inexact = true;
+            else if (!is_zero(node->children[left_is_pointer ? 1 : 0]))
+                leave_single_object(&l);
             return l;
         }
         break;

@@ -323,3 +323,48 @@ void protected_elements(int n, int m, const int *s, const int *a, double *restri
         h[k + s[i]] += 1.0;
     }
 }
+
+/* ---- from one member to the next: C gives it no meaning, programs do it all the same ---------- */
+
+struct point {
+    double x, y, z;
+};
+static struct point points[64];
+
+static double coordinate(const double *p, int k) {
+    return p[k];
+}
+static double first_coordinate(const double *p) {
+    return p[0] + *p;
+}
+static void add_to_three(double *p, double v) {
+    p[0] += v;
+    p[1] += v;
+    p[2] += v;
+}
+
+void member_to_member_in_callee(int n, const int *s) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        points[s[i]].y += coordinate(&points[0].x, i);
+}
+
+void member_to_member(int n, const int *s) {
+    const double *all = &points[0].x;
+    for (int i = 0; i < n; i++) // EXPECT: refuse array-read
+        points[s[i]].y += *(all + 3 * i);
+}
+
+void member_to_member_of_parameter(int n, const int *s, struct point *q) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        q[s[i]].y += coordinate(&q->x, i);
+}
+
+void members_updated_in_callee(int n, const int *s, const double *w) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        add_to_three(&points[s[i]].x, w[i]);
+}
+
+void one_member(int n, const int *s) {
+    for (int i = 0; i < n; i++) // EXPECT: transform points(+)
+        points[s[i]].y += first_coordinate(&points[i].x);
+}
