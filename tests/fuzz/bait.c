@@ -381,8 +381,9 @@ static void thread_local_value(kernel *k) {
 /* Negated by its bytes: what is exact on integers stays so. */
 static void punned_value(kernel *k) {
     const char *name = new_name(k, "u");
-    put(k, &k->body, "union {\ndouble d;\nunsigned char b[8];\n} %s;\n%s.d = %s;\n%s.b[7] ^= 0x80;\n",
-        name, name, value(k, 1), name);
+    put(k, &k->body,
+        "union {\ndouble d;\nunsigned char b[8];\n} %s;\n%s.d = %s;\n%s.b[7] ^= 0x80;\n", name,
+        name, value(k, 1), name);
     add_name(&k->scope.values, text(k, "%s.d", name));
 }
 
