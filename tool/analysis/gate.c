@@ -16,34 +16,13 @@ static bool is_openmp(const char *directive) {
     return strstr(directive, "omp") != NULL && strstr(directive, "pragma") != NULL;
 }
 
-/* Only blanks and comments between the directive's end and the loop? */
-static bool is_directly_above(const source *s, uint32_t from, uint32_t to) {
-    while (from < to) {
-        const char *c = s->text + from;
-        if (isspace((unsigned char)*c)) {
-            from++;
-        } else if (c[0] == '/' && c[1] == '/') {
-            while (from < to && s->text[from] != '\n')
-                from++;
-        } else if (c[0] == '/' && c[1] == '*') {
-            from += 2;
-            while (from < to && !(s->text[from - 1] == '*' && s->text[from] == '/'))
-                from++;
-            from++;
-        } else {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* Has the loop an OpenMP directive? There may be others between the two, conditionals too. */
 static const char *openmp_above(const judgement *j, unsigned first) {
     const ir_unit *unit = j->an->unit;
     uint32_t to = j->loop->range.begin;
     for (unsigned i = first; i-- > 0;) {
         const ir_directive *d = &unit->directives[i];
-        if (!is_directly_above(unit->source, d->range.end, to))
+        if (source_skip_blanks(unit->source, d->range.end, to) < to)
             return NULL;
         if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_openmp(d->text))
             return d->text;
@@ -53,22 +32,16 @@ static const char *openmp_above(const judgement *j, unsigned first) {
 }
 
 /* Past blanks, comments, empty statements and directives; where something else begins, or `to`. */
-static uint32_t skip_to_text(const source *s, uint32_t from, uint32_t to) {
-    bool is_line_start = false;
-    while (from < to) {
-        const char *c = s->text + from;
-        if (is_line_start && (*c == '#' || (c[0] == '%' && c[1] == ':'))) {
-            while (from < to && !(s->text[from] == '\n' && s->text[from - 1] != '\\'))
-                from++;
-        } else if (c[0] == '/' && (c[1] == '/' || c[1] == '*')) {
-            const char *end = strstr(c + 2, c[1] == '/' ? "\n" : "*/");
-            from = end ? (uint32_t)(end - s->text) + (c[1] == '*' ? 2 : 0) : to;
-        } else if (isspace((unsigned char)*c) || *c == ';') {
-            is_line_start = *c == '\n' || (is_line_start && *c != ';');
+static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
+    const ir_unit *unit = an->unit;
+    while ((from = source_skip_blanks(unit->source, from, to)) < to) {
+        const unsigned next = unit_text_first_directive(an->text, from);
+        if (next < unit->directive_count && unit->directives[next].range.begin == from)
+            from = unit->directives[next].range.end;
+        else if (unit->source->text[from] == ';')
             from++;
-        } else {
+        else
             return from;
-        }
     }
     return to;
 }
@@ -87,7 +60,7 @@ static bool judge_text_before(judgement *j) {
         if (block->children[i]->range.end > from)
             from = block->children[i]->range.end;
     const uint32_t to = j->loop->range.begin;
-    const uint32_t at = skip_to_text(s, from, to);
+    const uint32_t at = skip_to_text(j->an, from, to);
     if (at >= to)
         return true;
     uint32_t end = at;

@@ -36,24 +36,6 @@ static void read_all(collection *c) {
 
 /* ---- above which loop ----------------------------------------------------------------------- */
 
-static bool is_comment_or_blank(const source *s, uint32_t from, uint32_t to) {
-    while (from < to) {
-        const char *at = s->text + from;
-        if (isspace((unsigned char)*at)) {
-            from++;
-        } else if (at[0] == '/' && at[1] == '/') {
-            while (from < to && s->text[from] != '\n')
-                from++;
-        } else if (at[0] == '/' && at[1] == '*') {
-            const char *end = strstr(at + 2, "*/");
-            from = end ? (uint32_t)(end + 2 - s->text) : to;
-        } else {
-            return false;
-        }
-    }
-    return from == to;
-}
-
 /* The pragmas that stand above the loop, with nothing but pragmas between. */
 static void bind_loop(collection *c, const ir_node *loop) {
     uint32_t to = loop->range.begin;
@@ -63,7 +45,7 @@ static void bind_loop(collection *c, const ir_node *loop) {
     for (; k > 0; k--) {
         const ir_directive *d = &c->unit->directives[k - 1];
         if (d->kind != IR_DIRECTIVE_PRAGMA ||
-            !is_comment_or_blank(c->unit->source, d->range.end, to))
+            source_skip_blanks(c->unit->source, d->range.end, to) < to)
             return;
         for (unsigned i = 0; i < c->pragmas.count; i++)
             if (c->pragmas.items[i].range.begin == d->range.begin)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/source.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -87,4 +88,22 @@ position source_position(const source *s, uint32_t offset) {
             high = middle;
     }
     return (position){.line = low + 1, .column = offset - s->line_begin[low] + 1};
+}
+
+uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
+    while (from < to) {
+        const char *at = s->text + from;
+        const char *end = at + 1;
+        if (at[0] == '/' && at[1] == '/') {
+            const char *line_end = strchr(at, '\n');
+            end = line_end ? line_end : s->text + to;
+        } else if (at[0] == '/' && at[1] == '*') {
+            const char *close = strstr(at + 2, "*/");
+            end = close ? close + 2 : s->text + to;
+        } else if (!isspace((unsigned char)*at)) {
+            return from;
+        }
+        from = (uint32_t)(end - s->text);
+    }
+    return to;
 }

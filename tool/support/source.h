@@ -25,5 +25,8 @@ typedef struct position {
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
+/** Where something other than blanks and comments begins in [from, to); `to`, where nothing does.
+ */
+uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
 
 #endif
