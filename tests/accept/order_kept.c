@@ -10,7 +10,7 @@
 
 enum { N = 20000, M = 1200 };
 static int s[N], r[N];
-static double v[N], h[M], g[M];
+static double v[N], h[M + 7], g[M];
 static unsigned u[M];
 static int rounded[M], last[M];
 static bool seen[M], odd[M];

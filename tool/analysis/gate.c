@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What keeps a loop's text from being rewritten, or its iterations from being counted, whatever it
  * computes. */
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 

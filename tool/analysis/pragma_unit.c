@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The pragmas of a unit, and the loops that they stand above. */
-#include <ctype.h>
 #include <string.h>
 
 #include "analysis/pragma.h"
