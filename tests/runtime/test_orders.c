@@ -341,7 +341,7 @@ static void float_counters_past_2_to_24(void **unused) {
             else if (promised() == REDCC_ORDER_SERIAL)
                 assert_true(found[e] == 0x1p24f);
             else
-                assert_true(found[e] >= 0x1p24f && found[e] <= 0x1p24f + TRIP);
+                assert_true(found[e] >= 0x1p24f && found[e] <= 0x1p24f + (float)TRIP);
             if (promised() == REDCC_ORDER_FIXED)
                 assert_true(found[e] == first[e]);
         }

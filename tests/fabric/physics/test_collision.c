@@ -117,7 +117,8 @@ static void test_mesh_distance(void **state) {
     assert_int_equal(mesh_allocate(&m, vertices, 2 * around * (down - 1)), 0);
     for (int k = 0; k < vertices; k++) {
         const int ring = k < vertices - 2 ? k / around + 1 : (k == vertices - 2 ? 0 : down);
-        const double up = acos(-1) * ring / down, turn = 2 * acos(-1) * (k % around) / around;
+        const double up = acos(-1) * ring / (int)down,
+                     turn = 2 * acos(-1) * (k % around) / (int)around;
         const double radius = 0.5 + (k < vertices - 2 ? 0.1 * sin(3 * turn) * sin(up) : 0);
         m.position[k][0] = radius * sin(up) * cos(turn);
         m.position[k][1] = radius * sin(up) * sin(turn);

@@ -113,7 +113,7 @@ static double distance(const double (*a)[3], vectors b) {
     for (int i = 0; i < COUNT; i++)
         for (int c = 0; c < 3; c++)
             sum += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
-    return sqrt(sum / COUNT);
+    return sqrt(sum / (int)COUNT);
 }
 
 static const double duration = 0.08;
