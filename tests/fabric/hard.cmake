@@ -17,7 +17,11 @@ endforeach()
 # script/fuzz runs many more of them.
 add_executable(random_scenes hard/random_scenes.c)
 target_link_libraries(random_scenes PRIVATE fabric_stage redcc_warnings)
-add_test(NAME fabric.hard.random_scenes COMMAND random_scenes 30)
+set(scenes 30)
+if(REDCC_SANITIZE)
+  set(scenes 12)
+endif()
+add_test(NAME fabric.hard.random_scenes COMMAND random_scenes ${scenes})
 
 if(TARGET fabric_app)
   set(files_folder ${CMAKE_CURRENT_BINARY_DIR}/hard)

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -230,7 +231,7 @@ static int run_apart(unsigned seed, char *error) {
     const pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        alarm(PATIENCE);
+        setrlimit(RLIMIT_CPU, &(struct rlimit){PATIENCE, PATIENCE + 1});
         const int outcome = run_scene(seed, error);
         const ssize_t written = write(ends[1], error, strlen(error));
         _exit(written < 0 ? CRASHED : outcome);
@@ -242,7 +243,7 @@ static int run_apart(unsigned seed, char *error) {
     if (child < 0 || waitpid(child, &status, 0) < 0)
         return CRASHED;
     if (WIFSIGNALED(status))
-        return WTERMSIG(status) == SIGALRM ? HUNG : CRASHED;
+        return WTERMSIG(status) == SIGXCPU ? HUNG : CRASHED;
     return WEXITSTATUS(status) < OUTCOME_COUNT ? WEXITSTATUS(status) : CRASHED;
 }
 
