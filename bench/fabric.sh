@@ -34,6 +34,19 @@ line() {
     "$(ratios "$1" "$2" | median)" "$(ratios "$1" "$2" | minimum)" "$(ratios "$1" "$2" | maximum)"
 }
 
+# The bound: the sequential program on every core at once, each on a mesh of its own. What it falls
+# behind by then, memory and the machine's other users take, and no parallel program gets back.
+run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
+  local experiment=$1 round=$2 core slowest
+  shift 2
+  for core in $(seq "$threads"); do
+    "$serial" "$@" -o "$work/crowd-$core" --progress none >/dev/null &
+  done
+  wait
+  slowest=$(jq -s "map($force_seconds) | max" "$work"/crowd-*/summary.json)
+  echo "$experiment,crowd,$round,$(jq -n "$slowest / $threads")" >>"$csv"
+}
+
 # The force loops need no long solve: a short step keeps the conjugate gradient out of the way.
 large=(run sheet218k --steps 10 --set time.step=0.0002)
 for round in $(seq "$rounds"); do
@@ -41,6 +54,7 @@ for round in $(seq "$rounds"); do
   run forces-218k threads-1 "$round" "$force_seconds" env OMP_NUM_THREADS=1 "$parallel" "${large[@]}"
   run forces-218k "threads-$threads" "$round" "$force_seconds" \
     env OMP_NUM_THREADS="$threads" "$parallel" "${large[@]}"
+  run_crowd forces-218k "$round" "${large[@]}"
 done
 # One step: one inspection of each loop, beside one sequential execution of it.
 one=(run sheet218k --steps 1 --set time.step=0.0002)
@@ -68,6 +82,7 @@ done
 echo "seconds (median) and serial over variant, round by round (median, least to greatest)"
 for experiment in forces-218k tablecloth hanging; do
   for variant in serial threads-1 "threads-$threads"; do line "$experiment" "$variant"; done
+  [ "$experiment" != forces-218k ] || line "$experiment" crowd
 done
 echo "one inspection, as a share of one sequential execution of its loop:"
 awk -F, '$1 == "inspector" {print $2}' "$csv" | sort -u | while read -r loop; do

@@ -26,10 +26,12 @@ private_apt() {
 }
 
 prepare_apt() {
-  local folder=$PACKAGES_FOLDER/apt suite
+  local folder=$PACKAGES_FOLDER/apt suite mirror
   suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-bookworm}")
   mkdir -p "$folder/state/lists/partial" "$folder/cache/archives/partial"
-  echo "deb-src ${DEBIAN_MIRROR:-http://deb.debian.org/debian} $suite main" >"$folder/sources.list"
+  mirror=${DEBIAN_MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' "Codename: $suite" | head -n 1)}
+  [ -n "$mirror" ] || skip "knows of no Debian mirror: give DEBIAN_MIRROR"
+  echo "deb-src $mirror $suite main" >"$folder/sources.list"
   [ -n "$(find "$folder/state/lists" -maxdepth 1 -name '*Sources*' -mtime -7)" ] || private_apt update
 }
 
