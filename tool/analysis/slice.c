@@ -198,35 +198,12 @@ static void need_part(slicer *s, needed_part part) {
     }
 }
 
-static bool has_word(const char *text, const char *const *words, unsigned count) {
-    for (unsigned i = 0; i < count; i++)
-        if (strstr(text, words[i]))
-            return true;
-    return false;
-}
-
-/* May pieces of the file be compiled otherwise than the macros of its beginning say? clang knows
- * nothing of the attribute `optimize`, so it is looked for in the text. */
-static bool has_options_of_its_own(const ir_unit *unit) {
-    static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
-                                          "float_control", "FP_CONTRACT", "attribute"};
-    static const char *const attributes[] = {"optimize(", "optimize (", "optimize__"};
-    if (unit->source && has_word(unit->source->text, attributes, 3))
-        return true;
-    for (unsigned i = 0; i < unit->directive_count; i++) {
-        const ir_directive *d = &unit->directives[i];
-        if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && has_word(d->text, pragmas, 6))
-            return true;
-    }
-    return false;
-}
-
 /* Another execution of the same text gives the same bits, once each operation is rounded by itself:
  * no extended types, of which only some compilers know what is rounded when. */
 static bool is_repeatable(const slicer *s, const ir_node *node) {
     return !s->is_integer_only && node->type && node->type->kind == IR_FLOATING &&
            node->type->size <= 8 && !s->j->function->has_other_attributes &&
-           !has_options_of_its_own(s->j->an->unit);
+           !unit_text_has_own_options(s->j->an->text);
 }
 
 static void need_floating_work(slicer *s, const ir_node *node, bool is_possible) {
@@ -242,7 +219,8 @@ static void need_call(slicer *s, const ir_node *call) {
     if (list.problems.count || (list.has_unrepeatable_work && list.has_floating_work))
         fail(s, call);
     else if (list.has_floating_work)
-        need_floating_work(s, call, !s->is_integer_only && !has_options_of_its_own(s->j->an->unit));
+        need_floating_work(s, call,
+                           !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
 static void need_expression(slicer *s, const ir_node *node) {

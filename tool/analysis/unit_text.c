@@ -9,6 +9,7 @@ struct unit_text {
     arena *memory;
     const ir_unit *unit;
     const ir_directive *fenv_access;
+    bool has_own_options;
     VECTOR(uint32_t) counters; /* where __COUNTER__ is written, in order */
     /* the function that was searched last: loops are judged function by function */
     const ir_function *searched;
@@ -32,6 +33,27 @@ static void find_counters(unit_text *text) {
     }
 }
 
+static bool has_word(const char *text, const char *const *words, unsigned count) {
+    for (unsigned i = 0; i < count; i++)
+        if (strstr(text, words[i]))
+            return true;
+    return false;
+}
+
+static bool find_own_options(const ir_unit *unit) {
+    static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
+                                          "float_control", "FP_CONTRACT", "attribute"};
+    static const char *const attributes[] = {"optimize(", "optimize (", "optimize__"};
+    if (unit->source && has_word(unit->source->text, attributes, 3))
+        return true;
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && has_word(d->text, pragmas, 6))
+            return true;
+    }
+    return false;
+}
+
 unit_text *unit_text_new(arena *a, const ir_unit *unit) {
     unit_text *text = ARENA_NEW(a, unit_text);
     text->memory = a;
@@ -41,8 +63,13 @@ unit_text *unit_text_new(arena *a, const ir_unit *unit) {
         if (words && strstr(words, "FENV_ACCESS") && strstr(words, "ON"))
             text->fenv_access = &unit->directives[i];
     }
+    text->has_own_options = find_own_options(unit);
     find_counters(text);
     return text;
+}
+
+bool unit_text_has_own_options(const unit_text *text) {
+    return text->has_own_options;
 }
 
 const ir_directive *unit_text_fenv_access(const unit_text *text) {

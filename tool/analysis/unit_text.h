@@ -14,6 +14,10 @@ unit_text *unit_text_new(arena *a, const ir_unit *unit);
 /** A directive that switches FENV_ACCESS on, or NULL. */
 const ir_directive *unit_text_fenv_access(const unit_text *text);
 
+/** May pieces of the file be compiled otherwise than the macros of its beginning say? clang knows
+ *  nothing of the attribute `optimize`, so it is looked for in the text. */
+bool unit_text_has_own_options(const unit_text *text);
+
 /** Index of the first directive that begins at `offset` or behind it. */
 unsigned unit_text_first_directive(const unit_text *text, uint32_t offset);
 
