@@ -35,7 +35,7 @@ static uint32_t rounds(const struct pairs *pairs) {
     return (pairs->blocks + pairs->members - 1) / pairs->members;
 }
 
-static bool sort_in(struct pairs *pairs, const struct summary *summary) {
+bool redcc_sort_pairs(const struct summary *summary, redcc_pair_taker *take, void *context) {
     const struct sets *sets = &summary->sets;
     for (size_t b = 0; b < summary->block_count; b++) {
         const struct block *block = &summary->block[b];
@@ -45,14 +45,21 @@ static bool sort_in(struct pairs *pairs, const struct summary *summary) {
                 continue;
             const uint32_t lowest = redcc_set_minimum(sets, span.set);
             const uint32_t delta = redcc_set_maximum(sets, span.set) - lowest;
-            if (lowest % pairs->members == pairs->member &&
-                !redcc_schedule_add(&pairs->pair[lowest / pairs->members * pairs->blocks + delta],
-                                    0, block->origin + span.begin,
-                                    redcc_span_count(summary, block, s), false))
+            if (!take(context, lowest, delta, block->origin + span.begin,
+                      redcc_span_count(summary, block, s)))
                 return false;
         }
     }
     return true;
+}
+
+static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
+                      redcc_int count) {
+    struct pairs *pairs = context;
+    if (lowest % pairs->members != pairs->member)
+        return true;
+    struct schedule *pair = &pairs->pair[lowest / pairs->members * pairs->blocks + delta];
+    return redcc_schedule_add(pair, 0, begin, count, false);
 }
 
 static bool put_in_stages(const struct pairs *pairs, struct schedule *schedule) {
@@ -79,7 +86,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     pairs.pair = redcc_memory_take_zeroed(count, sizeof *pairs.pair);
     bool enough = pairs.pair != NULL;
     for (int from = first; enough && from < end; from++)
-        enough = sort_in(&pairs, evidence->summary[from]);
+        enough = redcc_sort_pairs(evidence->summary[from], take_pair, &pairs);
     if (enough && thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_add(&pairs.pair[0], 0, evidence->trip - 1, 1, false);
     enough = enough && put_in_stages(&pairs, &plan->schedule[thread]);

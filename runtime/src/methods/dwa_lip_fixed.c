@@ -8,8 +8,9 @@
  * thread in charge of block Bmin. Each thread executes its tasks in the order of the stages, and a
  * task waits for those that wrote one of its blocks last before it in that order.
  */
+#include "dwa_lip.h"
+
 #include "memory.h"
-#include "plan.h"
 
 #include <stdlib.h>
 
@@ -46,25 +47,14 @@ static bool own(const struct view *view, uint32_t lowest) {
     return view->first <= lowest && lowest < view->end;
 }
 
-static bool sort_in(struct view *view, const struct summary *summary) {
-    const struct sets *sets = &summary->sets;
-    for (size_t b = 0; b < summary->block_count; b++) {
-        const struct block *block = &summary->block[b];
-        for (size_t s = block->span_begin; s < block->span_end; s++) {
-            const struct span span = summary->span[s];
-            if (span.set == 0)
-                continue;
-            const uint32_t lowest = redcc_set_minimum(sets, span.set);
-            const uint32_t delta = redcc_set_maximum(sets, span.set) - lowest;
-            view->filled[lowest * view->blocks + delta] = true;
-            if (own(view, lowest) &&
-                !redcc_schedule_add(&view->pair[(lowest - view->first) * view->blocks + delta], 0,
-                                    block->origin + span.begin, redcc_span_count(summary, block, s),
-                                    false))
-                return false;
-        }
-    }
-    return true;
+static bool take_pair(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
+                      redcc_int count) {
+    struct view *view = context;
+    view->filled[lowest * view->blocks + delta] = true;
+    if (!own(view, lowest))
+        return true;
+    struct schedule *pair = &view->pair[(lowest - view->first) * view->blocks + delta];
+    return redcc_schedule_add(pair, 0, begin, count, false);
 }
 
 /* The pair is the next in the order of the stages: lists the tasks of other threads that wrote its
@@ -131,7 +121,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
                         .end = redcc_part_first(plan->owners, plan->threads, thread + 1)};
     bool enough = take_tables(&view);
     for (int from = 0; enough && from < evidence->threads; from++)
-        enough = sort_in(&view, evidence->summary[from]);
+        enough = redcc_sort_pairs(evidence->summary[from], take_pair, &view);
     enough = enough && put_in_order(&view, schedule);
     if (enough && thread == evidence->threads - 1 && redcc_last_touches_nothing(evidence))
         enough = redcc_schedule_begin_task(schedule, NULL, 0) &&
