@@ -46,7 +46,7 @@ static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const c
 
 static void place_owners(struct member *member) {
     const struct plan *plan = member->plan;
-    const uint32_t owner = (uint32_t)member->thread;
+    const uint32_t owner = plan->owners == 1 ? 0 : (uint32_t)member->thread;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
         const uintptr_t base = (uintptr_t)member->execution->request.bases[group];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Inspection, the phases that lead to owners cut from the access graph (graph/divide.h). */
+/** Inspection, the phases in which all touches are told once more and kept: for owners cut from the
+ *  access graph (graph/divide.h), or for iterations in levels (graph/levels.h). */
 #include "inspect.h"
 
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
@@ -21,6 +22,10 @@ static size_t expected_touches(const struct member *member, bool leading) {
 
 /* Owners by address will do, or what is chosen without the graph. False: make that plan. */
 static bool go_on_without(struct execution *execution) {
+    if (execution->method && execution->method->in_levels) {
+        redcc_refuse(execution, REASON_LEVELS);
+        return true;
+    }
     if (execution->method) {
         execution->chosen = &redcc_method_localwrite;
         return false;
@@ -43,6 +48,8 @@ bool redcc_begin_gathering(struct execution *execution) {
         break;
     }
     execution->divide.barrier = &execution->barrier;
+    if (execution->chosen->in_levels) /* whatever they take: the method was named */
+        execution->divide.most_told = (size_t)REDCC_NO_UNIT / (size_t)execution->threads;
     execution->next = PHASE_GATHER;
     return true;
 }
@@ -88,6 +95,17 @@ int redcc_gathering(redcc_worker *worker) {
     return 0;
 }
 
+/* Alone: each iteration's level depends on those before it. */
+static void put_in_levels(struct execution *execution) {
+    const bool every = execution->request.loop->flags & REDCC_EVERY_ITERATION;
+    if (redcc_levels_begin(&execution->levels, execution->divide.told, execution->threads, every)) {
+        redcc_divide_tidy(&execution->divide);
+        redcc_make_plan(execution);
+    } else {
+        redcc_refuse(execution, REASON_NO_MEMORY);
+    }
+}
+
 static void after_divide(struct execution *execution) {
     if (!execution->divide.going) {
         redcc_refuse(execution, REASON_NO_MEMORY);
@@ -99,6 +117,10 @@ static void after_divide(struct execution *execution) {
 }
 
 void redcc_divide_share(struct member *member) {
+    if (member->execution->chosen->in_levels) {
+        redcc_meet(member, put_in_levels);
+        return;
+    }
     redcc_divide(&member->execution->divide, member->thread, member->seen);
     redcc_meet(member, after_divide);
 }

@@ -360,9 +360,13 @@ static void prepare(struct member *member) {
     struct execution *execution = member->execution;
     struct plan *plan = execution->plan;
     const struct evidence evidence = {
-        &execution->partition,   execution->summaries,
-        execution->seen,         execution->threads,
-        execution->request.trip, (execution->request.loop->flags & REDCC_EVERY_ITERATION) != 0};
+        .partition = &execution->partition,
+        .summary = execution->summaries,
+        .seen = execution->seen,
+        .threads = execution->threads,
+        .trip = execution->request.trip,
+        .levels = &execution->levels,
+        .every_iteration = (execution->request.loop->flags & REDCC_EVERY_ITERATION) != 0};
     member->failed =
         !plan->method->prepare(plan, &evidence, member->thread) ||
         !redcc_copies_take(plan, member->thread, member->seen, execution->partition.base);

@@ -12,6 +12,7 @@
 #include "choose.h"
 #include "float_control.h"
 #include "graph/divide.h"
+#include "graph/levels.h"
 #include "hook.h"
 #include "plan.h"
 #include "report.h"
@@ -94,6 +95,7 @@ struct execution {
     struct partition partition;
     const struct method *chosen; /* of this inspection */
     struct divide divide;
+    struct levels levels;
     bool divided;          /* it is done, and the plan's owners are to be those */
     bool by_graph;         /* auto: by a plan of that kind */
     double touches;        /* of an iteration, about */

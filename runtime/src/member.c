@@ -70,6 +70,7 @@ void redcc_inspection_end(struct execution *execution) {
         member->executed = NULL;
     }
     redcc_divide_end(&execution->divide);
+    redcc_levels_end(&execution->levels);
     redcc_partition_end(&execution->partition);
     redcc_memory_give(execution->samples);
     redcc_memory_give(execution->summaries);

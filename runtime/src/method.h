@@ -11,6 +11,7 @@
 
 #include "summary.h"
 
+struct levels;
 struct plan;
 
 /** What is known of a loop once all its iterations were inspected. */
@@ -20,6 +21,7 @@ struct evidence {
     const struct range *const *seen;      /* [threads][array_count] what each share touches */
     int threads;
     redcc_int trip;
+    const struct levels *levels; /* where the method is in_levels */
     bool every_iteration; /* those that touch nothing are to be executed as well; asked only of
                              methods that keep the order serial */
 };
@@ -43,9 +45,11 @@ struct method {
                               used by one thread as well */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
-    bool by_graph; /* owners are cut from the access graph (graph/divide.h), where that can be done;
-                      else, as without it, by address */
-    bool locks;    /* each unit is locked while it is updated */
+    bool by_graph;  /* the plan comes from what each iteration touches, all of it kept (gather.c),
+                       where that can be done: owners are cut from it (graph/divide.h; else, as
+                       without it, by address), */
+    bool in_levels; /* or the iterations are put in levels (graph/levels.h) */
+    bool locks;     /* each unit is locked while it is updated */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
@@ -66,6 +70,7 @@ struct method {
 extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;
 extern const struct method redcc_method_graph_localwrite;
+extern const struct method redcc_method_wavefront;
 extern const struct method redcc_method_expansion;
 extern const struct method redcc_method_pseudo_expansion;
 extern const struct method redcc_method_dwa_lip;

@@ -17,6 +17,7 @@
     X(REASON_NO_COPIES, "no private copies can be made of a reduction array")                      \
     X(REASON_MIXED, "reduction arrays of unlike type or operator overlap")                         \
     X(REASON_OUT_OF_STEP, "reduction arrays overlap out of step")                                  \
+    X(REASON_LEVELS, "too many iterations or touches to be put in levels, or none")                \
     X(REASON_INSPECTOR, "the inspector did not tell all iterations")                               \
     X(REASON_OVERLAP, "something read overlaps a reduction array")
 

@@ -35,6 +35,60 @@ static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offs
     return found;
 }
 
+/* When an iteration is executed. */
+struct visit {
+    int stage, thread, times;
+};
+
+static void record_visits(const struct plan *plan, struct visit *visit) {
+    for (int thread = 0; thread < plan->threads; thread++) {
+        const struct schedule *schedule = &plan->schedule[thread];
+        for (size_t c = 0; c < schedule->chunk_count; c++)
+            for (size_t r = schedule->chunk[c].run_begin; r < schedule->chunk[c].run_end; r++) {
+                const redcc_run run = schedule->run[r];
+                assert_int_equal(run.count_and_guard & 1, 0);
+                for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++) {
+                    struct visit *it = &visit[schedule->chunk[c].origin + run.begin + i];
+                    *it = (struct visit){(int)schedule->chunk[c].stage, thread, it->times + 1};
+                }
+            }
+    }
+}
+
+/* Iteration t updates the element; last: 1 + the iteration that did so before, 0: none. */
+static void check_update(const struct visit *visit, long t, long *last) {
+    const struct visit *before = *last > 0 ? &visit[*last - 1] : NULL;
+    if (before && *last != t + 1 && before->stage >= visit[t].stage) {
+        assert_int_equal(before->stage, visit[t].stage);
+        assert_int_equal(before->thread, visit[t].thread);
+    }
+    *last = t + 1;
+}
+
+/* By levels: each iteration is executed once, and of two that touch a common element the first is
+ * in an earlier stage, or comes first in the same thread. */
+static void check_levels(const struct problem *problem, const struct plan *plan) {
+    const size_t first = (size_t)problem->doubles;
+    const size_t second = (size_t)problem->second_rows * (size_t)problem->second_width;
+    struct visit *visit = calloc((size_t)problem->trip + 1, sizeof *visit);
+    long *last = calloc(first + second + 1, sizeof *last);
+    long *const last_second =
+        problem->second_in_first ? last + (problem->second - problem->first) : last + first;
+    record_visits(plan, visit);
+    for (long t = 0; t < problem->trip; t++) {
+        const bool idle = problem->start[t] == problem->start[t + 1] && t + 1 < problem->trip;
+        assert_int_equal(visit[t].times, !idle);
+        for (int k = problem->start[t]; k < problem->start[t + 1]; k++) {
+            for (long c = 0; c < problem->width; c++)
+                check_update(visit, t, &last[problem->row[k] * problem->width + c]);
+            for (long c = 0; c < problem->second_width; c++)
+                check_update(visit, t, &last_second[problem->other[k] * problem->second_width + c]);
+        }
+    }
+    free(visit);
+    free(last);
+}
+
 /* Marks the owners of what iteration t writes; returns how many there are. */
 static int mark_owners(const struct problem *problem, const struct plan *plan, long t, char *mark) {
     int count = 0;
@@ -80,6 +134,10 @@ static void mark_visits(const struct problem *problem, const struct plan *plan, 
 
 void check_plan(const struct problem *problem, const struct plan *plan) {
     assert_non_null(plan);
+    if (plan->method->in_levels) {
+        check_levels(problem, plan);
+        return;
+    }
     const size_t cells = (size_t)problem->trip * (size_t)plan->threads;
     char *visits = calloc(cells, 1), *guarded = calloc(cells, 1);
     char *mark = calloc(plan->owners, 1);

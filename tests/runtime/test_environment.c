@@ -47,9 +47,9 @@ static struct outcome run(const char *variables, const char *program, const char
 }
 
 static const char *const methods[] = {
-    "auto",      "serial",      "localwrite",   "graph-localwrite",
-    "expansion", "expansion:a", "expansion:b",  "pseudo-expansion",
-    "dwa-lip",   "pe-dwa-lip",  "pe-dwa-lip:3", "atomic"};
+    "auto",         "serial",      "localwrite",       "graph-localwrite", "expansion",
+    "expansion:a",  "expansion:b", "pseudo-expansion", "dwa-lip",          "pe-dwa-lip",
+    "pe-dwa-lip:3", "atomic",      "wavefront"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void the_bits_are_those_of_the_plain_program(void **unused) {

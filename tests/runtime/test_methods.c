@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-static const int thread_counts[] = {1, 2, 3, 7, 16, 33};
+static const int thread_counts[] = {1, 2, 3, 7, 16, 33, 64};
 
 static void copy_arrays(const struct problem *problem, double *to) {
     memcpy(to, problem->first, (size_t)problem->doubles * sizeof *to);

@@ -268,7 +268,7 @@ static void more_iterations_than_32_bits_count(void **unused) {
             }
         }
     }
-    const struct evidence evidence = {&partition, summaries, seen, 2, trip, false};
+    const struct evidence evidence = {&partition, summaries, seen, 2, trip, NULL, false};
     static const struct method *const methods[] = {&redcc_method_localwrite,
                                                    &redcc_method_expansion, &redcc_method_dwa_lip};
     for (int m = 0; m < 3; m++) {

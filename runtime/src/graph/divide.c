@@ -188,19 +188,6 @@ static bool refine_rims(struct divide *divide) {
     return true;
 }
 
-/* Where iterations of one thread are in its two lists. */
-struct reading {
-    const struct unit_list *list;
-    size_t at;
-};
-
-/* The next unit of the iteration at hand; sets *last where it is its last one. */
-static uint32_t read_unit(struct reading *reading, bool *last) {
-    const uint32_t item = reading->list->item[reading->at++];
-    *last = item & REDCC_LAST;
-    return item & ~REDCC_LAST;
-}
-
 static void cast_vote(atomic_ushort *vote, unsigned short mine) {
     unsigned short known = atomic_load_explicit(vote, memory_order_relaxed);
     while (mine < known && !atomic_compare_exchange_weak_explicit(
@@ -212,11 +199,11 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
  * owner of one that has several. The lowest, whoever is first. */
 static void vote_further(struct divide *divide, int thread) {
     const struct told *told = &divide->told[thread];
-    struct reading leading = {&told->leading, 0}, further = {&told->further, 0};
+    struct told_reading leading = {&told->leading, 0}, further = {&told->further, 0};
     while (further.at < told->further.count) {
         unsigned short mine = NO_VOTE;
         for (bool last = false; !last;) {
-            const uint32_t unit = read_unit(&leading, &last);
+            const uint32_t unit = redcc_told_read(&leading, &last);
             if (unit == REDCC_NO_UNIT)
                 continue;
             const unsigned char owner = divide->owner[unit];
@@ -226,7 +213,7 @@ static void vote_further(struct divide *divide, int thread) {
                 mine |= SEVERAL;
         }
         for (bool last = false; !last;) {
-            const uint32_t unit = read_unit(&further, &last);
+            const uint32_t unit = redcc_told_read(&further, &last);
             if (unit != REDCC_NO_UNIT && mine != NO_VOTE)
                 cast_vote(&divide->vote[unit - divide->units.leading], mine);
         }
@@ -251,9 +238,9 @@ static void clear_votes(struct divide *divide, int thread) {
         atomic_store_explicit(&divide->vote[unit], NO_VOTE, memory_order_relaxed);
 }
 
-static void take_owners(struct divide *divide, struct sweep *sweep, struct reading *reading) {
+static void take_owners(struct divide *divide, struct sweep *sweep, struct told_reading *reading) {
     for (bool last = false; !last;) {
-        const uint32_t unit = read_unit(reading, &last);
+        const uint32_t unit = redcc_told_read(reading, &last);
         if (unit != REDCC_NO_UNIT)
             redcc_sweep_take_owner(sweep, divide->owner[unit]);
     }
@@ -265,7 +252,7 @@ static bool summarise(struct divide *divide, int thread, struct range *seen) {
     if (!redcc_sweep_begin(sweep, divide->partition, seen))
         return false;
     const redcc_int trip = told->iterations;
-    struct reading leading = {&told->leading, 0}, further = {&told->further, 0};
+    struct told_reading leading = {&told->leading, 0}, further = {&told->further, 0};
     redcc_sweep_open_block(sweep, told->begin);
     while (leading.at < told->leading.count && !sweep->failed) {
         take_owners(divide, sweep, &leading);

@@ -44,4 +44,17 @@ void redcc_told_end(struct told *told);
 /** Takes entries [first, end) in; an iteration's may come in several calls. */
 void redcc_told_take(struct told *told, const redcc_entry *first, const redcc_entry *end);
 
+/** Where a reader of a list stands. */
+struct told_reading {
+    const struct unit_list *list;
+    size_t at;
+};
+
+/** The next unit of the iteration at hand, or REDCC_NO_UNIT; sets *last where it is its last. */
+static inline uint32_t redcc_told_read(struct told_reading *reading, bool *last) {
+    const uint32_t item = reading->list->item[reading->at++];
+    *last = item & REDCC_LAST;
+    return item & ~REDCC_LAST;
+}
+
 #endif

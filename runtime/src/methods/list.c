@@ -7,6 +7,7 @@ const struct method *const redcc_methods[] = {
     &redcc_method_atomic,
     &redcc_method_localwrite,
     &redcc_method_graph_localwrite,
+    &redcc_method_wavefront,
     &redcc_method_expansion,
     &redcc_method_pseudo_expansion,
     &redcc_method_dwa_lip,
