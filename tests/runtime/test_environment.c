@@ -47,14 +47,15 @@ static struct outcome run(const char *variables, const char *program, const char
 }
 
 static const char *const methods[] = {
-    "auto",         "serial",      "localwrite",       "graph-localwrite", "expansion",
-    "expansion:a",  "expansion:b", "pseudo-expansion", "dwa-lip",          "pe-dwa-lip",
-    "pe-dwa-lip:3", "atomic",      "wavefront"};
+    "auto",       "serial",       "localwrite",  "graph-localwrite", "wavefront",
+    "expansion",  "expansion:a",  "expansion:b", "pseudo-expansion", "dwa-lip",
+    "pe-dwa-lip", "pe-dwa-lip:3", "atomic"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void the_bits_are_those_of_the_plain_program(void **unused) {
     (void)unused;
-    static const char *const exact[] = {"auto", "serial", "localwrite", "graph-localwrite"};
+    static const char *const exact[] = {"auto", "serial", "localwrite", "graph-localwrite",
+                                        "wavefront"};
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
         for (int threads = 1; threads <= 5; threads += 2)
@@ -273,7 +274,7 @@ static void the_report_names_the_method_with_its_parameter(void **unused) {
                                                                        : methods[m];
         assert_string_equal(name, expected);
         assert_string_equal(json_string_value(json_object_get(loop, "order")),
-                            m <= 3 ? "serial" : "any");
+                            m <= 4 ? "serial" : "any");
         json_decref(report);
     }
 }
