@@ -222,7 +222,18 @@ static void drop_increment(body_copy *copy) {
                   "");
 }
 
-static const char *copied_text(body_copy *copy) {
+/** What the edits put in, one piece a line. */
+static const char *changes_text(arena *a, const edit_list *list) {
+    buffer out = {0};
+    for (unsigned i = 0; i < list->edits.count; i++)
+        buffer_format(&out, "%s\n", list->edits.items[i].text);
+    const char *text = arena_copy(a, out.length > 0 ? out.data : "", out.length);
+    buffer_free(&out);
+    return text;
+}
+
+/** The body's text; in *changes what of it is not the user's. */
+static const char *copied_text(body_copy *copy, const char **changes) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
@@ -237,7 +248,7 @@ static const char *copied_text(body_copy *copy) {
     if (copy->is_guarded)
         guard_updates(copy);
     if (is_printed(copy, body))
-        return printed_text(copy, body);
+        return *changes = printed_text(copy, body);
 
     drop_increment(copy);
     for (unsigned i = 0; i < copy->printed.count; i++) {
@@ -251,6 +262,7 @@ static const char *copied_text(body_copy *copy) {
         loop_obstacle(loop, body->range, "the changes to its text overlap");
     const char *result = arena_copy(loop->arena, out.data ? out.data : "", out.length);
     buffer_free(&out);
+    *changes = changes_text(loop->arena, &copy->edits);
     return result;
 }
 
@@ -275,14 +287,14 @@ static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
-                body_reads(facts, counter) ? "" : " __attribute__((unused))", loop->counter_type,
-                loop_iteration_offset(loop));
+                body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
+                loop->counter_type, loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const private_variable *item = &facts->privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
         writer_line(out, "__typeof__(%s) %s%s;", item->variable->name, item->variable->name,
-                    body_reads(facts, item->variable) ? "" : " __attribute__((unused))");
+                    body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))");
     }
 }
 
@@ -298,10 +310,15 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
         check_updates(loop);
     declare_variables(loop, out);
     write_neutral_operands(loop, out);
-    const char *text = copied_text(&copy);
+    const char *changes = "";
+    const char *text = copied_text(&copy, &changes);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
-    buffer_format(&out->out, "%s\n%s%s\n%s\n", loop_line_directive(loop, body->range.begin),
-                  loop_column_blanks(loop, body->range.begin), text,
-                  loop_line_directive(loop, loop->facts->loop->range.begin));
+    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
+                  loop_column_blanks(loop, body->range.begin));
+    const size_t begin = out->out.length;
+    buffer_text(&out->out, text);
+    const text_span span = {begin, out->out.length, changes};
+    VECTOR_PUSH(loop->arena, &loop->copies, span);
+    buffer_format(&out->out, "\n%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
 }

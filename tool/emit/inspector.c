@@ -147,7 +147,7 @@ static void declare_variables(const inspector *self, writer *out) {
     loop_text *loop = self->loop;
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
-    const char *unused = is_needed(self, counter) ? "" : " __attribute__((unused))";
+    const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
     writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
                 unused, loop->counter_type, loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {

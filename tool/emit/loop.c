@@ -189,6 +189,7 @@ const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
     replaced->begin = begin_with_pragmas(unit, facts->loop);
     replaced->end = syntax_statement_end(unit->source, facts->loop);
     write_parallel_form(&loop, &out);
+    check_macro_names(&loop, &out.out);
     write_sequential_form(&loop, &out, *replaced);
     const char *text = writer_text(a, &out);
     if (!loop.obstacle)

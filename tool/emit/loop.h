@@ -10,6 +10,7 @@
 
 #include "emit/emit.h"
 #include "emit/text.h"
+#include "support/vector.h"
 
 /** How a reduction array is called in the generated text. */
 typedef struct array_text {
@@ -28,6 +29,12 @@ typedef struct source_text {
 
 enum { SOURCE_NOT_TOLD = -1 };
 
+/** A piece of the text written that is a copy of the user's. */
+typedef struct text_span {
+    size_t begin, end;
+    const char *changes; /* what was put into the copy, one piece a line */
+} text_span;
+
 typedef struct loop_text {
     arena *arena;
     const ir_unit *unit;
@@ -41,6 +48,7 @@ typedef struct loop_text {
     const source_text *sources;
     const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
+    VECTOR(text_span) copies; /* in order */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -116,6 +124,12 @@ void declare_inlined(loop_text *loop, writer *out);
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */
 void write_iteration(loop_text *loop, writer *out, bool is_guarded);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);
+
+/** macro_names.c: the name of a macro of the program that is used in the text; NULL: there is none.
+ */
+const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
+/** Records an obstacle where a macro would change the text written, the user's own apart. */
+void check_macro_names(loop_text *loop, const buffer *written);
 
 /** loop.c: the text that replaces bytes `replaced` of the file; NULL, with the obstacle in *why,
  *  where it cannot be written. */

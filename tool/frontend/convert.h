@@ -107,6 +107,9 @@ bool has_other_name(converter *c, CXCursor declaration);
 bool is_under_may_alias(converter *c, CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */
 bool is_missing_header(CXDiagnostic diagnostic);
+/** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
+void note_macro(converter *c, CXCursor definition);
+void note_macros_of_directives(converter *c);
 /** Sets the unit's compiler_word. */
 void find_compiler_words(converter *c);
 /** Sets is_skipped of the unit's directives. */

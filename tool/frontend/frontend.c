@@ -75,11 +75,13 @@ static void convert_diagnostics(arena *a, CXTranslationUnit clang, frontend_resu
 
 /* ---- conversion ---------------------------------------------------------------------------- */
 
-static enum CXChildVisitResult visit_expansion(CXCursor cursor, CXCursor parent,
-                                               CXClientData data) {
+static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
-    if (clang_getCursorKind(cursor) == CXCursor_MacroExpansion)
+    const enum CXCursorKind kind = clang_getCursorKind(cursor);
+    if (kind == CXCursor_MacroExpansion)
         note_expansion(data, cursor);
+    else if (kind == CXCursor_MacroDefinition)
+        note_macro(data, cursor);
     return CXChildVisit_Continue;
 }
 
@@ -115,7 +117,7 @@ static void convert_body(converter *c, const function_body *pending) {
 
 static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
-    clang_visitChildren(unit, visit_expansion, c);
+    clang_visitChildren(unit, visit_macro, c);
     c->knows_expansions = true;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
@@ -124,6 +126,7 @@ static void convert_unit(converter *c) {
         convert_body(c, &pending);
     }
     find_directives(c->arena, c->unit);
+    note_macros_of_directives(c);
     mark_skipped_directives(c);
     find_compiler_words(c);
     finish_unit(c);
@@ -134,6 +137,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->arena = a;
     unit->source = src;
     unit->strict_aliasing = true;
+    unit->macros = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,

@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "support/arena.h"
+#include "support/map.h"
 #include "support/source.h"
 
 /** Bytes [begin, end) of the main file; begin == end: none (a header, a macro's body). */
@@ -259,7 +260,13 @@ typedef struct ir_unit {
     unsigned error_count; /* compiler errors anywhere */
     const char *compiler_word; /* a name in the program's own text by which it may ask for the
                                   compiler: "__clang"; NULL: none. Not in the text form */
+    map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
+                    those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
+                    their own name. NULL: none. Not in the text form */
 } ir_unit;
+
+#define IR_MACRO_AS_OBJECT ((void *)1)
+#define IR_MACRO_AS_FUNCTION ((void *)2)
 
 /* ---- looking around ------------------------------------------------------------------------ */
 

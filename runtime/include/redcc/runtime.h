@@ -25,7 +25,7 @@
     typedef char                                                                                   \
         redcc_version_of_header_and_translator_differ[(REDCC_RUNTIME_VERSION == (version)) ? 1     \
                                                                                            : -1]   \
-        __attribute__((unused))
+        __attribute__((__unused__))
 
 /** In #if: is each floating-point operation rounded by itself, to its own type, wherever it stands?
  *  Then two copies of one expression give the same bits. Where subscripts are computed so, a loop

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Macros of the program that would change generated text: the runtime's names for what it tells
+ * (`worker.first`), keywords, and the user's own names where they are written once more may all be
+ * names of macros. Of the user's own bytes, copied, all macros mean what they did.
+ */
+#include <ctype.h>
+#include <string.h>
+
+#include "emit/loop.h"
+
+static bool is_name_start(char c) {
+    return isalpha((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+}
+
+static bool is_name_byte(char c) {
+    return is_name_start(c) || isdigit((unsigned char)c);
+}
+
+static const char *skip_quoted(const char *at, const char *end) {
+    const char quote = *at++;
+    while (at < end && *at != quote)
+        at += *at == '\\' && at + 1 < end ? 2 : 1;
+    return at < end ? at + 1 : end;
+}
+
+/** To the text of `#pragma omp`, in which macros are replaced; past other directives. */
+static const char *skip_directive(const char *at, const char *end) {
+    static const char openmp[] = "#pragma omp ";
+    if ((size_t)(end - at) >= sizeof openmp && strncmp(at, openmp, sizeof openmp - 1) == 0)
+        return at + sizeof openmp - 1;
+    const char *line_end = memchr(at, '\n', (size_t)(end - at));
+    return line_end ? line_end : end;
+}
+
+static const char *skip_comment(const char *at, const char *end) {
+    for (at += 2; at + 1 < end; at++)
+        if (at[0] == '*' && at[1] == '/')
+            return at + 2;
+    return end;
+}
+
+/** Is this word, which ends at `after`, replaced by the preprocessor? */
+static bool is_replaced(const map *macros, const char *word, const char *after, const char *end) {
+    const void *kind = map_get(macros, word, (size_t)(after - word));
+    while (after < end && isspace((unsigned char)*after))
+        after++;
+    return kind == IR_MACRO_AS_OBJECT ||
+           (kind == IR_MACRO_AS_FUNCTION && (after == end || *after == '('));
+}
+
+const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length) {
+    const char *at = text, *const end = text + length;
+    while (unit->macros && at < end) {
+        const char *const word = at;
+        if (*at == '"' || *at == '\'') {
+            at = skip_quoted(at, end);
+        } else if (*at == '#' && (at == text || at[-1] == '\n')) {
+            at = skip_directive(at, end);
+        } else if (*at == '/' && at + 1 < end && at[1] == '*') {
+            at = skip_comment(at, end);
+        } else if (is_name_byte(*at)) { /* numbers too: no macro is named so */
+            while (at < end && is_name_byte(*at))
+                at++;
+            if (is_name_start(*word) && is_replaced(unit->macros, word, at, end))
+                return arena_copy(a, word, (size_t)(at - word));
+        } else {
+            at++;
+        }
+    }
+    return NULL;
+}
+
+static void check_piece(loop_text *loop, const char *text, size_t begin, size_t end) {
+    const char *name = macro_name_in(loop->arena, loop->unit, text + begin, end - begin);
+    if (name)
+        loop_obstacle(loop, loop->facts->loop->range,
+                      "the macro '%s' would change the text that is written", name);
+}
+
+void check_macro_names(loop_text *loop, const buffer *written) {
+    size_t from = 0;
+    for (unsigned i = 0; i < loop->copies.count; i++) {
+        const text_span *copy = &loop->copies.items[i];
+        check_piece(loop, written->data, from, copy->begin);
+        check_piece(loop, copy->changes, 0, strlen(copy->changes));
+        from = copy->end;
+    }
+    check_piece(loop, written->data, from, written->length);
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The names that macros have, wherever they are defined: text that is written into the file would
+ * be changed where it uses one. */
+#include <ctype.h>
+#include <string.h>
+
+#include "frontend/convert.h"
+#include "frontend/directives.h"
+
+/* Past blanks and line splices. */
+static const char *skip_spaces(const char *at, const char *end) {
+    for (unsigned splice; at < end; at += splice) {
+        splice = splice_length(at, end);
+        if (splice == 0 && *at != ' ' && *at != '\t')
+            break;
+        if (splice == 0)
+            splice = 1;
+    }
+    return at;
+}
+
+static bool is_name_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+}
+
+/* `#define SIGINT SIGINT`: the macro named at `at` stands for its own name. */
+static bool stands_for_itself(file_text at, const char *name, size_t length) {
+    const char *end = at.text + at.length;
+    if (at.length <= length || strncmp(at.text, name, length) != 0)
+        return false;
+    const char *body = skip_spaces(at.text + length, end);
+    if ((size_t)(end - body) < length || strncmp(body, name, length) != 0)
+        return false;
+    body = skip_spaces(body + length, end);
+    return body == end || *body == '\n' || *body == '\r';
+}
+
+static void note(converter *c, const char *name, size_t length, bool is_function_like) {
+    void **known = map_at(c->unit->macros, name, length);
+    if (*known != IR_MACRO_AS_OBJECT)
+        *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
+}
+
+void note_macro(converter *c, CXCursor definition) {
+    CXString text = clang_getCursorSpelling(definition);
+    const char *name = clang_getCString(text);
+    const size_t length = strlen(name);
+    const bool is_function_like = clang_Cursor_isMacroFunctionLike(definition) != 0;
+    if (is_function_like ||
+        !stands_for_itself(text_at(c, clang_getCursorLocation(definition)), name, length))
+        note(c, name, length, is_function_like);
+    clang_disposeString(text);
+}
+
+/* In a branch that another compiler may take, clang sees no macro. */
+void note_macros_of_directives(converter *c) {
+    for (unsigned i = 0; i < c->unit->directive_count; i++) {
+        const ir_directive *directive = &c->unit->directives[i];
+        const char *word = directive->text ? strstr(directive->text, "define") : NULL;
+        if (directive->kind != IR_DIRECTIVE_OTHER || word == NULL)
+            continue;
+        const char *end = directive->text + strlen(directive->text);
+        const char *name = skip_spaces(word + strlen("define"), end), *after = name;
+        while (after < end && is_name_byte(*after))
+            after++;
+        const size_t length = (size_t)(after - name);
+        const file_text at = {.text = name, .length = (size_t)(end - name)};
+        if (length > 0 && !stands_for_itself(at, name, length))
+            note(c, name, length, after < end && *after == '(');
+    }
+}
