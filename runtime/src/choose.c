@@ -191,6 +191,10 @@ void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip) {
     trial->graph_seconds = 0;
 }
 
+void redcc_choose_levels(struct chooser *chooser, redcc_int trip) {
+    trial_of(chooser, trip)->rule = RULE_LEVELS;
+}
+
 /* Without the graph. */
 static enum rule plain_way(const struct findings *findings, double sweep_seconds) {
     if (findings->share <= most_share)

@@ -97,4 +97,8 @@ enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip);
 /** The owners could not be cut from the access graph after all. */
 void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip);
 
+/** Instead of owners cut from the access graph the iterations were put in levels: noted as the row
+ *  that decided. */
+void redcc_choose_levels(struct chooser *chooser, redcc_int trip);
+
 #endif

@@ -24,8 +24,7 @@ static bool memory_allows(size_t bytes) {
     return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
 }
 
-/* What of the iterations the thread has that would execute most by LOCALWRITE. */
-static double largest_share(const struct execution *execution) {
+double redcc_largest_share(const struct execution *execution) {
     redcc_int most = 0;
     for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
         redcc_int sum = 0;
@@ -56,7 +55,7 @@ enum rule redcc_find_way(struct execution *execution, double share, bool swept) 
 }
 
 const struct method *redcc_find_method(struct execution *execution) {
-    switch (redcc_find_way(execution, largest_share(execution), true)) {
+    switch (redcc_find_way(execution, redcc_largest_share(execution), true)) {
     case RULE_EVEN:
     case RULE_INDEX:
         return &redcc_method_localwrite;

@@ -3,6 +3,15 @@
  *  access graph (graph/divide.h), or for iterations in levels (graph/levels.h). */
 #include "inspect.h"
 
+#include "budget.h"
+
+#include <string.h>
+
+static const double uneven = 1.25;       /* of an equal share of the iterations */
+static const double shorter = 0.9;       /* than by the owners that were cut */
+static const double graph_touch = 40e-9; /* seconds that cutting takes for a touch (choose.c), */
+static const double level_touch = 20e-9; /* and putting in levels */
+
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
 static size_t expected_touches(const struct member *member, bool leading) {
     const struct execution *execution = member->execution;
@@ -106,12 +115,29 @@ static void put_in_levels(struct execution *execution) {
     }
 }
 
+/* auto: the owners that were cut leave one thread this share of the iterations. Would it be quicker
+ * by levels? If so they are there. */
+static bool levels_serve_better(struct execution *execution, double share) {
+    const double all = (double)execution->request.trip;
+    const bool every = execution->request.loop->flags & REDCC_EVERY_ITERATION;
+    if (execution->method || share * execution->threads <= uneven ||
+        redcc_budget() < execution->touches * all * (graph_touch + level_touch))
+        return false;
+    return redcc_levels_begin(&execution->levels, execution->divide.told, execution->threads,
+                              every) &&
+           redcc_levels_length(&execution->levels, execution->threads) < shorter * share * all;
+}
+
 static void after_divide(struct execution *execution) {
     if (!execution->divide.going) {
         redcc_refuse(execution, REASON_NO_MEMORY);
         return;
     }
-    execution->divided = true;
+    execution->divided = !levels_serve_better(execution, redcc_largest_share(execution));
+    if (!execution->divided) {
+        execution->chosen = &redcc_method_wavefront;
+        redcc_choose_levels(&execution->state->chooser, execution->request.trip);
+    }
     redcc_divide_tidy(&execution->divide);
     redcc_make_plan(execution);
 }
@@ -121,6 +147,9 @@ void redcc_divide_share(struct member *member) {
         redcc_meet(member, put_in_levels);
         return;
     }
-    redcc_divide(&member->execution->divide, member->thread, member->seen);
+    struct divide *divide = &member->execution->divide;
+    memset(member->executed, 0, divide->owners * sizeof *member->executed);
+    if (redcc_divide(divide, member->thread, member->seen) == DIVIDE_DONE)
+        redcc_sweep_count(&divide->sweep[member->thread], member->executed);
     redcc_meet(member, after_divide);
 }

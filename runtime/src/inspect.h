@@ -17,6 +17,10 @@ int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_
 /** To be called by one thread, while the others wait: nothing is to be done in parallel. */
 void redcc_refuse(struct execution *execution, enum reason reason);
 
+/** What of the iterations the thread has that would execute most by LOCALWRITE, as the members have
+ *  counted them (member.executed). */
+double redcc_largest_share(const struct execution *execution);
+
 /** The row of auto's table for a loop of which one thread would execute `share` of the iterations
  * by LOCALWRITE: by all iterations (swept), or by the sample. */
 enum rule redcc_find_way(struct execution *execution, double share, bool swept);

@@ -376,7 +376,8 @@ static void count_execution(struct execution *execution, double now) {
     if (execution->method)
         return;
     redcc_budget_gain(
-        redcc_choose_learn(&state->chooser, plan->trip, execution->course, plan->map != NULL,
+        redcc_choose_learn(&state->chooser, plan->trip, execution->course,
+                           plan->map != NULL || plan->method->in_levels,
                            solo ? execution->solo_seconds : now - execution->entered));
     note_rule(statistics, redcc_choose_rule(&state->chooser, plan->trip));
 }

@@ -19,6 +19,10 @@
     X(RULE_GRAPH,                                                                                  \
       "more; plans can be kept; what cutting the access graph will take is within the budget",     \
       "`graph-localwrite` is tried")                                                               \
+    X(RULE_LEVELS,                                                                                 \
+      "these owners too leave some thread more than 1.25 times an equal share; iterations in "     \
+      "levels, a barrier reckoned as 200 of them, take less than 0.9 of that thread's",            \
+      "`wavefront` is tried in its place")                                                         \
     X(RULE_INDEX, "more, but no thread executes more than 0.85 of the iterations", "`localwrite`") \
     X(RULE_COPIES,                                                                                 \
       "more than that; order `any` or all arrays integer; copies possible and memory allows",      \
@@ -29,7 +33,7 @@
       "one thread executes all within the region, timed; then the original loop")                  \
     X(RULE_FASTER, "two executions by a plan and one or two by one thread have been timed",        \
       "the faster course is kept for trip counts of that size (between two powers of two)")        \
-    X(RULE_GRAPH_KEPT, "two executions by `graph-localwrite` were faster than all else",           \
+    X(RULE_GRAPH_KEPT, "two executions by one of these two were faster than all else",             \
       "it is kept")                                                                                \
     X(RULE_GRAPH_LOST, "they were not",                                                            \
       "what there was before; tried again after 1024 calls (after 16, then at growing distances, " \

@@ -59,7 +59,7 @@ static void the_bits_are_those_of_the_plain_program(void **unused) {
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
         for (int threads = 1; threads <= 5; threads += 2)
-            for (int m = 0; m < 4; m++) {
+            for (int m = 0; m < 5; m++) {
                 char variables[128];
                 snprintf(variables, sizeof variables, "OMP_NUM_THREADS=%d REDCC_METHOD=%s", threads,
                          exact[m]);
