@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "fingerprint.h"
 
+#include "fingerprint_wide.h"
+
 #include <string.h>
 
 enum { LANES = 8, STRIPE = LANES * 8 };
@@ -51,12 +53,26 @@ static uint64_t mix(uint64_t value) {
     return value ^ value >> 32;
 }
 
+/* Takes in as many whole blocks as there are; returns their bytes. */
+static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t bytes) {
+    if (bytes < REDCC_WIDE_BLOCK || !redcc_has_wide())
+        return 0;
+    uint64_t wide[REDCC_WIDE_LANES];
+    memcpy(wide, lane, LANES * sizeof *lane);
+    memcpy(wide + LANES, lane, LANES * sizeof *lane);
+    redcc_take_in_wide(wide, data, bytes / REDCC_WIDE_BLOCK);
+    memcpy(lane, wide, LANES * sizeof *lane);
+    take_in(lane, (const char *)(wide + LANES), 1);
+    return bytes / REDCC_WIDE_BLOCK * REDCC_WIDE_BLOCK;
+}
+
 struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
     uint64_t lane[LANES];
     for (int i = 0; i < LANES; i++)
         lane[i] = mix(FIRST * (uint64_t)(i + 1));
-    const size_t whole = bytes / STRIPE * STRIPE;
-    take_in(lane, data, bytes / STRIPE);
+    size_t whole = take_in_blocks(lane, data, bytes);
+    take_in(lane, data + whole, (bytes - whole) / STRIPE);
+    whole += (bytes - whole) / STRIPE * STRIPE;
     char rest[STRIPE] = {0};
     if (bytes > whole)
         memcpy(rest, data + whole, bytes - whole);

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The inner loop of fingerprints for processors with AVX2: twice as fast as that for all. */
+#ifndef REDCC_FINGERPRINT_WIDE_H
+#define REDCC_FINGERPRINT_WIDE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { REDCC_WIDE_BLOCK = 1024, REDCC_WIDE_LANES = 16 };
+
+/** Is this such a processor? Always the same answer. */
+bool redcc_has_wide(void);
+
+/** Takes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. Only where
+ *  redcc_has_wide(). */
+void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks);
+
+#endif
