@@ -15,10 +15,11 @@
  *
  * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own; inspection is
  * in executions of the sequential loop; extra memory as a share of the reduction arrays; modelled
- * is the iterations of the loop over those of the thread that executes most. With `others`, also
- * the lines of OpenMP's atomics, its reduction of array sections (which takes stacks as large as
- * the arrays: ulimit -s, OMP_STACKSIZE), and array expansion written by hand. WARM 0: one execution
- * only, for the model at many threads.
+ * is the iterations of the loop over those that its threads take one after the other by the
+ * schedule, waits included (length.h). With `others`, also the lines of OpenMP's atomics, its
+ * reduction of array sections (which takes stacks as large as the arrays: ulimit -s,
+ * OMP_STACKSIZE), and array expansion written by hand. WARM 0: one execution only, for the model at
+ * many threads.
  */
 #include "loop.h"
 
@@ -442,7 +443,7 @@ int main(int count, char **arguments) {
                gain.median, gain.lowest, gain.highest,
                ours && warm > 0 ? (spread_of(fresh).median - mine) / alone : 0, 100 * extra / bytes,
                ours && kept.in_loops ? (double)kept.executed / (double)kept.in_loops : 1,
-               ours && kept.most ? (double)kept.trip / (double)kept.most : 0);
+               ours && kept.length ? (double)kept.trip / (double)kept.length : 0);
     }
     return 0;
 }

@@ -3,14 +3,14 @@
 # The paper's evaluation on this machine, beside docs/paper.md: table 1 (a cache model), figures 11
 # and 12 (speed-up and efficiency by method, sorted and not: measured up to the cores there are; by
 # more threads modelled from the schedule), figure 13 (memory). One CSV with all of it, and a plot.
-#   PAPER_WARM=2            seconds of executions before each measurement
-#   PAPER_MODEL="4 8 16"    thread counts that are modelled
-#   PAPER_METHODS="..."     the methods
+#   PAPER_WARM=1              seconds of executions before each measurement
+#   PAPER_MODEL="4 8 16 32"   thread counts that are modelled
+#   PAPER_METHODS="..."       the methods
 . bench/common.sh
 methods=${PAPER_METHODS:-expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 pe-dwa-lip:4 localwrite \
-  graph-localwrite dwa-lip-fixed}
-model=${PAPER_MODEL:-4 8 16}
-warm=${PAPER_WARM:-2}
+  graph-localwrite wavefront dwa-lip-fixed}
+model=${PAPER_MODEL:-4 8 16 32}
+warm=${PAPER_WARM:-1}
 cmake --build --preset release --target bench_loops bench_cache_model >/dev/null
 loops=$(find "$build" -name bench_loops -type f)
 cache=$(find "$build" -name bench_cache_model -type f)
@@ -27,13 +27,15 @@ column -s, -t "$work/table1"
 } >"$csv"
 
 # one PART MESH METHOD THREADS WARM: a line of the CSV. Memory of the sequential code: the reduction
-# arrays; the modelled speed-up is without what copies cost to fill and to merge.
+# arrays; the modelled speed-up is by the schedule alone, without what barriers and memory cost and
+# what copies cost to fill and to merge.
 one() {
   REDCC_METHOD=$3 OMP_NUM_THREADS=$4 "$loops" heavy "$2" "$5" |
     awk -F, -v part="$1" -v mesh="$2" -v method="$3" -v t="$4" '{
       gain = part == "measured" ? $8 : $14
-      printf "%s,%s,%s,%d,%.2f,%s,%s,%.2f,%.3f,%s,\n", part, mesh, method, t, gain, $9, $10,
-             gain / t, 1 + $12 / 100, $13}' >>"$csv"
+      spread = part == "measured" ? $9 "," $10 : ","
+      printf "%s,%s,%s,%d,%.2f,%s,%.2f,%.3f,%s,\n", part, mesh, method, t, gain, spread, gain / t,
+             1 + $12 / 100, $13}' >>"$csv"
 }
 for mesh in sorted shuffled; do
   for method in $methods; do
@@ -54,21 +56,34 @@ if ! command -v gnuplot >/dev/null; then
   echo "no plot: gnuplot (Debian's gnuplot-nox) is not installed"
 else
   {
-    echo 'set terminal pngcairo size 1200,900 font ",11"'
-    echo "set output '$plot'"
-    echo 'set multiplot layout 2,2; set key left top font ",9"; set logscale x 2; set grid; set xrange [1.8:20]'
-    for part in 5:speed-up 9:memory-over-sequential; do
+    echo "set terminal pngcairo size 1250,1350 font ',11'; set output '$plot'"
+    echo "set multiplot layout 3,2 margins 0.06,0.82,0.05,0.95 spacing 0.06,0.07 title \\"
+    echo "  'The heavy loop: filled and solid is measured, open and dashed is modelled from the schedules'"
+    echo "set logscale x 2; set grid; set xrange [1.8:36]; set xlabel 'threads'"
+    key="set key at screen 0.99,0.95 right top Left reverse font ',10'"
+    for part in 5:speed-up 8:efficiency 9:memory; do
       for mesh in sorted shuffled; do
-        echo "set title '${part#*:}, $mesh'"
-        [ "${part%%:*}" = 5 ] && echo 'set yrange [0:*]' || echo 'set yrange [0.9:*]; set logscale y'
+        echo "$key"
+        key="unset key"
+        case $part in
+          *speed-up) echo "set title 'speed-up, $mesh'; set logscale y 2; set yrange [0.25:36]" ;;
+          *efficiency) echo "set title 'efficiency, $mesh'; unset logscale y; set yrange [0:1.2]" ;;
+          *) echo "set title 'memory over the sequential loop, $mesh'; set logscale y 2; set yrange [0.9:9]" ;;
+        esac
         line="plot"
+        number=0
         for method in $methods; do
-          grep -E "^(measured|modelled),$mesh,$method," "$csv" | sort -t, -k4n |
-            awk -F, -v c="${part%%:*}" '{print $4, $c}' >"$work/$mesh-$method-${part%%:*}"
-          line="$line '$work/$mesh-$method-${part%%:*}' with linespoints title '$method',"
+          number=$((number + 1))
+          data=$work/$mesh-$method-${part%%:*}
+          for kind in measured modelled; do
+            grep "^$kind,$mesh,$method," "$csv" | sort -t, -k4n |
+              awk -F, -v c="${part%%:*}" '{print $4, $c}' >"$data-$kind"
+          done
+          style="linetype $((number)) pointsize 1.3"
+          line="$line '$data-measured' with linespoints $style pointtype 7 title '$method',"
+          line="$line '$data-modelled' with linespoints $style pointtype 6 dashtype 2 notitle,"
         done
         echo "${line%,}"
-        echo 'unset logscale y'
       done
     done
   } >"$work/plot"

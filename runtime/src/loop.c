@@ -329,7 +329,7 @@ static void count_planless(struct execution *execution, double now) {
     statistics->execute_seconds += now - execution->ready;
     statistics->executed += trip;
     statistics->in_loops += trip;
-    statistics->trip = statistics->most = trip;
+    statistics->trip = statistics->length = trip;
     redcc_choose_learn(&state->chooser, trip, COURSE_SOLO, false, execution->solo_seconds);
     redcc_budget_gain(-inspecting);
     redcc_choose_refused(&state->chooser, trip, REASON_REPLICATION);
@@ -370,7 +370,7 @@ static void count_execution(struct execution *execution, double now) {
     statistics->in_loops += plan->trip;
     statistics->stages = redcc_plan_stages(plan);
     statistics->trip = plan->trip;
-    statistics->most = solo ? plan->trip : plan->most;
+    statistics->length = solo ? plan->trip : plan->length;
     statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
     trace_execution(execution, now);
     if (execution->method)

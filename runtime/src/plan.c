@@ -3,6 +3,7 @@
 
 #include "compensate.h"
 #include "graph/divide.h"
+#include "length.h"
 #include "memory.h"
 #include "settings.h"
 
@@ -186,12 +187,10 @@ static void number_stages(struct plan *plan, int team) {
 void redcc_plan_finish(struct plan *plan) {
     for (int team = 0; team < plan->teams; team++)
         number_stages(plan, team);
-    plan->executed = plan->most = 0;
-    for (int thread = 0; thread < plan->threads; thread++) {
-        const redcc_int own = plan->schedule[thread].iterations;
-        plan->executed += own;
-        plan->most = own > plan->most ? own : plan->most;
-    }
+    plan->executed = 0;
+    for (int thread = 0; thread < plan->threads; thread++)
+        plan->executed += plan->schedule[thread].iterations;
+    plan->length = redcc_plan_length(plan);
 }
 
 static bool sources_fit(const struct plan *plan, const struct request *request,

@@ -68,7 +68,7 @@ struct plan {
     struct lost *lost;            /* [array_count] of each group, of compensated sums; or NULL */
     struct copies copies;
     redcc_int executed; /* iterations, replicated ones counted */
-    redcc_int most;     /* iterations of the thread that executes most of them */
+    redcc_int length;   /* how long its threads take, in iterations (length.h) */
     uint64_t last_use;
 };
 

@@ -125,7 +125,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
             it->executed, it->stages);
     fprintf(out, ", \"replication\": %lld.%04lld", tenths / 10000, tenths % 10000);
-    const redcc_int modelled = it->most ? it->trip * 100 / it->most : 100;
+    const redcc_int modelled = it->length ? it->trip * 100 / it->length : 100;
     fprintf(out, ", \"modelled_speedup\": %lld.%02lld, \"fallbacks\": [", modelled / 100,
             modelled % 100);
     write_fallbacks(out, it);

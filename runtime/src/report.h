@@ -46,7 +46,7 @@ struct statistics {
     redcc_int in_loops; /* and not counted */
     redcc_int stages;   /* of the last plan */
     redcc_int trip;     /* of the last execution */
-    redcc_int most;     /* iterations of it by the thread that had most */
+    redcc_int length;   /* how long it takes by the schedule, in iterations */
     bool compensated;   /* the last execution's sums */
     struct validated validated;
 };

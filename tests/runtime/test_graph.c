@@ -119,7 +119,7 @@ static double replication(const struct mesh *mesh, int threads, double *most) {
         check_plan(&problem, plan);
         assert_non_null(plan->map);
         executed = (double)plan->executed / (double)problem.trip;
-        *most = (double)plan->most * threads / (double)problem.trip;
+        *most = (double)plan->length * threads / (double)problem.trip;
     }
     redcc_loop_forget(&described.loop);
     problem_free(&problem);

@@ -4,6 +4,7 @@
 #include "choose.h"
 #include "cuts.h"
 #include "fingerprint.h"
+#include "length.h"
 #include "memory.h"
 #include "plan.h"
 #include "problem.h"
@@ -327,11 +328,43 @@ static void more_iterations_than_32_bits_count(void **unused) {
         redcc_plan_finish(plan);
         assert_true(plan->executed == visited);
         assert_int_equal(redcc_plan_stages(plan), m == 2 ? 2 : 1);
+        assert_true(plan->length == (m == 1 ? (trip + 1) / 2 : 2 * third));
         redcc_plan_free(plan);
     }
     for (int thread = 0; thread < 2; thread++)
         redcc_summary_end(&summary[thread]);
     redcc_partition_end(&partition);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+/* Two threads, two tasks each; the second ones wait for the other thread's first. */
+static void a_plan_is_as_long_as_its_waits_make_it(void **unused) {
+    (void)unused;
+    static const redcc_int iterations[2][2] = {{10, 5}, {3, 20}};
+    struct schedule schedule[2] = {{0}, {0}};
+    uint32_t stages = 1;
+    struct plan plan = {.method = &redcc_method_dwa_lip_fixed,
+                        .threads = 2,
+                        .teams = 1,
+                        .owners = 2,
+                        .schedule = schedule,
+                        .stages = &stages,
+                        .flags = redcc_flags_new(4)};
+    for (uint32_t thread = 0; thread < 2; thread++)
+        for (uint32_t task = 0; task < 2; task++) {
+            const uint32_t other = 1 - thread;
+            assert_true(redcc_schedule_begin_task(&schedule[thread], &other, task));
+            assert_true(redcc_schedule_add(&schedule[thread], 0, 100 * (redcc_int)task,
+                                           iterations[thread][task], false));
+            redcc_schedule_end_task(&schedule[thread], 2 * task + thread);
+        }
+    assert_int_equal(redcc_plan_length(&plan), 10 + 20);
+    redcc_memory_fail_after(0);
+    assert_int_equal(redcc_plan_length(&plan), 3 + 20);
+    redcc_memory_fail_after(-1);
+    for (int thread = 0; thread < 2; thread++)
+        redcc_schedule_end(&schedule[thread]);
+    redcc_memory_give(plan.flags);
     assert_int_equal(redcc_memory_live(), 0);
 }
 
@@ -514,6 +547,7 @@ int main(void) {
         cmocka_unit_test(cuts_of_several_arrays_lie_at_the_same_rows),
         cmocka_unit_test(a_sweep_lists_each_owner_once),
         cmocka_unit_test(more_iterations_than_32_bits_count),
+        cmocka_unit_test(a_plan_is_as_long_as_its_waits_make_it),
         cmocka_unit_test(sizes),
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
