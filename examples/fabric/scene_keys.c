@@ -38,8 +38,8 @@ static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh"
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
 static const char *const methods[] = {"conjugate-gradients", "direct", NULL};
-static const char *const preconditioners[] = {
-    "block-jacobi", "none", "jacobi", "gauss-seidel", "incomplete-cholesky", NULL};
+static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi",        "none",
+                                              "jacobi",       "incomplete-cholesky", NULL};
 static const char *const precisions[] = {"double", "float", "mixed", NULL};
 
 static const scene_key mesh_keys[] = {

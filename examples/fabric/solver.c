@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "solver_direct.h"
+#include "solver_domains.h"
 #include "solver_packed.h"
 #include "solver_parts.h"
 #include "solver_precondition.h"
@@ -29,6 +30,7 @@ void solver_free(solver *s) {
     free(s->sum_direction);
     free(s->sum_residual);
     packed_solver_free(s->packed);
+    domain_solver_free(s->domains);
     direct_solver_free(s->direct);
     *s = (solver){0};
 }
@@ -36,6 +38,7 @@ void solver_free(solver *s) {
 int solver_init(solver *s, int count) {
     const size_t n = (size_t)count + 1;
     *s = (solver){.count = count, .chunks = (count + chunk_size - 1) / chunk_size};
+    s->options.preconditioner = PRECONDITIONER_BLOCK_JACOBI;
     s->residual = calloc(n, sizeof *s->residual);
     s->preconditioned = calloc(n, sizeof *s->preconditioned);
     s->direction = calloc(n, sizeof *s->direction);
@@ -59,17 +62,21 @@ int solver_choose(solver *s, const block_matrix *A, const solver_options *option
     if (options->preconditioner == PRECONDITIONER_BLOCK_JACOBI &&
         options->precision == PRECISION_DOUBLE)
         return 0;
-    s->packed = packed_solver_new(A, options);
-    if (s->packed)
+    if (options->preconditioner == PRECONDITIONER_GAUSS_SEIDEL &&
+        options->precision == PRECISION_DOUBLE)
+        s->domains = domain_solver_new(A);
+    else
+        s->packed = packed_solver_new(A, options);
+    if (s->domains || s->packed)
         return 0;
     snprintf(error, 256, "out of memory for the preconditioner");
     return -1;
 }
 
-static double sum_in_order(const double *partial, int count) {
+double solver_sum(const double *term, int count) {
     double sum = 0;
     for (int k = 0; k < count; k++)
-        sum += partial[k];
+        sum += term[k];
     return sum;
 }
 
@@ -102,7 +109,7 @@ static double start_residual(solver *s, const constraints *c, const double (*b)[
         }
         s->sum_residual[chunk] = sum;
     }
-    return sum_in_order(s->sum_residual, s->chunks);
+    return solver_sum(s->sum_residual, s->chunks);
 }
 
 void solver_filter(const constraints *c, double (*r)[3]) {
@@ -179,18 +186,18 @@ static double iterate(solver *s, const constraints *c, double (*dv)[3], double *
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
             s->sum_direction[chunk] = direction_sum(s, chunk);
-        curvature = sum_in_order(s->sum_direction, s->chunks);
+        curvature = solver_sum(s->sum_direction, s->chunks);
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
             s->sum_residual[chunk] =
                 advance(s, c, chunk, curvature > 0 ? before / curvature : 0, dv);
-        after = sum_in_order(s->sum_residual, s->chunks);
+        after = solver_sum(s->sum_residual, s->chunks);
 #pragma omp for schedule(static)
         for (int chunk = 0; chunk < s->chunks; chunk++)
             turn(s, chunk, after / before);
     }
-    *rz = sum_in_order(s->sum_residual, s->chunks);
-    return sum_in_order(s->sum_direction, s->chunks);
+    *rz = solver_sum(s->sum_residual, s->chunks);
+    return solver_sum(s->sum_direction, s->chunks);
 }
 
 /* |b - A z| in the preconditioner's norm, squared: what the residual is measured against. */
@@ -231,6 +238,28 @@ void solver_impulses(solver *s, const linear_system *system, const double (*dv)[
         vector_subtract(system->b[i], s->product[i], s->residual[i]);
 }
 
+void solver_residual(solver *s, const linear_system *system, const constraints *c,
+                     const double (*dv)[3]) {
+    solver_impulses(s, system, dv);
+    solver_filter(c, s->residual);
+}
+
+void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
+                               int which) {
+    if (which == DRIVEN) {
+        solver_residual(s, system, c, (const double(*)[3])c->z);
+        return;
+    }
+    copy((const double(*)[3])system->b, s->residual, s->count); /* z is 0 */
+    solver_filter(c, s->residual);
+}
+
+double solver_goal(const solver_limits *limits, double reference) {
+    const double relative = limits->tolerance * limits->tolerance * reference;
+    const double absolute = limits->floor * limits->floor;
+    return relative > absolute ? relative : absolute;
+}
+
 double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
                      double *reference) {
     preconditioner_build(&system->A, c, s->inverse);
@@ -254,9 +283,7 @@ static solver_status solve_block_jacobi(solver *s, const linear_system *system,
     if (!isfinite(reference))
         return SOLVER_NOT_FINITE;
 
-    const double relative = limits->tolerance * limits->tolerance * reference;
-    const double absolute = limits->floor * limits->floor;
-    const solver_status status = iterate_to(relative > absolute ? relative : absolute, s, system, c,
+    const solver_status status = iterate_to(solver_goal(limits, reference), s, system, c,
                                             limits->max_iterations, dv, rz, iterations);
     if (which != UNCONSTRAINED && status != SOLVER_NOT_FINITE)
         solver_impulses(s, system, (const double(*)[3])dv);
@@ -265,11 +292,12 @@ static solver_status solve_block_jacobi(solver *s, const linear_system *system,
 
 solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
                            const solver_limits *limits, double (*dv)[3], long *iterations) {
-    if (!s->direct && !s->packed)
+    if (!s->direct && !s->packed && !s->domains)
         return solve_block_jacobi(s, system, c, limits, dv, iterations);
     const solver_status status =
-        s->direct ? direct_solver_solve(s->direct, s, system, c, dv, iterations)
-                  : packed_solver_solve(s->packed, s, system, c, limits, dv, iterations);
+        s->direct    ? direct_solver_solve(s->direct, s, system, c, dv, iterations)
+        : s->domains ? domain_solver_solve(s->domains, s, system, c, limits, dv, iterations)
+                     : packed_solver_solve(s->packed, s, system, c, limits, dv, iterations);
     if (status != SOLVER_NOT_FINITE)
         solver_impulses(s, system, (const double(*)[3])dv);
     return status;

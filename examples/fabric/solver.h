@@ -2,9 +2,9 @@
 /**
  * The linear system of a step, on the free directions of constrained vertices: conjugate gradients
  * with several preconditioners and precisions (solver_factor.h), or a direct solution
- * (solver_direct.h). The bits of the result do not depend on the number of threads: block-Jacobi in
- * double, which alone is parallel, sums over blocks of vertices of a fixed size, and the blocks'
- * sums in order.
+ * (solver_direct.h). Block-Jacobi and Gauss-Seidel within domains, in double, are parallel. The
+ * bits of the result do not depend on the number of threads: sums are over blocks of vertices that
+ * the count of vertices decides, and the blocks' sums in order.
  */
 #ifndef FABRIC_SOLVER_H
 #define FABRIC_SOLVER_H
@@ -20,10 +20,10 @@ typedef enum solver_status {
 } solver_status;
 
 typedef enum preconditioner_kind { /* the order of the scene's key solution.preconditioner */
+                                   PRECONDITIONER_GAUSS_SEIDEL,
                                    PRECONDITIONER_BLOCK_JACOBI,
                                    PRECONDITIONER_NONE,
                                    PRECONDITIONER_JACOBI,
-                                   PRECONDITIONER_GAUSS_SEIDEL,
                                    PRECONDITIONER_INCOMPLETE_CHOLESKY
 } preconditioner_kind;
 
@@ -58,8 +58,10 @@ typedef struct solver {
     double (*inverse)[6];                  /* P's blocks: xx xy xz yy yz zz */
     double *sum_direction, *sum_residual;  /* [chunks] partial sums of p'Ap and r'Pr */
     solver_options options;
-    struct packed_solver *packed; /* for all but block-Jacobi in double; else NULL */
-    struct direct_solver *direct; /* for METHOD_DIRECT; else NULL */
+    /* What the options call for, NULL but for one at most; block-Jacobi in double needs none. */
+    struct domain_solver *domains; /* Gauss-Seidel in double */
+    struct packed_solver *packed;  /* other conjugate gradients */
+    struct direct_solver *direct;  /* METHOD_DIRECT */
 } solver;
 
 typedef struct solver_limits {

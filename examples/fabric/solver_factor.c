@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "matrix3.h"
+#include "solver_precondition.h"
+
 /* A pivot that incomplete factorisation reduces to less than this part of what it was breaks it
  * down: the factor would be next to singular. */
 static const double least_pivot = 1e-2;
@@ -35,23 +38,6 @@ void factored_free(factored *f) {
     free(f->factor);
     free(f->root);
     *f = (factored){0};
-}
-
-/* out = left right */
-static void multiply(const double left[3][3], const double right[3][3], double out[3][3]) {
-    for (int r = 0; r < 3; r++)
-        for (int c = 0; c < 3; c++)
-            out[r][c] =
-                left[r][0] * right[0][c] + left[r][1] * right[1][c] + left[r][2] * right[2][c];
-}
-
-/* out = left right' */
-static void multiply_transposed(const double left[3][3], const double right[3][3],
-                                double out[3][3]) {
-    for (int r = 0; r < 3; r++)
-        for (int c = 0; c < 3; c++)
-            out[r][c] =
-                left[r][0] * right[c][0] + left[r][1] * right[c][1] + left[r][2] * right[c][2];
 }
 
 /* from -= left' right */
@@ -89,24 +75,17 @@ static void root_of(const double block[3][3], double root[3][3]) {
         memset(root, 0, sizeof(double[3][3]));
 }
 
-/* The prefiltered block k of row i. */
-static void filtered(const block_matrix *A, const constraints *c, int i, int k, double out[3][3]) {
-    const int j = A->column[k];
-    if (c->given[i] == 0 && c->given[j] == 0) {
-        memcpy(out, A->value[k], sizeof(double[3][3]));
-        return;
-    }
-    double half[3][3];
-    multiply((const double(*)[3])c->S[i], (const double(*)[3])A->value[k], half);
-    multiply_transposed((const double(*)[3])half, (const double(*)[3])c->S[j], out); /* S' = S */
-    if (i != j)
-        return;
-    for (int r = 0; r < 3; r++)
-        for (int s = 0; s < 3; s++)
-            out[r][s] += A->value[k][0][0] * ((r == s ? 1 : 0) - c->S[i][r][s]);
+/* As root_of, but a block that is not positive, which no force makes, gives a multiple of the
+ * identity, with which conjugate gradients find out that A is not positive definite; 0 gives 0. */
+static void root_or_identity(const double block[3][3], double root[3][3]) {
+    const double size = fabs(block[0][0]) + fabs(block[1][1]) + fabs(block[2][2]);
+    root_of(block, root);
+    if (root[0][0] == 0 && size > 0)
+        root[0][0] = root[1][1] = root[2][2] = 1 / sqrt(size);
 }
 
-static void relax(double root[3][3]) {
+void gauss_seidel_root(const double block[3][3], double root[3][3]) {
+    root_or_identity(block, root);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c <= r; c++)
             root[r][c] *= sqrt(relaxation);
@@ -124,11 +103,11 @@ static void diagonal_roots(factored *f, const block_matrix *A, preconditioner_ki
         for (int a = 0; a < 3; a++)
             kept[a][a] = kind == PRECONDITIONER_NONE ? mean : block[a][a];
         if (kind == PRECONDITIONER_NONE || kind == PRECONDITIONER_JACOBI)
-            root_of((const double(*)[3])kept, f->root[i]);
+            root_or_identity((const double(*)[3])kept, f->root[i]);
+        else if (kind == PRECONDITIONER_GAUSS_SEIDEL)
+            gauss_seidel_root(block, f->root[i]);
         else
-            root_of(block, f->root[i]);
-        if (kind == PRECONDITIONER_GAUSS_SEIDEL)
-            relax(f->root[i]);
+            root_or_identity(block, f->root[i]);
     }
 }
 
@@ -151,7 +130,7 @@ static void eliminate(factored *f, const block_matrix *A, int i) {
     const int first = A->row_start[i] + 1, end = A->row_start[i + 1];
     for (int k = first; k < end; k++) {
         double g[3][3];
-        multiply((const double(*)[3])f->root[i], (const double(*)[3])f->factor[k], g);
+        matrix3_multiply((const double(*)[3])f->root[i], (const double(*)[3])f->factor[k], g);
         memcpy(f->factor[k], g, sizeof g);
     }
     for (int k = first; k < end; k++) {
@@ -187,10 +166,10 @@ static void scale_block(const double left_root[3][3], const double right_root[3]
                         double block[3][3]) {
     double half[3][3];
     if (both)
-        multiply(left_root, (const double(*)[3])block, half);
+        matrix3_multiply(left_root, (const double(*)[3])block, half);
     else
         memcpy(half, block, sizeof half);
-    multiply_transposed((const double(*)[3])half, right_root, block);
+    matrix3_multiply_transposed((const double(*)[3])half, right_root, block);
 }
 
 static void scale(factored *f, const block_matrix *A, double diagonal_shift) {
@@ -214,7 +193,7 @@ void factored_build(factored *f, const block_matrix *A, const constraints *c,
                     preconditioner_kind kind) {
     for (int i = 0; i < A->row_count; i++)
         for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
-            filtered(A, c, i, k, f->upper[k]);
+            prefiltered_block(A, c, i, k, f->upper[k]);
     if (kind == PRECONDITIONER_INCOMPLETE_CHOLESKY) {
         /* With a shift of 2^20 nothing is left to break down but what is not finite. */
         for (f->shift = first_shift; factorise(f, A) != 0 && f->shift < 1e6;)

@@ -5,12 +5,12 @@
  *     Jacobi                 M = A's diagonal
  *     block-Jacobi           M = A's diagonal blocks, 3x3
  *     symmetric Gauss-Seidel M = (D + L) D^-1 (D + L)', L the blocks below A's diagonal and D its
- *                            diagonal blocks over a relaxation, 1.3
+ *                            diagonal blocks over a relaxation, 1.3; in double by solver_domains.h
  *     incomplete Cholesky    M = R'R, R with A's blocks as pattern and M = A on it: IC(0)
  *                            (Meijerink and van der Vorst 1977). Cloth's matrices are no
  * M-matrices, so fill that is dropped may leave a block indefinite: then A with its diagonal blocks
- * enlarged is factored instead (Manteuffel 1980) Within constraints A is replaced by S A S + s (I -
- * S) (Tamstorf, Jones and McCormick 2015).
+ * enlarged is factored instead (Manteuffel 1980).
+ * Within constraints A is replaced by S A S + s (I - S): prefiltered_block.
  */
 #ifndef FABRIC_SOLVER_FACTOR_H
 #define FABRIC_SOLVER_FACTOR_H
@@ -36,5 +36,9 @@ void factored_free(factored *f);
 /** Sequential: the factorisations are recurrences from row to row. */
 void factored_build(factored *f, const block_matrix *A, const constraints *c,
                     preconditioner_kind kind);
+
+/** C^-1 of Gauss-Seidel for a diagonal block: C C' is the block over the relaxation. A
+ *  multiple of the identity where that is not positive, but 0 of 0: the vertex keeps the guess. */
+void gauss_seidel_root(const double block[3][3], double root[3][3]);
 
 #endif

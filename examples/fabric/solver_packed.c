@@ -7,7 +7,6 @@
 
 #include "solver_factor.h"
 #include "solver_parts.h"
-#include "sparse_product.h"
 
 #define REAL double
 #define PACKED(name) double_##name
@@ -69,7 +68,7 @@ packed_solver *packed_solver_new(const block_matrix *A, const solver_options *op
         return NULL;
     p->A = A;
     p->options = *options;
-    if (factored_init(&p->built, A, options->preconditioner) == 0 &&
+    if (factored_init(&p->built, A, p->options.preconditioner) == 0 &&
         (options->precision == PRECISION_DOUBLE ? allocate_double(p) : allocate_float(p)) == 0)
         return p;
     packed_solver_free(p);
@@ -133,13 +132,6 @@ static solver_status iterate(packed_solver *p, const constraints *c, double squa
     return status;
 }
 
-/* s->residual = S (b - A dv) */
-static void residual_of(solver *s, const linear_system *system, const constraints *c,
-                        const double (*dv)[3]) {
-    solver_impulses(s, system, dv);
-    solver_filter(c, s->residual);
-}
-
 static solver_status refine(packed_solver *p, solver *s, const linear_system *system,
                             const constraints *c, double goal, long most, double (*dv)[3],
                             long *iterations) {
@@ -152,7 +144,7 @@ static solver_status refine(packed_solver *p, solver *s, const linear_system *sy
                                              most - (*iterations - start), dv, iterations);
         if (status != SOLVER_CONVERGED)
             return status;
-        residual_of(s, system, c, (const double(*)[3])dv);
+        solver_residual(s, system, c, (const double(*)[3])dv);
         square = transform(p, (const double(*)[3])s->residual);
         if (square <= goal)
             return SOLVER_CONVERGED;
@@ -166,19 +158,12 @@ solver_status packed_solver_solve(packed_solver *p, solver *s, const linear_syst
                                   const constraints *c, const solver_limits *limits,
                                   double (*dv)[3], long *iterations) {
     build(p, c);
-    if (solver_apply(c, dv) == DRIVEN)
-        residual_of(s, system, c, (const double(*)[3])c->z);
-    else { /* z is 0 */
-        memcpy(s->residual, system->b, sizeof *s->residual * (size_t)s->count);
-        solver_filter(c, s->residual);
-    }
+    solver_reference_residual(s, system, c, solver_apply(c, dv));
     const double reference = transform(p, (const double(*)[3])s->residual);
     if (!isfinite(reference))
         return SOLVER_NOT_FINITE;
-    const double relative = limits->tolerance * limits->tolerance * reference;
-    const double absolute = limits->floor * limits->floor;
-    const double goal = relative > absolute ? relative : absolute;
-    residual_of(s, system, c, (const double(*)[3])dv);
+    const double goal = solver_goal(limits, reference);
+    solver_residual(s, system, c, (const double(*)[3])dv);
     if (p->options.precision == PRECISION_MIXED)
         return refine(p, s, system, c, goal, limits->max_iterations, dv, iterations);
     const double square = transform(p, (const double(*)[3])s->residual);

@@ -4,6 +4,7 @@
 #define FABRIC_SOLVER_PARTS_H
 
 #include "constraint.h"
+#include "solver.h"
 
 enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
 
@@ -12,5 +13,19 @@ int solver_apply(const constraints *c, double (*dv)[3]);
 
 /** r = S r, every vertex. */
 void solver_filter(const constraints *c, double (*r)[3]);
+
+/** s->residual = S (b - A z), which a relative tolerance goes by; `which` is solver_apply's. */
+void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
+                               int which);
+
+/** s->residual = S (b - A dv) */
+void solver_residual(solver *s, const linear_system *system, const constraints *c,
+                     const double (*dv)[3]);
+
+/** The square of the residual that is small enough, for S (b - A z) of norm sqrt(reference). */
+double solver_goal(const solver_limits *limits, double reference);
+
+/** The terms' sum, first to last. */
+double solver_sum(const double *term, int count);
 
 #endif

@@ -2,16 +2,10 @@
 #include "solver_precondition.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "matrix3.h"
 #include "vector.h"
-
-/* out = left right, each 3x3 */
-static void multiply(const double left[3][3], const double right[3][3], double out[3][3]) {
-    for (int r = 0; r < 3; r++)
-        for (int c = 0; c < 3; c++)
-            out[r][c] =
-                left[r][0] * right[0][c] + left[r][1] * right[1][c] + left[r][2] * right[2][c];
-}
 
 /* The inverse of a symmetric positive definite matrix, by its cofactors. The leading minors tell
  * whether it is one (Sylvester). Any other gives a multiple of the identity, with which conjugate
@@ -38,14 +32,14 @@ static void invert_free(const double a[3][3], const double S[3][3], int given, d
         invert(a, out);
         return;
     }
-    multiply(S, a, half);
-    multiply(half, S, within);
+    matrix3_multiply(S, a, half);
+    matrix3_multiply(half, S, within);
     for (int r = 0; r < 3; r++)
         for (int c = 0; c < 3; c++)
             within[r][c] += (r == c ? 1.0 : 0.0) * a[0][0] - a[0][0] * S[r][c];
     invert(within, inverse);
-    multiply(S, inverse, half);
-    multiply(half, S, out);
+    matrix3_multiply(S, inverse, half);
+    matrix3_multiply(half, S, out);
 }
 
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]) {
@@ -58,4 +52,22 @@ void preconditioner_build(const block_matrix *A, const constraints *c, double (*
             for (int k = r; k < 3; k++, m++)
                 inverse[i][m] = c->given[i] < 3 ? (P[r][k] + P[k][r]) / 2 : 0;
     }
+}
+
+void prefiltered_block(const block_matrix *A, const constraints *c, int i, int k,
+                       double out[3][3]) {
+    const int j = A->column[k];
+    if (c->given[i] == 0 && c->given[j] == 0) {
+        memcpy(out, A->value[k], sizeof(double[3][3]));
+        return;
+    }
+    double half[3][3];
+    matrix3_multiply((const double(*)[3])c->S[i], (const double(*)[3])A->value[k], half);
+    matrix3_multiply_transposed((const double(*)[3])half, (const double(*)[3])c->S[j],
+                                out); /* S' = S */
+    if (i != j)
+        return;
+    for (int r = 0; r < 3; r++)
+        for (int s = 0; s < 3; s++)
+            out[r][s] += A->value[k][0][0] * ((r == s ? 1 : 0) - c->S[i][r][s]);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The block-Jacobi preconditioner within the constraints. */
+/** Preconditioning within the constraints: block-Jacobi whole, and what the others begin with. */
 #ifndef FABRIC_SOLVER_PRECONDITION_H
 #define FABRIC_SOLVER_PRECONDITION_H
 
@@ -14,6 +14,10 @@
  * is wrong with it; a block of 0 gives P_i = 0: its vertex keeps the guess.
  */
 void preconditioner_build(const block_matrix *A, const constraints *c, double (*inverse)[6]);
+
+/** Block k, of row i, of S A S + s (I - S), any s > 0: what stands for A within the constraints
+ *  (Tamstorf, Jones and McCormick 2015). */
+void prefiltered_block(const block_matrix *A, const constraints *c, int i, int k, double out[3][3]);
 
 /** out = P_i in */
 static inline void precondition(const double inverse[6], const double in[3], double out[3]) {

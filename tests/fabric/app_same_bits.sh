@@ -23,7 +23,7 @@ done
 
 # And whatever integrates in time and solves the system.
 for setting in time.integrator=euler time.integrator=bdf2 time.integrator=midpoint \
-  solution.preconditioner=gauss-seidel solution.preconditioner=incomplete-cholesky \
+  solution.preconditioner=block-jacobi solution.preconditioner=incomplete-cholesky \
   solution.precision=mixed; do
   run=(run patch --steps 12 --frames 0 --progress none --set $setting)
   expect 0 "" "$serial" "${run[@]}" -o serial

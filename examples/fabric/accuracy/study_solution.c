@@ -8,7 +8,7 @@
 #include "solver.h"
 #include "solver_direct.h"
 
-static const char *const preconditioner_names[] = {"block-jacobi", "none", "jacobi", "gauss-seidel",
+static const char *const preconditioner_names[] = {"gauss-seidel", "block-jacobi", "none", "jacobi",
                                                    "incomplete-cholesky"};
 static const char *const precision_names[] = {"double", "float", "mixed"};
 
@@ -90,7 +90,7 @@ int study_preconditioner(study *of) {
     s.tolerance = 1e-12;
     if (study_run(of, "preconditioner", "gauss-seidel", &s, s.tolerance) != 0)
         return -1;
-    for (int kind = PRECONDITIONER_BLOCK_JACOBI; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
+    for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
         for (int k = 0; k < (of->quick ? 1 : 4); k++) {
             s.preconditioner = kind;
             s.tolerance = tolerances[k];
