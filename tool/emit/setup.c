@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Before a loop is written: what things will be called, what the runtime is told of, and what
  *  forbids writing it at all. */
+#include <ctype.h>
 #include <string.h>
 
 #include "emit/loop.h"
@@ -120,8 +121,8 @@ static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
         return false;
     const char *text = unit->source->text;
     for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)
-        if (strncmp(text + i, "inline", 6) == 0)
-            return true;
+        if (strncmp(text + i, "inline", 6) == 0 && !(i > 0 && isalnum((unsigned char)text[i - 1])))
+            return true; /* not that of `noinline` */
     return false;
 }
 

@@ -5,102 +5,136 @@
 
 #include "frontend/convert.h"
 
-typedef struct reading {
-    converter *converter;
-    ir_function *function;
-} reading;
-
-/* clang has no cursors of their own for many attributes: the first word tells. */
-static bool has_word(converter *c, CXCursor attribute, const char *const *words, unsigned count) {
-    file_text at = text_at(c, clang_getRangeStart(clang_getCursorExtent(attribute)));
-    for (unsigned i = 0; i < count; i++) {
-        size_t length = strlen(words[i]);
-        if (at.length > length && strncmp(at.text, words[i], length) == 0 &&
-            !isalnum((unsigned char)at.text[length]) && at.text[length] != '_')
-            return true;
-    }
-    return false;
-}
-
-static bool is_noreturn(converter *c, CXCursor attribute) {
-    static const char *const words[] = {"noreturn", "__noreturn__", "_Noreturn"};
-    return has_word(c, attribute, words, 3);
-}
-
-typedef struct attribute_search {
-    converter *converter;
-    const char *const *words;
-    unsigned count;
-    bool is_found;
-} attribute_search;
-
-static enum CXChildVisitResult find_attribute(CXCursor child, CXCursor parent, CXClientData data) {
-    (void)parent;
-    attribute_search *search = data;
-    search->is_found = clang_getCursorKind(child) == CXCursor_UnexposedAttr &&
-                       has_word(search->converter, child, search->words, search->count);
-    return search->is_found ? CXChildVisit_Break : CXChildVisit_Continue;
-}
-
-/* Has the declaration an attribute of one of these names? */
-static bool has_attribute(converter *c, CXCursor declaration, const char *const *words,
-                          unsigned count) {
-    attribute_search search = {.converter = c, .words = words, .count = count};
-    clang_visitChildren(declaration, find_attribute, &search);
-    return search.is_found;
-}
-
-bool has_cleanup(converter *c, CXCursor declaration) {
-    static const char *const words[] = {"cleanup", "__cleanup__"};
-    return has_attribute(c, declaration, words, 2);
-}
-
-static enum CXChildVisitResult find_label(CXCursor child, CXCursor parent, CXClientData data) {
+static enum CXChildVisitResult find_unexposed(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     bool *is_found = data;
-    *is_found = clang_getCursorKind(child) == CXCursor_AsmLabelAttr;
+    *is_found = clang_getCursorKind(child) == CXCursor_UnexposedAttr;
     return *is_found ? CXChildVisit_Break : CXChildVisit_Continue;
 }
 
-bool has_other_name(converter *c, CXCursor declaration) {
-    static const char *const words[] = {"alias", "__alias__", "weakref", "__weakref__"};
-    bool is_found = false;
-    clang_visitChildren(declaration, find_label, &is_found);
-    return is_found || has_attribute(c, declaration, words, 4);
+static bool is_word_byte(char byte) {
+    return isalnum((unsigned char)byte) || byte == '_';
 }
 
-bool is_under_may_alias(converter *c, CXCursor declaration) {
+static bool has_word(const char *text, const char *word) {
+    const size_t length = strlen(word);
+    for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))
+        if ((at == text || !is_word_byte(at[-1])) && !is_word_byte(at[length]))
+            return true;
+    return false;
+}
+
+/* Has the declaration an attribute of one of these names? clang has no cursors of their own for
+ * many, and the source may spell them in many ways (of a namespace, made by macros, spliced):
+ * clang's own print of the declaration tells. What else stands in that print may be taken for an
+ * attribute, never the other way round. */
+static bool has_attribute(CXCursor declaration, const char *const *words, unsigned count) {
+    bool has_unexposed = false;
+    clang_visitChildren(declaration, find_unexposed, &has_unexposed);
+    if (!has_unexposed)
+        return false;
+    CXPrintingPolicy policy = clang_getCursorPrintingPolicy(declaration);
+    clang_PrintingPolicy_setProperty(policy, CXPrintingPolicy_TerseOutput, 1);
+    CXString print = clang_getCursorPrettyPrinted(declaration, policy);
+    const char *text = clang_getCString(print);
+    bool is_found = text == NULL;
+    for (unsigned i = 0; i < count && !is_found; i++)
+        is_found = has_word(text, words[i]);
+    clang_disposeString(print);
+    clang_PrintingPolicy_dispose(policy);
+    return is_found;
+}
+
+bool has_cleanup(CXCursor declaration) {
+    static const char *const words[] = {"cleanup", "__cleanup__"};
+    return has_attribute(declaration, words, 2);
+}
+
+/* By an assembler label, or `#pragma redefine_extname`: the linker knows it by another name. */
+static bool is_renamed(CXCursor declaration) {
+    CXString mangled = clang_Cursor_getMangling(declaration);
+    CXString spelled = clang_getCursorSpelling(declaration);
+    const char *name = clang_getCString(mangled);
+    const bool is_same = name == NULL || strcmp(name, clang_getCString(spelled)) == 0;
+    clang_disposeString(mangled);
+    clang_disposeString(spelled);
+    return !is_same;
+}
+
+bool has_other_name(const converter *c, CXCursor declaration) {
+    static const char *const words[] = {"alias", "__alias__", "weakref", "__weakref__"};
+    if (clang_getCursorLinkage(declaration) == CXLinkage_External &&
+        (c->has_assembler || is_renamed(declaration)))
+        return true;
+    return has_attribute(declaration, words, 4);
+}
+
+bool is_under_may_alias(CXCursor declaration) {
     static const char *const words[] = {"may_alias", "__may_alias__"};
-    return has_attribute(c, declaration, words, 2);
+    return has_attribute(declaration, words, 2);
 }
 
 static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
-    reading *r = data;
+    ir_function *function = data;
     switch (clang_getCursorKind(child)) {
     case CXCursor_PureAttr:
-        r->function->is_attribute_pure = true;
+        function->is_attribute_pure = true;
         break;
     case CXCursor_ConstAttr:
-        r->function->is_attribute_const = true;
+        function->is_attribute_const = true;
         break;
     default:
         if (clang_isAttribute(clang_getCursorKind(child)))
-            r->function->has_other_attributes = true;
-        r->function->is_noreturn |= clang_getCursorKind(child) == CXCursor_UnexposedAttr &&
-                                    is_noreturn(r->converter, child);
+            function->has_other_attributes = true;
         break;
     }
     return CXChildVisit_Continue;
 }
 
-void read_attributes(converter *c, CXCursor declaration, ir_function *function) {
+void read_attributes(CXCursor declaration, ir_function *function) {
     static const char *const replaceable[] = {"weak", "__weak__", "ifunc", "__ifunc__"};
-    reading r = {.converter = c, .function = function};
-    function->is_weak |= has_attribute(c, declaration, replaceable, 4);
-    clang_visitChildren(declaration, visit, &r);
+    static const char *const not_returning[] = {"noreturn", "__noreturn__", "_Noreturn"};
+    function->is_weak |= has_attribute(declaration, replaceable, 4);
+    function->is_noreturn |= has_attribute(declaration, not_returning, 3);
+    clang_visitChildren(declaration, visit, function);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);
     function->is_noreturn |= text != NULL && strstr(text, "__attribute__((noreturn))") != NULL;
     clang_disposeString(spelling);
+}
+
+/* ---- #pragma weak -------------------------------------------------------------------------- */
+
+static void mark_weak_name(converter *c, const char *name, size_t length) {
+    for (unsigned i = 0; i < c->mains.count; i++)
+        c->mains.items[i]->is_weak |= strncmp(c->mains.items[i]->name, name, length) == 0 &&
+                                      c->mains.items[i]->name[length] == 0;
+    for (unsigned i = 0; i < c->found.count; i++)
+        c->found.items[i]->has_other_name |= strncmp(c->found.items[i]->name, name, length) == 0 &&
+                                             c->found.items[i]->name[length] == 0;
+}
+
+static bool follows_pragma(const char *text, const char *word) {
+    const char *at = word;
+    while (at > text && at[-1] != '\n')
+        at--;
+    const char *pragma = strstr(at, "ragma"); /* _Pragma too */
+    return pragma != NULL && pragma < word;
+}
+
+void mark_weak_names(converter *c) {
+    const char *text = c->unit->source->text;
+    for (const char *at = strstr(text, "weak"); at != NULL; at = strstr(at, "weak")) {
+        const bool is_pragma = follows_pragma(text, at);
+        at += 4;
+        while (is_pragma && *at != 0 && *at != '\n') {
+            size_t length = 0;
+            while (is_word_byte(at[length]))
+                length++;
+            if (length > 0)
+                mark_weak_name(c, at, length);
+            at += length > 0 ? length : 1;
+        }
+    }
 }

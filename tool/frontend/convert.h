@@ -45,6 +45,7 @@ typedef struct converter {
     map *expansion_ends;          /* begin of a macro's expansion in the main file -> its end + 1 */
     map *expansion_begins;        /* end -> begin + 1 */
     bool knows_expansions;        /* the two are complete */
+    bool has_assembler;           /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
@@ -98,13 +99,17 @@ bool is_nameless(const char *spelling);
 ir_variable *convert_variable(converter *c, CXCursor declaration);
 ir_function *convert_function(converter *c, CXCursor declaration);
 /** Adds what the attributes of this declaration say. */
-void read_attributes(converter *c, CXCursor declaration, ir_function *function);
+void read_attributes(CXCursor declaration, ir_function *function);
 /** Does a function get the variable's address where its scope ends (GNU's cleanup attribute)? */
-bool has_cleanup(converter *c, CXCursor declaration);
-/** Is the variable declared as another name of an object: by an alias attribute, an asm label? */
-bool has_other_name(converter *c, CXCursor declaration);
+bool has_cleanup(CXCursor declaration);
+/** May the variable be another name of an object: by an alias attribute, an asm label, assembler
+ *  text in the file? */
+bool has_other_name(const converter *c, CXCursor declaration);
+/** What `#pragma weak a` or `#pragma weak a = b` names may be another function, has another name.
+ *  clang's tree does not tell. */
+void mark_weak_names(converter *c);
 /** Has the typedef or record the attribute may_alias? */
-bool is_under_may_alias(converter *c, CXCursor declaration);
+bool is_under_may_alias(CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */
 bool is_missing_header(CXDiagnostic diagnostic);
 /** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
@@ -134,6 +139,8 @@ ir_node *convert_literal(converter *c, CXCursor cursor);
 ir_node *convert_sizeof(converter *c, CXCursor cursor);
 /** With all that the cursor mentions as children; type NULL: a statement. */
 ir_node *convert_opaque(converter *c, CXCursor cursor, const ir_type *type, const char *what);
+/** An opaque statement that holds the expressions in a declaration and its type. */
+ir_node *convert_lengths(converter *c, CXCursor declaration, const char *what);
 /** Initialisers in braces. */
 ir_node *convert_braces(converter *c, CXCursor cursor);
 

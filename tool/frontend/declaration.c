@@ -90,8 +90,8 @@ static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     f->is_static = is_static(declaration);
     f->is_variadic = clang_Cursor_isVariadic(declaration) != 0;
     f->is_in_main_file = is_in_main_file(c, clang_getCursorLocation(declaration));
-    read_attributes(c, clang_getCanonicalCursor(declaration), f);
-    read_attributes(c, declaration, f);
+    read_attributes(clang_getCanonicalCursor(declaration), f);
+    read_attributes(declaration, f);
     convert_parameters(c, f, declaration);
 }
 
@@ -103,7 +103,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     const void *key = clang_getCanonicalCursor(declaration).data[0];
     f = map_get(c->functions, &key, sizeof key);
     if (f != NULL) {
-        read_attributes(c, declaration, f); /* a later declaration may add some */
+        read_attributes(declaration, f); /* a later declaration may add some */
         *map_at(c->functions, &own, sizeof own) = f;
         return f;
     }
@@ -113,7 +113,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     CXCursor definition = clang_getCursorDefinition(declaration);
     bool has_body = !clang_Cursor_isNull(definition);
     fill_function(c, f, has_body ? definition : declaration);
-    read_attributes(c, declaration, f);
+    read_attributes(declaration, f);
     f->has_errors = map_get(c->functions_with_errors, &key, sizeof key) != NULL;
     if (has_body) {
         function_body body = {.function = f, .definition = definition};

@@ -361,18 +361,19 @@ ir_node *convert_braces(converter *c, CXCursor cursor) {
 }
 
 /* Which association was chosen clang does not tell: it is the one whose type the whole has, if
- * there is one such. The first part is the controlling expression, which is not evaluated. */
+ * there is one such. The first part is the controlling expression, which is not evaluated; but
+ * where a type stands in its place (clang's extension, C2y) it is an association as well. */
 static ir_node *convert_generic(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
-    unsigned chosen = 0;
-    for (unsigned i = 1; i < parts.count; i++)
+    unsigned chosen = parts.count;
+    for (unsigned i = 0; i < parts.count; i++)
         if (clang_equalTypes(clang_getCanonicalType(clang_getCursorType(parts.items[i])), type)) {
-            if (chosen != 0)
+            if (chosen != parts.count)
                 return opaque_expression(c, cursor, "generic selection");
             chosen = i;
         }
-    if (chosen == 0)
+    if (chosen == 0 || chosen == parts.count)
         return opaque_expression(c, cursor, "generic selection");
     return convert_expression(c, parts.items[chosen]);
 }

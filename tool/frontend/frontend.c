@@ -85,10 +85,24 @@ static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXC
     return CXChildVisit_Continue;
 }
 
+/* `asm("...");`, which libclang shows as a declaration without a kind of its own. */
+static bool is_assembler(CXCursor cursor) {
+    if (clang_getCursorKind(cursor) != CXCursor_UnexposedDecl)
+        return false;
+    CXPrintingPolicy policy = clang_getCursorPrintingPolicy(cursor);
+    CXString print = clang_getCursorPrettyPrinted(cursor, policy);
+    const char *text = clang_getCString(print);
+    const bool is_found = text == NULL || strstr(text, "asm") != NULL;
+    clang_disposeString(print);
+    clang_PrintingPolicy_dispose(policy);
+    return is_found;
+}
+
 /* Functions of the main file; those of headers follow where they are used. */
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
+    c->has_assembler |= is_assembler(cursor);
     if (clang_getCursorKind(cursor) == CXCursor_FunctionDecl && clang_isCursorDefinition(cursor) &&
         is_in_main_file(c, clang_getCursorLocation(cursor)))
         convert_function(c, cursor);
@@ -103,6 +117,61 @@ static enum CXChildVisitResult find_body(CXCursor child, CXCursor parent, CXClie
     return CXChildVisit_Break;
 }
 
+static bool is_plain_operator(CXCursor cursor) {
+    const enum CXUnaryOperatorKind unary = clang_getCursorUnaryOperatorKind(cursor);
+    const enum CXBinaryOperatorKind binary = clang_getCursorBinaryOperatorKind(cursor);
+    return unary == CXUnaryOperator_Plus || unary == CXUnaryOperator_Minus ||
+           unary == CXUnaryOperator_Not || unary == CXUnaryOperator_LNot ||
+           (binary >= CXBinaryOperator_Mul && binary <= CXBinaryOperator_LOr);
+}
+
+/* What is no arithmetic on variables and constants. */
+static enum CXChildVisitResult find_effect(CXCursor child, CXCursor parent, CXClientData data) {
+    (void)parent;
+    bool *is_found = data;
+    switch (clang_getCursorKind(child)) {
+    case CXCursor_DeclRefExpr:
+    case CXCursor_IntegerLiteral:
+    case CXCursor_CharacterLiteral:
+    case CXCursor_ParenExpr:
+    case CXCursor_UnexposedExpr: /* a conversion; what else it may be has parts of other kinds */
+    case CXCursor_CStyleCastExpr:
+        return CXChildVisit_Recurse;
+    case CXCursor_UnaryOperator:
+    case CXCursor_BinaryOperator:
+        *is_found = !is_plain_operator(child);
+        break;
+    default:
+        *is_found = clang_isExpression(clang_getCursorKind(child)) != 0;
+        break;
+    }
+    return *is_found ? CXChildVisit_Break : CXChildVisit_Recurse;
+}
+
+static bool computes_with_effect(CXCursor declaration) {
+    bool is_found = false;
+    clang_visitChildren(declaration, find_effect, &is_found);
+    return is_found;
+}
+
+/* Lengths in the types of parameters, `double (*a)[m++]`, are evaluated when the function is
+ * entered (C17 6.9.1p10): opaque statements before those of its body stand for them. */
+static void put_lengths_first(converter *c, CXCursor definition, ir_node *body) {
+    const int count = clang_Cursor_getNumArguments(definition);
+    for (int i = count - 1; i >= 0; i--) {
+        CXCursor parameter = clang_Cursor_getArgument(definition, (unsigned)i);
+        if (!has_variable_length(convert_type(c, clang_getCursorType(parameter))) ||
+            !computes_with_effect(parameter))
+            continue;
+        ir_node **children = ARENA_ARRAY(c->arena, ir_node *, body->child_count + 1u);
+        memcpy(children + 1, body->children, body->child_count * sizeof *children);
+        children[0] = convert_lengths(c, parameter, "length in a parameter's type");
+        children[0]->range = (ir_range){.begin = body->range.begin, .end = body->range.begin};
+        body->children = children;
+        body->child_count++;
+    }
+}
+
 static void convert_body(converter *c, const function_body *pending) {
     CXCursor body = clang_getNullCursor();
     clang_visitChildren(pending->definition, find_body, &body);
@@ -111,6 +180,8 @@ static void convert_body(converter *c, const function_body *pending) {
     c->function = pending->function;
     c->depth = 0;
     pending->function->body = convert_statement(c, body);
+    if (pending->function->body->kind == IR_BLOCK)
+        put_lengths_first(c, pending->definition, pending->function->body);
     arena_clear(c->scratch);
     c->function = NULL;
 }
@@ -129,6 +200,7 @@ static void convert_unit(converter *c) {
     note_macros_of_directives(c);
     mark_skipped_directives(c);
     find_compiler_words(c);
+    mark_weak_names(c);
     finish_unit(c);
 }
 
@@ -184,6 +256,16 @@ static CXTranslationUnit parse_with_fallbacks(task *t, CXIndex index, const char
     return clang;
 }
 
+/* The attribute in a cast or in a typeof, where libclang does not show it. It takes no arguments: a
+ * function may have this name. */
+static bool says_may_alias(const char *text) {
+    static const char word[] = "may_alias";
+    for (const char *at = strstr(text, word); at != NULL; at = strstr(at + 1, word))
+        if (at[sizeof word - 1] != '(')
+            return true;
+    return false;
+}
+
 static void run(void *data) {
     task *t = data;
     const char *name = strcmp(t->source->path, "-") == 0 ? "<stdin>" : t->source->path;
@@ -194,7 +276,8 @@ static void run(void *data) {
         convert_diagnostics(t->arena, clang, &t->result);
         t->result.unit = convert(t->arena, t->source, name, clang);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
-        const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL;
+        const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
+                             says_may_alias(t->source->text);
         t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
         clang_disposeTranslationUnit(clang);
     }

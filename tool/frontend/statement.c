@@ -38,14 +38,19 @@ static ir_node *convert_block(converter *c, CXCursor cursor) {
 typedef struct declaration_list {
     converter *converter;
     cursor_list variables;
+    bool computes_length; /* a typedef does: that is executed, where the typedef stands */
 } declaration_list;
 
 static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
                                                 CXClientData data) {
     (void)parent;
     declaration_list *list = data;
-    if (clang_getCursorKind(child) == CXCursor_VarDecl)
+    const enum CXCursorKind kind = clang_getCursorKind(child);
+    if (kind == CXCursor_VarDecl)
         VECTOR_PUSH(list->converter->scratch, &list->variables, child);
+    list->computes_length |= kind == CXCursor_TypedefDecl &&
+                             has_variable_length(convert_type(
+                                 list->converter, clang_getTypedefDeclUnderlyingType(child)));
     return CXChildVisit_Continue;
 }
 
@@ -62,7 +67,7 @@ static ir_node *initialiser_of(converter *c, CXCursor declaration) {
     if (has_variable_length(type) && children_of(c, declaration).count > 0 &&
         clang_Cursor_hasVarDeclExternalStorage(declaration) != 1)
         return opaque_initialiser(c, declaration, "variable length");
-    if (has_cleanup(c, declaration))
+    if (has_cleanup(declaration))
         return opaque_initialiser(c, declaration, "cleanup attribute");
     CXCursor initialiser = clang_Cursor_getVarDeclInitializer(declaration);
     if (clang_Cursor_isNull(initialiser) || !clang_isExpression(clang_getCursorKind(initialiser)))
@@ -79,7 +84,7 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     if (is_from_macro)
         node->flags |= IR_FROM_MACRO;
     node->variable = convert_variable(c, declaration);
-    node->variable->address_taken |= has_cleanup(c, declaration);
+    node->variable->address_taken |= has_cleanup(declaration);
     ir_node *initialiser = initialiser_of(c, declaration);
     if (initialiser == NULL)
         return node;
@@ -91,10 +96,33 @@ static ir_node *convert_declarator(converter *c, CXCursor declaration) {
     return node;
 }
 
+/* The expressions below declarations and types. */
+static enum CXChildVisitResult collect_expression(CXCursor child, CXCursor parent,
+                                                  CXClientData data) {
+    (void)parent;
+    declaration_list *list = data;
+    if (!clang_isExpression(clang_getCursorKind(child)))
+        return CXChildVisit_Recurse;
+    VECTOR_PUSH(list->converter->scratch, &list->variables, child);
+    return CXChildVisit_Continue;
+}
+
+ir_node *convert_lengths(converter *c, CXCursor cursor, const char *what) {
+    declaration_list list = {.converter = c};
+    clang_visitChildren(cursor, collect_expression, &list);
+    ir_node *node = new_statement(c, cursor, IR_OPAQUE, list.variables.count);
+    node->text = what;
+    for (unsigned i = 0; i < list.variables.count; i++)
+        node->children[i] = convert_expression(c, list.variables.items[i]);
+    return node;
+}
+
 /* Types and prototypes declared in a function leave no declarators. */
 static ir_node *convert_declaration(converter *c, CXCursor cursor) {
     declaration_list list = {.converter = c};
     clang_visitChildren(cursor, collect_variable, &list);
+    if (list.computes_length)
+        return convert_lengths(c, cursor, "typedef of a variable length");
     ir_node *node = new_statement(c, cursor, IR_DECLARATION, list.variables.count);
     for (unsigned i = 0; i < list.variables.count; i++)
         node->children[i] = convert_declarator(c, list.variables.items[i]);

@@ -279,7 +279,8 @@ const ir_type *decayed(converter *c, const ir_type *type) {
 }
 
 bool has_variable_length(const ir_type *type) {
-    for (; type != NULL && (type->kind == IR_ARRAY || type->kind == IR_POINTER);
+    for (; type != NULL &&
+           (type->kind == IR_ARRAY || type->kind == IR_POINTER || type->kind == IR_FUNCTION_TYPE);
          type = type->target)
         if (type->kind == IR_ARRAY && type->count < 0 && type->spelling == NULL)
             return true;
@@ -293,7 +294,7 @@ static bool has_qualifiers(CXType type) {
 
 /* Does the type, or what it points to, go by a typedef with the attribute may_alias? The canonical
  * type does not tell. */
-static bool names_may_alias(converter *c, CXType type) {
+static bool names_may_alias(CXType type) {
     while (type.kind != CXType_Invalid) {
         switch (type.kind) {
         case CXType_Pointer:
@@ -308,7 +309,7 @@ static bool names_may_alias(converter *c, CXType type) {
             type = clang_Type_getNamedType(type);
             break;
         case CXType_Typedef:
-            if (is_under_may_alias(c, clang_getTypeDeclaration(type)))
+            if (is_under_may_alias(clang_getTypeDeclaration(type)))
                 return true;
             type = clang_getTypedefDeclUnderlyingType(clang_getTypeDeclaration(type));
             break;
@@ -326,7 +327,7 @@ const ir_type *convert_type(converter *c, CXType type) {
         return known;
     CXType canonical = clang_getCanonicalType(type);
     if (canonical.data[0] != type.data[0] || canonical.kind != type.kind) {
-        if (c->unit->strict_aliasing && names_may_alias(c, type))
+        if (c->unit->strict_aliasing && names_may_alias(type))
             c->unit->strict_aliasing = false;
         known = convert_type(c, canonical);
         *map_at(c->types, key, sizeof key) = (void *)known;
