@@ -40,8 +40,16 @@ static const char *skip_comment(const char *at, const char *end) {
     return end;
 }
 
+/** The one macro of the compiler's own that generated text is meant to use (scalars.c). */
+static bool is_meant(const char *word, size_t length) {
+    static const char meant[] = "__ATOMIC_RELAXED";
+    return length == sizeof meant - 1 && memcmp(word, meant, length) == 0;
+}
+
 /** Is this word, which ends at `after`, replaced by the preprocessor? */
 static bool is_replaced(const map *macros, const char *word, const char *after, const char *end) {
+    if (is_meant(word, (size_t)(after - word)))
+        return false;
     const void *kind = map_get(macros, word, (size_t)(after - word));
     while (after < end && isspace((unsigned char)*after))
         after++;
