@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Subscripts written in the iteration that uses them (NPB IS).
 // covers: row 31
-#include "../case.h"
+#include "case.h"
 
 enum { N = 20000, M = 1200 };
 static int key[N], copy[N], h[M];

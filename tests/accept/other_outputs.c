@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Beside the updates an output that each iteration has its own element of, and a plain sum.
 // covers: row 59
-#include "../case.h"
+#include "case.h"
 
 enum { N = 20000, M = 1200 };
 static int s[N];

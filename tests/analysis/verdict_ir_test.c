@@ -65,6 +65,8 @@ static const verdict_case cases[] = {
      "transform h(+) e(kept)"},
     {"store read again",
      "(= @210-220 (index e t) 1.0) (+= @230-240 (index h (index s t)) (index e t))",
+     "transform h(+) e(kept)"},
+    {"store read before", "(+= @210-220 (index h (index s t)) (index e t)) (= @230-240 (index e t) 1.0)",
      "refuse other-store"},
     {"call", "(+= @210-220 (index h (index s t)) (call unknown 1.0))", "refuse impure-call"},
     {"return", "(+= @210-220 (index h (index s t)) 1.0) (return @230-240)", "refuse return"},

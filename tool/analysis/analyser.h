@@ -26,9 +26,10 @@ typedef enum access_class {
     CLASS_OPEN,      /* not decided */
     CLASS_SCALAR,    /* of a variable of the iteration's own, or one that nothing can change */
     CLASS_REDUCTION, /* an update of arrays[number] */
-    CLASS_SELF,  /* a read, by an update's statement, of the element that it updates; all accesses
-                    to a scalar that the loop accumulates into */
-    CLASS_SHARED /* a read of memory that other loops' iterations may read as well */
+    CLASS_SELF, /* a read, by an update's statement, of the element that it updates; all accesses
+                   to a scalar that the loop accumulates into */
+    CLASS_FORWARDED, /* a read of what the iteration has stored: it takes the value */
+    CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
 } access_class;
 
 typedef struct judged_access {
@@ -60,6 +61,7 @@ typedef struct judgement {
     VECTOR(judged_array) arrays;
     VECTOR(reduction_update) updates;
     VECTOR(scalar_update) scalars;
+    VECTOR(forwarded_store) forwards;
     VECTOR(private_variable) privates;
     VECTOR(ir_variable *) captured;
     VECTOR(loop_source) sources;

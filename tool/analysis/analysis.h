@@ -129,6 +129,15 @@ typedef struct scalar_update {
     bool is_conditional; /* not executed in each iteration */
 } scalar_update;
 
+/** target = value, of an element that the iteration reads again below: wherever else the loop's
+ *  text says `target`, it reads, and takes the value stored instead of the memory. */
+typedef struct forwarded_store {
+    const ir_node *statement; /* IR_EXPRESSION; one of the updates. In the slice, where what it
+                                 stores is needed for it */
+    const ir_node *target;
+    const ir_node *value;
+} forwarded_store;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is judged */
     ir_function *function;
@@ -140,6 +149,8 @@ typedef struct loop_facts {
     const reduction_update *updates; /* in source order */
     unsigned scalar_count;
     const scalar_update *scalars; /* in source order */
+    unsigned forward_count;
+    const forwarded_store *forwards; /* in source order */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
     unsigned private_count;

@@ -184,7 +184,7 @@ static void add_sources(judgement *j, const bool *keep) {
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
         const judged_access *read = &j->accesses[i];
-        if (read->access.kind == ACCESS_READ)
+        if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
     }
 }

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "analysis/expression.h"
+#include "analysis/forward.h"
 
 /* A variable, or one field of a variable that is a record. */
 typedef struct needed_part {
@@ -223,7 +224,21 @@ static void need_call(slicer *s, const ir_node *call) {
                            !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
+/* The value is needed, and when it is stored; not the element. */
+static void need_forward(slicer *s, const forwarded_store *store) {
+    if (s->keep[store->statement->id])
+        return;
+    s->keep[store->statement->id] = true;
+    need_expression(s, store->value);
+    keep_around(s, store->statement);
+}
+
 static void need_expression(slicer *s, const ir_node *node) {
+    const int forward = forward_read(s->j, node);
+    if (forward >= 0) {
+        need_forward(s, &s->j->forwards.items[forward]);
+        return;
+    }
     if (expression_is_floating_work(node))
         need_floating_work(s, node, is_repeatable(s, node));
     if (node->kind == IR_CALL)

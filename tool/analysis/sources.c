@@ -256,7 +256,8 @@ static bool hangs_on(const location *a, const location *b) {
 bool judge_sources(judgement *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         judged_access *read = &j->accesses[i];
-        if (read->access.kind != ACCESS_READ || read->class == CLASS_SELF)
+        if (read->access.kind != ACCESS_READ || read->class == CLASS_SELF ||
+            read->class == CLASS_FORWARDED)
             continue;
         if (is_unreachable(j, &read->where)) {
             read->class = CLASS_SCALAR;

@@ -4,6 +4,7 @@
 #include "analysis/bases.h"
 #include "analysis/expression.h"
 #include "analysis/extremum.h"
+#include "analysis/forward.h"
 #include "analysis/scalars.h"
 #include "analysis/update_call.h"
 #include "analysis/update_statement.h"
@@ -394,7 +395,7 @@ static bool judge_call(judgement *j, judged_access *write) {
 static bool judge_store(judgement *j, judged_access *store) {
     if (store->access.callee)
         return judge_call(j, store);
-    if (!is_element(store->access.lvalue) || other_read(j, store))
+    if (!is_element(store->access.lvalue) || (other_read(j, store) && !forward_take(j, store)))
         return refuse_store(j, store);
     if (judge_update(j, store))
         return true;

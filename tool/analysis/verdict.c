@@ -110,6 +110,8 @@ static loop_facts *finish_facts(judgement *j) {
     facts->update_count = j->updates.count;
     facts->scalars = j->scalars.items;
     facts->scalar_count = j->scalars.count;
+    facts->forwards = j->forwards.items;
+    facts->forward_count = j->forwards.count;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->privates = j->privates.items;

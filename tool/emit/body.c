@@ -26,7 +26,7 @@ typedef struct body_copy {
 static const char *local_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
     const int array = loop_array_of_base(loop, node);
-    return array >= 0 ? loop->arrays[array].local : NULL;
+    return array >= 0 ? loop->arrays[array].local : forward_read_name(loop, node);
 }
 
 /** Not to catch an `else` of its own, nor to look as if it did. */
@@ -71,9 +71,26 @@ static bool print_operand(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
+/** o[t] = e; the value, and the store from where the others take it as well. */
+static bool print_forward(body_copy *copy, const ir_node *statement) {
+    loop_text *loop = copy->loop;
+    writer *out = copy->printer.out;
+    const forwarded_store *store = forward_stored_by(loop->facts, statement);
+    if (!store)
+        return false;
+    const reduction_update *update = update_of(loop->facts, statement);
+    write_forward(loop, out, store, local_name, loop);
+    if (copy->is_guarded)
+        writer_line(out, "%s", guard_text(loop, update));
+    write_forwarded_store(loop, out, store, local_name, loop);
+    if (copy->is_guarded)
+        writer_line(out, "%s", guard_end(update));
+    return true;
+}
+
 static bool print_guard(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
-    if (print_operand(copy, statement))
+    if (print_operand(copy, statement) || print_forward(copy, statement))
         return true;
     if (!copy->is_guarded || copy->guarding == statement)
         return false;
@@ -125,30 +142,39 @@ static void print_instead(body_copy *copy, const ir_node *statement) {
         VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
 }
 
-/* ---- bases --------------------------------------------------------------------------------- */
+/* ---- names --------------------------------------------------------------------------------- */
 
-/** Visits each base in the body that must be replaced by another name. */
-static void visit_bases(body_copy *copy, const ir_node *node,
-                        void (*visit)(body_copy *, const ir_node *, int array)) {
-    const int array = loop_array_of_base(copy->loop, node);
-    if (array >= 0) {
-        if (!copy->loop->arrays[array].is_shadowed)
-            visit(copy, node, array);
-        return;
-    }
-    for (unsigned i = 0; i < node->child_count; i++)
-        visit_bases(copy, node->children[i], visit);
+/** Another name for this very node: NULL, with *is_base set where it is an array's own. */
+static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
+    const int array = loop_array_of_base(loop, node);
+    *is_base = array >= 0;
+    if (array >= 0)
+        return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
+    return forward_read_name(loop, node);
 }
 
-static void print_base_in_macro(body_copy *copy, const ir_node *node, int array) {
-    (void)array;
+/** Visits each node in the body that must be replaced by another name. */
+static void visit_names(body_copy *copy, const ir_node *node,
+                        void (*visit)(body_copy *, const ir_node *, const char *name)) {
+    bool is_base;
+    const char *name = other_name(copy->loop, node, &is_base);
+    if (name)
+        visit(copy, node, name);
+    if (name || is_base)
+        return;
+    for (unsigned i = 0; i < node->child_count; i++)
+        visit_names(copy, node->children[i], visit);
+}
+
+static void print_name_in_macro(body_copy *copy, const ir_node *node, const char *name) {
+    (void)name;
     if (node->flags & IR_FROM_MACRO)
         print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
 }
 
-static void replace_base(body_copy *copy, const ir_node *node, int array) {
+static void replace_name(body_copy *copy, const ir_node *node, const char *name) {
     if (!is_printed(copy, node))
-        replace_bytes(copy, node->range.begin, node->range.end, copy->loop->arrays[array].local);
+        replace_bytes(copy, node->range.begin, node->range.end, name);
 }
 
 static bool contains_base(const loop_text *loop, const ir_node *node, unsigned array) {
@@ -241,10 +267,12 @@ static const char *copied_text(body_copy *copy, const char **changes) {
         VECTOR_PUSH(loop->arena, &copy->printed, body);
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         print_instead(copy, loop->facts->scalars[i].statement);
-    visit_bases(copy, body, print_base_in_macro);
+    for (unsigned i = 0; i < loop->facts->forward_count; i++)
+        print_instead(copy, loop->facts->forwards[i].statement);
+    visit_names(copy, body, print_name_in_macro);
     if (copy->is_guarded)
         choose_printed_updates(copy);
-    visit_bases(copy, body, replace_base);
+    visit_names(copy, body, replace_name);
     if (copy->is_guarded)
         guard_updates(copy);
     if (is_printed(copy, body))
@@ -296,6 +324,7 @@ static void declare_variables(loop_text *loop, writer *out) {
         writer_line(out, "__typeof__(%s) %s%s;", item->variable->name, item->variable->name,
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))");
     }
+    declare_forwards(loop, out, false);
 }
 
 void write_iteration(loop_text *loop, writer *out, bool is_guarded) {

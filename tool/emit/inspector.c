@@ -43,11 +43,21 @@ static void remember(inspector *self, told_row item) {
     self->recent_end = self->printer.out->out.length;
 }
 
+static const char *note_variable(const ir_node *node, void *context);
+
+/** As the slice names things: what it has stored is in variables. */
+static const char *row_text(inspector *self, const ir_node *row) {
+    const char *text = text_operand(self->loop->arena, row, note_variable, self);
+    if (!text)
+        loop_obstacle(self->loop, row->range, "an expression of the loop cannot be spelled");
+    return text ? text : "0";
+}
+
 static void tell_update(inspector *self, const reduction_update *update) {
     const told_row item = {update->row, SOURCE_NOT_TOLD, update->array};
     if (was_just_told(self, item))
         return;
-    const char *row = loop_operand(self->loop, update->row);
+    const char *row = row_text(self, update->row);
     writer_line(self->printer.out, "redcc_touch(&redcc__worker, %u, &%s, sizeof(%s));",
                 update->array, row, row);
     remember(self, item);
@@ -57,7 +67,7 @@ static void tell_read(inspector *self, const loop_source *read, int number) {
     const told_row item = {read->row, number, 0};
     if (was_just_told(self, item))
         return;
-    const char *row = loop_operand(self->loop, read->row);
+    const char *row = row_text(self, read->row);
     writer_line(self->printer.out, "redcc_read(&redcc__worker, %d, &%s, sizeof(%s));", number, row,
                 row);
     remember(self, item);
@@ -82,6 +92,9 @@ static bool before_statement(printer *p, const ir_node *statement) {
             self->source_told[i] = true;
         }
     }
+    const forwarded_store *store = forward_stored_by(facts, statement);
+    if (store && facts->in_slice[statement->id])
+        write_forward(self->loop, p->out, store, note_variable, self);
     bool is_update = false;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (facts->updates[i].statement == statement) {
@@ -135,12 +148,12 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     return false;
 }
 
-/** The printer's hook for spellings: changes none, notes the variables. */
+/** The printer's hook for spellings: notes the variables. */
 static const char *note_variable(const ir_node *node, void *context) {
     inspector *self = context;
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
-    return NULL;
+    return forward_read_name(self->loop, node);
 }
 
 static void declare_variables(const inspector *self, writer *out) {
@@ -155,6 +168,7 @@ static void declare_variables(const inspector *self, writer *out) {
         if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
             writer_line(out, "__typeof__(%s) %s;", variable->name, variable->name);
     }
+    declare_forwards(loop, out, true);
 }
 
 void write_inspected_iteration(loop_text *loop, writer *out) {

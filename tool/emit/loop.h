@@ -89,6 +89,18 @@ void apply_operands(loop_text *loop, writer *out);
 /** The number of the scalar update that is this statement, or -1. */
 int scalar_update_at(const loop_facts *facts, const ir_node *statement);
 
+/** forward.c: variables for what an iteration stores and reads again, of the slice only or all; */
+void declare_forwards(loop_text *loop, writer *out, bool of_slice);
+/** the variable that this node is to be read from, or NULL; */
+const char *forward_read_name(const loop_text *loop, const ir_node *node);
+/** the stored value that this statement makes, or NULL; its assignment to the variable, and from
+ *  there to the element, which is a statement of its own. */
+const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement);
+void write_forward(loop_text *loop, writer *out, const forwarded_store *store, ir_c_rename rename,
+                   void *context);
+void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,
+                           ir_c_rename rename, void *context);
+
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
  * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
 const char *write_trip_count(loop_text *loop, writer *out);

@@ -161,7 +161,7 @@ void stored_first(int n, const int *s, double *h) {
 void index_written(int n, int *s, const int *key, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse index-array-written
         s[i] = key[i] & 7;
-        h[s[i]] += 1.0;
+        h[s[i + 1]] += 1.0;
     }
 }
 

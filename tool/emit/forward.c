@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What an iteration stores into an element and reads again: the value goes through a variable,
+ * redcc__forward_N, of the element's type. Each thread that executes the iteration computes it;
+ * only the owner of the element stores it there.
+ */
+#include "emit/loop.h"
+#include "emit/syntax.h"
+
+static unsigned number_of(const loop_facts *facts, const forwarded_store *store) {
+    return (unsigned)(store - facts->forwards);
+}
+
+const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->forward_count; i++)
+        if (facts->forwards[i].statement == statement)
+            return &facts->forwards[i];
+    return NULL;
+}
+
+const char *forward_read_name(const loop_text *loop, const ir_node *node) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->forward_count; i++)
+        if (node != facts->forwards[i].target && syntax_same(node, facts->forwards[i].target))
+            return arena_format(loop->arena, "redcc__forward_%u", i);
+    return NULL;
+}
+
+void declare_forwards(loop_text *loop, writer *out, bool of_slice) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->forward_count; i++) {
+        const forwarded_store *store = &facts->forwards[i];
+        if (!of_slice || facts->in_slice[store->statement->id])
+            writer_line(out, "%s redcc__forward_%u;", store->target->type->spelling, i);
+    }
+}
+
+static const char *spelled(loop_text *loop, const ir_node *node, ir_c_rename rename,
+                           void *context) {
+    const char *text = text_expression(loop->arena, node, rename, context);
+    if (!text)
+        loop_obstacle(loop, node->range, "a stored value cannot be spelled a second time");
+    return text ? text : "0";
+}
+
+void write_forward(loop_text *loop, writer *out, const forwarded_store *store, ir_c_rename rename,
+                   void *context) {
+    writer_line(out, "redcc__forward_%u = %s;", number_of(loop->facts, store),
+                spelled(loop, store->value, rename, context));
+}
+
+void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,
+                           ir_c_rename rename, void *context) {
+    writer_line(out, "%s = redcc__forward_%u;", spelled(loop, store->target, rename, context),
+                number_of(loop->facts, store));
+}
