@@ -18,8 +18,9 @@
  * is the iterations of the loop over those that its threads take one after the other by the
  * schedule, waits included (length.h). With `others`, also the lines of OpenMP's atomics, its
  * reduction of array sections (which takes stacks as large as the arrays: ulimit -s,
- * OMP_STACKSIZE), and array expansion written by hand. WARM 0: one execution only, for the model at
- * many threads.
+ * OMP_STACKSIZE), array expansion written by hand, and, as this machine's bound, `unmerged`: equal
+ * shares of the iterations, each into an array of its own. WARM 0: one execution only, for the
+ * model at many threads.
  */
 #include "loop.h"
 
@@ -245,7 +246,7 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
 
 static const redcc_loop *described; /* the one executed last */
 
-enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, COURSES };
+enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, UNMERGED, COURSES };
 
 #define BLOCKS (row_start[NODES])
 
@@ -257,8 +258,8 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, COURSES };
         BODY(t, ATOMICALLY);                                                                       \
     }
 
-/* A copy for each thread but the first, brought in by blocks. */
-#define BY_EXPANSION(trip, BODY, WITH_A)                                                           \
+/* A copy for each thread but the first, brought in by blocks where MERGED. */
+#define BY_EXPANSION(trip, BODY, WITH_A, MERGED)                                                   \
     const size_t doubles = 3 * (size_t)NODES + (WITH_A ? 9 * (size_t)BLOCKS : 0);                  \
     static double **copy;                                                                          \
     if (!copy)                                                                                     \
@@ -267,7 +268,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, COURSES };
         const int me = omp_get_thread_num(), all = omp_get_num_threads();                          \
         if (me > 0 && !copy[me])                                                                   \
             copy[me] = malloc(doubles * sizeof(double));                                           \
-        if (me > 0)                                                                                \
+        if (me > 0 && MERGED)                                                                      \
             memset(copy[me], 0, doubles * sizeof(double));                                         \
         double(*const to_b)[3] = me ? (double(*)[3])copy[me] : b;                                  \
         double(*const to_a)[9] = me ? (double(*)[9])(copy[me] + 3 * NODES) : a;                    \
@@ -275,7 +276,7 @@ enum course_of_bench { SERIAL, REDCC, ATOMIC, SECTIONS, EXPANSION, COURSES };
         _Pragma("omp for") for (int t = 0; t < trip; t++) {                                        \
             BODY(t, PLAINLY);                                                                      \
         }                                                                                          \
-        for (int other = 1; other < all; other++) {                                                \
+        for (int other = 1; MERGED && other < all; other++) {                                      \
             _Pragma("omp for nowait") for (long i = 0; i < 3 * (long)NODES; i++) b[0][i] +=        \
                 copy[other][i];                                                                    \
             if (WITH_A)                                                                            \
@@ -316,7 +317,11 @@ static int run_heavy(redcc_word key, enum course_of_bench course) {
         return 1;
     }
     case EXPANSION: {
-        BY_EXPANSION(TRIANGLES, HEAVY, 1)
+        BY_EXPANSION(TRIANGLES, HEAVY, 1, 1)
+        return 1;
+    }
+    case UNMERGED: {
+        BY_EXPANSION(TRIANGLES, HEAVY, 1, 0)
         return 1;
     }
     default:
@@ -355,7 +360,11 @@ static int run_light(redcc_word key, enum course_of_bench course) {
         return 1;
     }
     case EXPANSION: {
-        BY_EXPANSION(edges, LIGHT, 0)
+        BY_EXPANSION(edges, LIGHT, 0, 1)
+        return 1;
+    }
+    case UNMERGED: {
+        BY_EXPANSION(edges, LIGHT, 0, 0)
         return 1;
     }
     default:
@@ -427,7 +436,8 @@ int main(int count, char **arguments) {
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
     const double alone = spread_of(taken[SERIAL]).median;
     const double bytes = 24.0 * (double)NODES + (heavy ? 72.0 * BLOCKS : 0);
-    static const char *const names[] = {"serial", "", "omp-atomic", "omp-sections", "by-hand"};
+    static const char *const names[] = {"serial",       "",        "omp-atomic",
+                                        "omp-sections", "by-hand", "unmerged"};
     for (int course = REDCC; course < end; course++) {
         const struct spread gain =
             warm > 0 ? ratios(taken[SERIAL], taken[course]) : (struct spread){0, 0, 0};
