@@ -74,7 +74,7 @@ typedef struct reduction_array {
     reduction_operator op;  /* of its first update, if order_is_kept */
     bool order_is_kept;     /* its updates do not commute: only methods that execute the updates of
                                each element in the order of the loop will do, without copies */
-    int64_t unit;           /* bytes of its largest row (update.row) */
+    int64_t unit;           /* bytes of its largest row (update.row), or of the record around it */
     bool is_interleaved; /* other things than these elements lie between them, or are read through
                             base: no private copies can be made (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;

@@ -60,6 +60,42 @@ static bool is_homogeneous(const ir_type *type, const ir_type *element) {
     return bytes == type->size;
 }
 
+static int64_t greatest_divisor(int64_t a, int64_t b) {
+    while (b != 0) {
+        const int64_t rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+/* Do all scalars of the type lie at multiples of their own size, if what is of the type lies at
+ * multiples of `grain`? Not so in packed records, and complex numbers need not. */
+static bool lies_evenly(const ir_type *type, int64_t grain) {
+    const ir_type *inner = ir_type_innermost(type);
+    if (inner != type)
+        grain = greatest_divisor(grain, inner->size);
+    if (inner->kind != IR_RECORD)
+        return inner->size > 0 && grain % inner->size == 0;
+    for (unsigned i = 0; i < inner->record->field_count; i++) {
+        const ir_field *field = &inner->record->fields[i];
+        const bool is_open = field->type->kind == IR_ARRAY && field->type->count < 0;
+        if (!field->is_bit_field && !is_open &&
+            !lies_evenly(field->type, greatest_divisor(grain, field->offset)))
+            return false;
+    }
+    return true;
+}
+
+/* Owners are cut between units: no element may lie across such a cut, or it would have two owners
+ * where another array overlaps with it. Of records like that the unit is all of one. */
+static int64_t unit_without_split(const ir_type *row, int64_t unit) {
+    const ir_type *record = ir_type_innermost(row);
+    if (record->kind != IR_RECORD || record->size <= unit || lies_evenly(record, record->size))
+        return unit;
+    return record->size;
+}
+
 static void finish_arrays(judgement *j, loop_facts *facts) {
     reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
     for (unsigned i = 0; i < j->arrays.count; i++) {
@@ -67,6 +103,8 @@ static void finish_arrays(judgement *j, loop_facts *facts) {
         const ir_type *base = arrays[i].base->type;
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
             arrays[i].is_interleaved = true;
+        if (base && base->target)
+            arrays[i].unit = unit_without_split(base->target, arrays[i].unit);
     }
     facts->arrays = arrays;
     facts->array_count = j->arrays.count;
