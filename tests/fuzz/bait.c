@@ -481,6 +481,7 @@ void bait(kernel *k) {
         separate_bits,
         row_pointers,
         store_subscript,
+        nearly_stored_again,
         pointer_to_subscript,
         store_bound_of_rows,
         side_effect_subscript,

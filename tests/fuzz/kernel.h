@@ -146,11 +146,14 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, bait.c */
+/* ---- statement.c, inner.c, stored.c, bait.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
 void inner_loop(kernel *k);
+/** An element that the iteration stores may be read below; or may not, though it looks so. */
+void stored_again(kernel *k);
+void nearly_stored_again(kernel *k);
 void bait(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */

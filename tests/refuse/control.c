@@ -168,3 +168,47 @@ void while_increment_skipped(int n, const int *k, double *h) {
         t++;
     }
 }
+
+int length_of(const int *k);
+
+void declared_and_read(int n, const int *k, double *h) {
+    for (int t = 0, last = n - 1; t <= last; t++) // EXPECT: refuse trip-count
+        h[k[t]] += last;
+}
+
+void declared_and_changed(int n, const int *k, double *h) {
+    for (int t = 0, last = n - 1; t <= last; t++) { // EXPECT: refuse trip-count
+        h[k[t]] += 1.0;
+        last -= k[t] & 1;
+    }
+}
+
+void declared_by_call(const int *k, double *h) {
+    for (int t = 0, last = length_of(k); t < last; t++) // EXPECT: refuse trip-count
+        h[k[t]] += 1.0;
+}
+
+void declared_by_each_other(int n, const int *k, double *h) {
+    for (int t = 0, last = t + n; t < last; t++) // EXPECT: refuse trip-count
+        h[k[t]] += 1.0;
+}
+
+void declared_narrower(long n, const int *k, double *h) {
+    for (int t = 0, last = n; t < last; t++) // EXPECT: refuse trip-count
+        h[k[t]] += 1.0;
+}
+
+void declared_volatile(int n, const int *k, double *h) {
+    for (volatile int last = n, t = 0; t < last; t++) // EXPECT: nothing
+        h[k[t]] += 1.0;
+}
+
+void declared_without_value(int n, const int *k, double *h) {
+    for (int t = 0, last; t < last; t++) // EXPECT: refuse trip-count
+        h[k[t]] += n;
+}
+
+void declared_with_effect(int n, const int *k, double *h) {
+    for (int t = 0, before = n--; t < n; t++) // EXPECT: refuse trip-count
+        h[k[t]] += 1.0;
+}

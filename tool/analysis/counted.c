@@ -99,20 +99,60 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
     return !expression_mentions(*bound, counter);
 }
 
+static const ir_node *declarator_of(const ir_node *declaration, const ir_variable *variable) {
+    for (unsigned i = 0; i < declaration->child_count; i++)
+        if (declaration->children[i]->variable == variable)
+            return declaration->children[i];
+    return NULL;
+}
+
+static bool mentions_declared(const ir_node *node, const ir_node *declaration,
+                              const ir_variable *except) {
+    for (unsigned i = 0; i < declaration->child_count; i++)
+        if (declaration->children[i]->variable != except &&
+            expression_mentions(node, declaration->children[i]->variable))
+            return true;
+    return false;
+}
+
+/* for (int t = 0, last = n - 1; t <= last; t++): with the value of `last`, where that is all there
+ * is of it, in its place. */
+static bool split_declaration(const ir_node *loop, const ir_node *declaration,
+                              counted_loop *counted) {
+    const ir_node *own = declarator_of(declaration, counted->counter);
+    const ir_variable *counter = counted->counter;
+    if (!own || !own->child_count)
+        return false;
+    counted->lower = own->children[0];
+    counted->counter_is_declared_in_header = true;
+    if (declaration->child_count == 1)
+        return true;
+    const ir_node *bound = counted->bound->kind == IR_VARIABLE
+                               ? declarator_of(declaration, counted->bound->variable)
+                               : NULL;
+    if (bound) {
+        const ir_type *type = bound->variable->type;
+        if (!bound->child_count || type->is_volatile || type->is_atomic ||
+            !ir_type_equal(type, bound->children[0]->type))
+            return false;
+        counted->bound = bound->children[0];
+    }
+    for (unsigned i = 0; i < declaration->child_count; i++)
+        if (declaration->children[i]->child_count &&
+            !expression_is_plain(declaration->children[i]->children[0]))
+            return false;
+    return !mentions_declared(counted->lower, declaration, NULL) &&
+           !mentions_declared(counted->bound, declaration, NULL) &&
+           !mentions_declared(loop->children[2], declaration, counter) &&
+           !mentions_declared(counted->body, declaration, counter);
+}
+
 static bool split_initialisation(const ir_node *node, const ir_variable *counter,
-                                 const ir_node **lower, bool *is_declared) {
+                                 const ir_node **lower) {
     if (node->kind == IR_EXPRESSION)
         node = node->children[0];
     if (node->kind == IR_EMPTY)
         return true;
-    if (node->kind == IR_DECLARATION) {
-        const ir_node *declarator = node->children[0];
-        if (node->child_count != 1 || declarator->variable != counter || !declarator->child_count)
-            return false;
-        *lower = declarator->children[0];
-        *is_declared = true;
-        return true;
-    }
     if (node->kind != IR_ASSIGN || node->op != IR_OP_NONE ||
         !is_variable(node->children[0], counter))
         return false;
@@ -268,9 +308,11 @@ static counted_result recognise_for(const ir_node *loop) {
     }
     if (counted.step == 0)
         return not_counted(REASON_STEP, increment, counted.counter->name);
+    const ir_node *start = loop->children[0];
     if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
-        !split_initialisation(loop->children[0], counted.counter, &counted.lower,
-                              &counted.counter_is_declared_in_header))
+        !(start->kind == IR_DECLARATION
+              ? split_declaration(loop, start, &counted)
+              : split_initialisation(start, counted.counter, &counted.lower)))
         return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
     return check(&counted, loop, NULL);
 }

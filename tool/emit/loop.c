@@ -102,16 +102,18 @@ static void write_attempt(loop_text *loop, writer *out) {
         writer_line(out, "}");
     }
     apply_operands(loop, out);
-    if (!counter_outlives(facts) && !has_last_values(facts))
-        return;
-    writer_line(out, "if (redcc__done) {");
+}
+
+/** The variables that the loop leaves: beside the sequential form, so that compilers see that one
+ * of the two assigns them. */
+static void write_outcome(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
     out->depth++;
     if (counter_outlives(facts))
         writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
                     loop->counter_type);
     write_last_values(loop, out, true);
     out->depth--;
-    writer_line(out, "}");
 }
 
 static const char *heading(loop_text *loop) {
@@ -152,6 +154,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, "#pragma GCC diagnostic pop\n");
     /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
     writer_line(out, "if (redcc__done) {");
+    write_outcome(loop, out);
     writer_line(out, "} else");
     buffer_text(&out->out, "#endif\n");
 }
