@@ -95,7 +95,7 @@ static void begin_running(redcc_worker *worker) {
         execution->ready = redcc_seconds();
     member->phase = PHASE_RUNNING;
     member->stage = 0;
-    member->unhooked = member->unhooked_end = NULL;
+    member->runs = (struct run_reader){0};
     worker->position = 0;
     worker->base = member->base;
     worker->owner = member->owner;
@@ -213,21 +213,27 @@ static void get_ready(struct member *member, const struct chunk *chunk) {
         place_bases(member, (int)chunk->copy);
 }
 
-/* Some runs of the chunk at hand, all of them guarded. False: there are none left. */
-static bool hand_out_hooked(redcc_worker *worker) {
+/* Runs of the chunk at hand: all that are left where they can be executed as they stand, else some
+ * of them. False: there are none left. */
+static bool hand_out_runs(redcc_worker *worker) {
     struct member *member = worker->execution;
-    redcc_run *to = member->hooked;
-    for (; member->unhooked != member->unhooked_end && to != member->hooked + REDCC_HOOKED; to++) {
-        *to = *member->unhooked++;
-        to->count_and_guard |= 1;
+    struct run_reader *runs = &member->runs;
+    const bool hooked = is_hooked(member->plan);
+    if (runs->run != runs->run_end && !hooked) {
+        worker->run = runs->run;
+        worker->run_end = runs->run = runs->run_end;
+        return true;
     }
-    worker->run = member->hooked;
-    worker->run_end = to;
-    return to != member->hooked;
+    const size_t count = redcc_runs_read(runs, member->run, REDCC_RUNS);
+    for (size_t r = 0; hooked && r < count; r++)
+        member->run[r].count_and_guard |= 1;
+    worker->run = member->run;
+    worker->run_end = member->run + count;
+    return count > 0;
 }
 
-/* The next chunk of the schedule. False: there is none left. */
-static bool hand_out_chunk(redcc_worker *worker) {
+/* On to the next chunk of the schedule. False: there is none left. */
+static bool turn_to_chunk(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct schedule *schedule = &member->plan->schedule[member->thread];
     if (worker->position > 0)
@@ -237,23 +243,15 @@ static bool hand_out_chunk(redcc_worker *worker) {
     const struct chunk *chunk = &schedule->chunk[worker->position++];
     get_ready(member, chunk);
     worker->origin = chunk->origin;
-    worker->run = schedule->run + chunk->run_begin;
-    worker->run_end = schedule->run + chunk->run_end;
+    member->runs = redcc_runs_of(schedule, chunk);
     return true;
 }
 
 static bool hand_out(redcc_worker *worker) {
     struct member *member = worker->execution;
-    if (!is_hooked(member->plan))
-        return hand_out_chunk(worker);
-    redcc_hooks_settle(&member->hooks);
-    if (hand_out_hooked(worker))
-        return true;
-    if (!hand_out_chunk(worker))
-        return false;
-    member->unhooked = worker->run;
-    member->unhooked_end = worker->run_end;
-    return hand_out_hooked(worker);
+    if (is_hooked(member->plan))
+        redcc_hooks_settle(&member->hooks);
+    return hand_out_runs(worker) || (turn_to_chunk(worker) && hand_out_runs(worker));
 }
 
 static int next_chunk(redcc_worker *worker) {

@@ -10,9 +10,10 @@ struct place {
 };
 
 static redcc_int iterations_of(const struct schedule *schedule, const struct chunk *chunk) {
+    struct run_reader reader = redcc_runs_of(schedule, chunk);
     redcc_int sum = 0;
-    for (size_t r = chunk->run_begin; r < chunk->run_end; r++)
-        sum += schedule->run[r].count_and_guard / 2;
+    for (redcc_run run; redcc_runs_read(&reader, &run, 1) > 0;)
+        sum += run.count_and_guard / 2;
     return sum;
 }
 

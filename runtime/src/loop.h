@@ -20,7 +20,7 @@
 #include "sweep.h"
 #include "validate.h"
 
-enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024, REDCC_HOOKED = 64 };
+enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024, REDCC_RUNS = 128 };
 
 /** Where a thread stands, and what the last to arrive at the barrier sends all threads to. */
 enum phase {
@@ -56,12 +56,11 @@ struct member {
     uint32_t stage;          /* of execution */
     redcc_run solo_run;      /* COURSE_SOLO, and the comparison with the sequential loop */
     struct hooks hooks;
-    const redcc_run *unhooked; /* runs of the chunk that are still to be handed out, guarded */
-    const redcc_run *unhooked_end;
-    redcc_run hooked[REDCC_HOOKED];
-    redcc_entry *entries; /* [REDCC_ENTRIES] */
-    struct range *seen;   /* [array_count] */
-    redcc_int *executed;  /* [owners] iterations of the own share, by owner */
+    struct run_reader runs;    /* of the chunk at hand, still to be handed out */
+    redcc_run run[REDCC_RUNS]; /* handed out, of runs that are packed or to be guarded */
+    redcc_entry *entries;      /* [REDCC_ENTRIES] */
+    struct range *seen;        /* [array_count] */
+    redcc_int *executed;       /* [owners] iterations of the own share, by owner */
     struct sample sample;
     struct sweep sweep;
     redcc_extent *sources;           /* [source_count] told by redcc_read */

@@ -265,6 +265,7 @@ size_t redcc_plan_bytes(const struct plan *plan) {
                    redcc_memory_size(plan->mapped) + redcc_lost_bytes(plan);
     for (int thread = 0; thread < plan->threads; thread++)
         bytes += redcc_memory_size(plan->schedule[thread].run) +
+                 redcc_memory_size(plan->schedule[thread].packed) +
                  redcc_memory_size(plan->schedule[thread].chunk) +
                  redcc_memory_size(plan->schedule[thread].wait);
     for (int c = 0; c < plan->copies.count; c++)

@@ -128,19 +128,26 @@ void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy) {
     schedule->apart = true;
 }
 
-void redcc_schedule_trim(struct schedule *schedule) {
-    if (schedule->run_capacity - schedule->run_count < 64)
-        return;
-    redcc_run *run = redcc_memory_resize(schedule->run, schedule->run_count * sizeof *run);
-    if (!run)
-        return;
-    schedule->run = run;
-    schedule->run_capacity = schedule->run_count;
+void redcc_schedule_finish(struct schedule *schedule) {
+    redcc_runs_pack(schedule);
+    if (schedule->run_capacity - schedule->run_count >= 64 && !schedule->packed) {
+        const size_t count = schedule->run_count;
+        redcc_run *run = redcc_memory_resize(schedule->run, count * sizeof *run);
+        schedule->run = run ? run : schedule->run;
+        schedule->run_capacity = run ? count : schedule->run_capacity;
+    }
+    if (schedule->chunk_capacity - schedule->chunk_count >= 64) {
+        const size_t count = schedule->chunk_count;
+        struct chunk *chunk = redcc_memory_resize(schedule->chunk, count * sizeof *chunk);
+        schedule->chunk = chunk ? chunk : schedule->chunk;
+        schedule->chunk_capacity = chunk ? count : schedule->chunk_capacity;
+    }
 }
 
 void redcc_schedule_end(struct schedule *schedule) {
     redcc_memory_give(schedule->chunk);
     redcc_memory_give(schedule->run);
+    redcc_memory_give(schedule->packed);
     redcc_memory_give(schedule->wait);
     *schedule = (struct schedule){0};
 }

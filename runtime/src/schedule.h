@@ -12,7 +12,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Runs run[run_begin] ... run[run_end - 1], relative to `origin`. */
+/** Runs run[run_begin] ... run[run_end - 1], relative to `origin`; once they are packed, those in
+ *  packed[run_begin] ... packed[run_end - 1]. */
 struct chunk {
     redcc_int origin;
     size_t run_begin;
@@ -32,7 +33,8 @@ struct schedule {
     redcc_run *run;
     size_t run_count;
     size_t run_capacity;
-    uint32_t *wait; /* flags, counted from 0 */
+    uint16_t *packed; /* the runs instead; NULL: they are not packed */
+    uint32_t *wait;   /* flags, counted from 0 */
     uint32_t wait_count;
     uint32_t wait_capacity;
     uint32_t waited;      /* those of `wait` that chunks have already */
@@ -62,8 +64,27 @@ void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag);
 /** What follows is written to copy number `copy`. */
 void redcc_schedule_into_copy(struct schedule *schedule, uint32_t copy);
 
-/** Gives back what is not used. */
-void redcc_schedule_trim(struct schedule *schedule);
+/** Nothing more will be added: gives back what is not used, and packs the runs where that takes
+ * less and there is memory to do it. */
+void redcc_schedule_finish(struct schedule *schedule);
+
+/** Packs the runs where that takes less, there are many, and there is memory to do it. */
+void redcc_runs_pack(struct schedule *schedule);
+
+/** Where a reader of a chunk's runs stands. All zero: at the end. */
+struct run_reader {
+    const redcc_run *run;
+    const redcc_run *run_end;
+    const uint16_t *word; /* packed */
+    const uint16_t *word_end;
+    redcc_u32 at; /* where the run before ends */
+};
+
+/** To the first run of a chunk of the schedule. */
+struct run_reader redcc_runs_of(const struct schedule *schedule, const struct chunk *chunk);
+
+/** The next runs, `room` >= 1 at most, into `to`; returns how many: 0 at the end. */
+size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room);
 
 /** Gives back its memory. */
 void redcc_schedule_end(struct schedule *schedule);

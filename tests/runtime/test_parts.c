@@ -307,9 +307,9 @@ static void more_iterations_than_32_bits_count(void **unused) {
             const struct schedule *schedule = &plan->schedule[thread];
             assert_true(schedule->run_count <= 8);
             redcc_int before = 0;
-            for (size_t c = 0; c < schedule->chunk_count; c++)
-                for (size_t r = schedule->chunk[c].run_begin; r < schedule->chunk[c].run_end; r++) {
-                    const redcc_run run = schedule->run[r];
+            for (size_t c = 0; c < schedule->chunk_count; c++) {
+                struct run_reader runs = redcc_runs_of(schedule, &schedule->chunk[c]);
+                for (redcc_run run; redcc_runs_read(&runs, &run, 1) > 0;) {
                     const redcc_int begin = schedule->chunk[c].origin + run.begin;
                     const redcc_int count = run.count_and_guard / 2;
                     assert_true(begin >= before);
@@ -321,6 +321,7 @@ static void more_iterations_than_32_bits_count(void **unused) {
                                          begin >= third && before <= 2 * third);
                     }
                 }
+            }
             highest = before > highest ? before : highest;
         }
         assert_true(visited == (m == 0 ? 4 * third : trip));
@@ -335,6 +336,60 @@ static void more_iterations_than_32_bits_count(void **unused) {
         redcc_summary_end(&summary[thread]);
     redcc_partition_end(&partition);
     assert_int_equal(redcc_memory_live(), 0);
+}
+
+/* Of a schedule that grows by gaps up to `gap` and counts up to `count`, some far above; in chunks
+ * of a stage each, with tasks that go back. */
+static void expect_runs(redcc_int gap, redcc_int count, bool memory) {
+    enum { RUNS = 5000 };
+    static redcc_int begin[RUNS], length[RUNS];
+    static bool guarded[RUNS];
+    struct schedule schedule = {0};
+    unsigned long random = 88172645463325252u;
+    redcc_int at = 0;
+    for (int r = 0; r < RUNS; r++) {
+        const bool far = next_random(&random) % 50 == 0;
+        at += 1 + (redcc_int)(next_random(&random) % (unsigned long)gap) * (far ? 5000 : 1);
+        if (r % 700 == 699)
+            at -= 50; /* behind the run before, not before the chunk's origin */
+        begin[r] = at;
+        length[r] = 1 + (redcc_int)(next_random(&random) % (unsigned long)count) * (far ? 5000 : 1);
+        guarded[r] = next_random(&random) % 2;
+        at += length[r];
+        assert_true(
+            redcc_schedule_add(&schedule, (uint32_t)r / 1000, begin[r], length[r], guarded[r]));
+    }
+    const redcc_int iterations = schedule.iterations;
+    redcc_memory_fail_after(memory ? -1 : 0);
+    redcc_schedule_finish(&schedule);
+    redcc_memory_fail_after(-1);
+    assert_int_equal(schedule.packed != NULL, memory && gap < 1000);
+    assert_true(schedule.iterations == iterations);
+    int r = 0;
+    for (size_t c = 0; c < schedule.chunk_count; c++) {
+        struct run_reader reader = redcc_runs_of(&schedule, &schedule.chunk[c]);
+        redcc_run run[7];
+        for (size_t got; (got = redcc_runs_read(&reader, run, 1 + c % 7)) > 0;)
+            for (size_t i = 0; i < got; i++, r++) {
+                assert_int_equal(schedule.chunk[c].stage, r / 1000);
+                assert_true(schedule.chunk[c].origin + run[i].begin == begin[r]);
+                assert_true(run[i].count_and_guard / 2 == length[r]);
+                assert_int_equal(run[i].count_and_guard & 1, guarded[r]);
+            }
+    }
+    assert_int_equal(r, RUNS);
+    redcc_schedule_end(&schedule);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+static void packed_runs_are_the_runs(void **unused) {
+    (void)unused;
+    for (int memory = 0; memory < 2; memory++) {
+        expect_runs(2, 2, memory);
+        expect_runs(70, 30, memory);
+        expect_runs(900, 1, memory);
+        expect_runs(3000, 900, memory); /* no use in packing them */
+    }
 }
 
 /* Two threads, two tasks each; the second ones wait for the other thread's first. */
@@ -548,6 +603,7 @@ int main(void) {
         cmocka_unit_test(a_sweep_lists_each_owner_once),
         cmocka_unit_test(more_iterations_than_32_bits_count),
         cmocka_unit_test(a_plan_is_as_long_as_its_waits_make_it),
+        cmocka_unit_test(packed_runs_are_the_runs),
         cmocka_unit_test(sizes),
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),

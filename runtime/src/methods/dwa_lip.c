@@ -93,7 +93,7 @@ bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, i
     for (size_t p = 0; pairs.pair && p < count; p++)
         redcc_schedule_end(&pairs.pair[p]);
     redcc_memory_give(pairs.pair);
-    redcc_schedule_trim(&plan->schedule[thread]);
+    redcc_schedule_finish(&plan->schedule[thread]);
     return enough;
 }
 

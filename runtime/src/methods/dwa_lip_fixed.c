@@ -127,7 +127,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
         enough = redcc_schedule_begin_task(schedule, NULL, 0) &&
                  redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false);
     give_tables(&view);
-    redcc_schedule_trim(schedule);
+    redcc_schedule_finish(schedule);
     return enough;
 }
 

@@ -76,7 +76,7 @@ bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence
         redcc_last_touches_nothing(evidence) &&
         !redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false))
         return false;
-    redcc_schedule_trim(schedule);
+    redcc_schedule_finish(schedule);
     return true;
 }
 

@@ -24,7 +24,7 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
             if (!redcc_schedule_add(schedule, stage, levels->iteration[i], 1, false))
                 return false;
     }
-    redcc_schedule_trim(schedule);
+    redcc_schedule_finish(schedule);
     return true;
 }
 
