@@ -91,7 +91,8 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
                        const double (*residual)[3]);
 
 /** The work in J that constraints and friction did in the step of h s that ends with velocities v,
- *  an upper bound of it where a collider moves. residual as the solver left it, for a stage of
+ *  an upper bound of it where a collider moves; colliders at rest do none above 0, but to push out
+ *  what is too near. residual as the solver left it, for a stage of
  *  stage_h s. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]);

@@ -13,21 +13,40 @@ static double friction_work(const contact *touch, const collider *k, double h) {
     return factor * vector_dot(k->velocity, k->velocity) / 4;
 }
 
+/* Do nothing but colliders at rest hold the vertex, and push it nowhere? Pushing something out that
+ * is too near is work indeed. */
+static int is_held_at_rest(const collisions *c, int vertex) {
+    if (c->pin_of[vertex] >= 0)
+        return 0;
+    for (int n = 0; n < c->now[vertex].count; n++) {
+        const contact *touch = &c->now[vertex].list[n];
+        if (touch->speed > 0 || vector_length(c->scene->colliders[touch->collider].velocity) > 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* What is at rest takes energy, but gives none: a constraint that seems to, by pulling what comes
+ * nearer, hides a solution that is wrong by as much. The sum is what counts: of single vertices the
+ * solver's tolerance has its share, of either sign. */
 double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
                        const double (*v)[3], const double (*residual)[3]) {
-    const int count = c->vertex_count;
-    double sum[CHUNK_SUM_MOST] = {0};
+    const int count = c->vertex_count, contacts = c->now && !c->now_empty;
+    double moving[CHUNK_SUM_MOST] = {0}, resting[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
-            if (given->given[i] > 0) /* the constraint gives -residual to the stage */
+            if (given->given[i] > 0) { /* the constraint gives -residual to the stage */
+                double *sum = contacts && is_held_at_rest(c, i) ? resting : moving;
                 sum[chunk] -= h / stage_h * vector_dot(residual[i], v[i]);
-            for (int n = 0; c->now && !c->now_empty && n < c->now[i].count; n++) {
+            }
+            for (int n = 0; contacts && n < c->now[i].count; n++) {
                 const contact *touch = &c->now[i].list[n];
-                sum[chunk] += friction_work(touch, &c->scene->colliders[touch->collider], h);
+                moving[chunk] += friction_work(touch, &c->scene->colliders[touch->collider], h);
             }
         }
-    return chunk_sum_all(count, sum);
+    const double from_resting = chunk_sum_all(count, resting);
+    return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
 }
 
 double collisions_depth(const collisions *c, double time, const double (*x)[3]) {

@@ -121,6 +121,24 @@ void system_reset(linear_system *s, const double *mass, const double gravity[3],
     }
 }
 
+/* Where the block (row, column) is stored: row <= column, and the two share an element. Rows are
+ * short (4 blocks, 7 with bending, on average): going through them beats bisection. */
+static int block_find(const block_matrix *A, int row, int column) {
+    int block = A->row_start[row];
+    while (A->column[block] < column)
+        block++;
+    return block;
+}
+
+void block_matrix_locate(const block_matrix *A, const element_list *list, int *block) {
+    for (int e = 0; e < list->count; e++) {
+        const int *v = list->vertex + (size_t)e * (size_t)list->size;
+        for (int p = 0; p < list->size; p++)
+            for (int q = p; q < list->size; q++)
+                *block++ = block_find(A, v[p], v[q]);
+    }
+}
+
 /* Row lengths of the complete matrix, as row starts. */
 static void complete_row_starts(const block_matrix *half, int *row_start) {
     for (int i = 0; i < half->row_count; i++)

@@ -41,18 +41,13 @@ void system_free(linear_system *s);
 /** A = M, b = h m g. mass [vertices] kg, gravity m/s^2, h s. */
 void system_reset(linear_system *s, const double *mass, const double gravity[3], double h);
 
+/** Where A keeps the blocks of each element's pairs of vertices, which ascend in an element: block
+ *  [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... of one element after the other. */
+void block_matrix_locate(const block_matrix *A, const element_list *list, int *block);
+
 /** All blocks, above and below the diagonal, of the matrix whose half is given: for comparing
  *  products. 0, or -1: out of memory. */
 int block_matrix_complete(const block_matrix *half, block_matrix *full);
 void block_matrix_free(block_matrix *A);
-
-/** Where the block (row, column) is stored: row <= column, and the two share an element. Rows are
- *  short (4 blocks, 7 with bending, on average): going through them beats bisection. */
-static inline int block_find(const block_matrix *A, int row, int column) {
-    int block = A->row_start[row];
-    while (A->column[block] < column)
-        block++;
-    return block;
-}
 
 #endif

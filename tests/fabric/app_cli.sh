@@ -55,4 +55,17 @@ expect 0 "hinges:    501" "$program" mesh info sorted.obj
 holds "the order changes the file" test "$(cmp -s made.obj sorted.obj; echo $?)" -eq 1
 echo "v 0 0" >wrong.obj
 expect 1 "wrong.obj:1: expected 3 finite numbers" "$program" mesh info wrong.obj
+# What is wrong with a mesh as a cloth is said; what cannot stay is removed.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0.5 0 1\nv 2 0 0\n' >bad.obj
+printf 'f 1 2 3\nf 1 4 2\nf 1 2 5\nf 3 2 1\n' >>bad.obj
+for said in "1 edges of more than two triangles" "1 triangles that are there twice, removed; the first is number 4" \
+  "triangles: 3" "1 vertices of no triangle, held in place; the first is number 6"; do
+  expect 0 "$said" "$program" mesh info bad.obj
+done
+expect 0 "removed" "$program" mesh reorder bad.obj --order sorted -o cleaned.obj
+holds "three triangles are left" test "$(grep -c '^f' cleaned.obj)" -eq 3
+printf 'v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >nan.obj
+expect 1 "nan.obj:1: expected 3 finite numbers" "$program" mesh info nan.obj
+printf 'v 0 0 0\nv 1 0 0\nf 1 1 2\n' >empty.obj
+expect 1 "empty.obj:3: a triangle with one vertex twice" "$program" mesh info empty.obj
 finish

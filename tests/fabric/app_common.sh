@@ -35,6 +35,16 @@ holds() {
   fi
 }
 
+# same_bits FOLDER PROGRAM ARGUMENTS...: the run ends in FOLDER's state, bit for bit.
+same_bits() {
+  local reference=$1 part
+  shift
+  expect 0 "" "$@" -o parallel
+  for part in positions velocities; do
+    expect 0 "$part: equal, every bit" "$serial" compare "$reference/final.state" parallel/final.state
+  done
+}
+
 finish() {
   [ "$failures" -eq 0 ] || exit 1
   echo "all hold"

@@ -14,11 +14,7 @@ for scene in tablecloth hanging; do
   for method in auto localwrite; do
     for threads in 1 2 3 8; do
       export REDCC_METHOD=$method
-      expect 0 "" "$parallel" "${run[@]}" -o parallel --threads $threads
-      expect 0 "positions: equal, every bit" \
-        "$serial" compare serial-$scene/final.state parallel/final.state
-      expect 0 "velocities: equal, every bit" \
-        "$serial" compare serial-$scene/final.state parallel/final.state
+      same_bits serial-$scene "$parallel" "${run[@]}" --threads $threads
     done
   done
 done

@@ -10,12 +10,19 @@ target_include_directories(fabric_physics_tests PUBLIC physics)
 target_link_libraries(fabric_physics_tests PUBLIC fabric_flags PkgConfig::CMOCKA m
                       PRIVATE redcc_warnings)
 
+# A cloth with its scene and simulation: for whole steps, and for hard.cmake.
+add_library(fabric_stage STATIC hard/stage.c)
+target_include_directories(fabric_stage PUBLIC hard)
+target_link_libraries(fabric_stage PUBLIC fabric_physics_tests fabric_physics
+                      PRIVATE redcc_warnings)
+
 foreach(name forces system solver collision simulation integrator)
   add_executable(test_fabric_${name} physics/test_${name}.c)
   target_link_libraries(test_fabric_${name} PRIVATE fabric_physics fabric_physics_tests
                         redcc_warnings)
   add_test(NAME fabric.physics.${name} COMMAND test_fabric_${name})
 endforeach()
+target_link_libraries(test_fabric_simulation PRIVATE fabric_stage)
 
 # The same sources with OpenMP's pragmas alive: the bits must not depend on the thread count.
 add_library(fabric_physics_openmp STATIC ${FABRIC_PHYSICS_SOURCES})

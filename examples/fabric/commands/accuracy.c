@@ -33,8 +33,8 @@ enum { EXPERIMENTS = sizeof experiments / sizeof *experiments, ALL = EXPERIMENTS
 typedef struct request {
     int name; /* -1: none yet */
     const char *scene_name, *folder, *curves;
-    const char *settings[MOST_SETTINGS];
-    int setting_count, quick;
+    setting_list settings;
+    int quick;
     long repeat, most_steps;
     double error; /* m; 0: none given */
 } request;
@@ -83,9 +83,7 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
             r->folder = o.value;
             break;
         case SET:
-            if (r->setting_count == MOST_SETTINGS)
-                return options_complain(self, "more than %d times --set", MOST_SETTINGS);
-            r->settings[r->setting_count++] = o.value;
+            wrong = add_setting(self, &r->settings, o.value);
             break;
         case REPEAT:
             wrong = options_whole(&o, "--repeat", 1, 1000, &r->repeat);
@@ -155,7 +153,7 @@ static int give_advice(const request *r) {
     if (r->curves ? snprintf(path, sizeof path, "%s", r->curves) < 0
                   : files_find_beside_scenes("accuracy/curves.csv", path) != 0)
         return EXIT_FAILURE;
-    if (read_scene(&s, r->scene_name, r->settings, r->setting_count) != 0)
+    if (read_scene(&s, r->scene_name, &r->settings) != 0)
         return EXIT_FAILURE;
     const int count = curves_read(path, &points);
     int status = count < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
@@ -181,8 +179,7 @@ static int experiment(const request *r) {
     char error[256] = "";
     study of = {.folder = r->folder, .repeat = (int)r->repeat, .quick = r->quick};
     if (files_make_folder(r->folder) != 0 ||
-        read_scene(&of.base, r->scene_name ? r->scene_name : "flap", r->settings,
-                   r->setting_count) != 0)
+        read_scene(&of.base, r->scene_name ? r->scene_name : "flap", &r->settings) != 0)
         return EXIT_FAILURE;
     const int least = r->quick ? (int)r->most_steps / 4 : 8;
     for (int steps = least; steps <= r->most_steps && of.step_count < MOST_COUNTS; steps *= 2)

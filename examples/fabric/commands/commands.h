@@ -16,7 +16,16 @@ extern const command accuracy_command;
 /** What `--set` may be given how often, together. */
 enum { MOST_SETTINGS = 256 };
 
+/** The values of `--set`, by reference. */
+typedef struct setting_list {
+    const char *setting[MOST_SETTINGS];
+    int count;
+} setting_list;
+
+/** Takes one more. 0, or the exit status after a complaint that there are too many. */
+int add_setting(const command *self, setting_list *settings, const char *setting);
+
 /** Finds and reads a scene and makes its settings. 0, or -1 after a message. */
-int read_scene(scene *s, const char *name, const char *const *settings, int setting_count);
+int read_scene(scene *s, const char *name, const setting_list *settings);
 
 #endif

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "commands/commands.h"
+#include "mesh_rest.h"
 #include "output/obj.h"
 
 enum { ERROR_SIZE = 256 };
@@ -126,10 +127,35 @@ static void print_info(const mesh *m, int non_manifold) {
     printf("bandwidth: %d, neighbours are %.1f apart in the mean\n", longest, mean);
 }
 
+/** What is wrong with the mesh as a cloth, a line a kind. */
+static void print_problems(const mesh_problem *found) {
+    for (int k = 0; k < MESH_PROBLEM_COUNT; k++)
+        if (found[k].count > 0) {
+            fprintf(stderr, "mesh: %d %s", found[k].count, mesh_problem_name(k));
+            if (found[k].first >= 0)
+                fprintf(stderr, "; the first is number %d", found[k].first + 1);
+            fputc('\n', stderr);
+        }
+}
+
+/** What cannot stay is removed, and all that is wrong is said. 0, or -1 with a message. */
+static int connect_and_check(mesh *m, mesh_problem *found, char *error) {
+    int non_manifold;
+    if (mesh_clean(m, found, error) != 0 || mesh_connect(m, &non_manifold, error) != 0)
+        return -1;
+    found[MESH_NON_MANIFOLD].count = non_manifold;
+    if (mesh_check(m, found) == 0) {
+        print_problems(found);
+        return 0;
+    }
+    snprintf(error, ERROR_SIZE, "out of memory");
+    return -1;
+}
+
 static int perform(const request *r) {
     char error[ERROR_SIZE] = "";
     mesh m = {0};
-    int non_manifold = 0;
+    mesh_problem found[MESH_PROBLEM_COUNT];
     int status = 0;
     if (r->action == GENERATE)
         status = mesh_generate(&m, (int)r->vertices, (int)r->boundary, r->side, (unsigned)r->seed,
@@ -137,13 +163,13 @@ static int perform(const request *r) {
     else if (obj_read(&m, r->input) != 0)
         return EXIT_FAILURE;
     if (status == 0)
-        status = mesh_connect(&m, &non_manifold, error);
+        status = connect_and_check(&m, found, error);
     if (status == 0 && r->action != INFO)
         status = mesh_reorder(&m, r->order, (unsigned)r->seed, NULL, error);
     if (status != 0)
         fprintf(stderr, "mesh: %s\n", error);
     else if (r->action == INFO)
-        print_info(&m, non_manifold);
+        print_info(&m, found[MESH_NON_MANIFOLD].count);
     else
         status = obj_write(&m, r->output);
     mesh_free(&m);

@@ -70,14 +70,13 @@ static int plan(const scene *s) {
 
 static int run(const command *self, int argc, char **argv) {
     options o = {self, argc, argv, 0, NULL, 0};
-    const char *name = NULL, *settings[MOST_SETTINGS];
-    int setting_count = 0;
+    const char *name = NULL;
+    setting_list settings = {.count = 0};
     for (int next; (next = options_next(&o)) != OPTIONS_END;)
         switch (next) {
         case SET:
-            if (setting_count == MOST_SETTINGS)
-                return options_complain(self, "more than %d times --set", MOST_SETTINGS);
-            settings[setting_count++] = o.value;
+            if (add_setting(self, &settings, o.value) != 0)
+                return EXIT_USAGE;
             break;
         case OPTIONS_WORD:
             if (name)
@@ -92,7 +91,7 @@ static int run(const command *self, int argc, char **argv) {
     if (!name)
         return options_complain(self, "which scene? %s", self->synopsis);
     scene s;
-    if (read_scene(&s, name, settings, setting_count) != 0)
+    if (read_scene(&s, name, &settings) != 0)
         return EXIT_FAILURE;
     const int status = plan(&s);
     scene_free(&s);

@@ -37,8 +37,7 @@ typedef struct request {
     long threads;
     long frames;
     progress_style progress;
-    const char *settings[MOST_SETTINGS];
-    int setting_count;
+    setting_list settings;
 } request;
 
 /** All that a run has in hand. */
@@ -92,9 +91,7 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
             wrong = options_whole(&o, "--threads", 1, 4096, &r->threads);
             break;
         case SET:
-            if (r->setting_count == MOST_SETTINGS)
-                return options_complain(self, "more than %d times --set", MOST_SETTINGS);
-            r->settings[r->setting_count++] = o.value;
+            wrong = add_setting(self, &r->settings, o.value);
             break;
         case PROGRESS:
             number = options_choice(&o, "--progress", progress_styles);
@@ -119,12 +116,19 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
     return r->scene_name ? -1 : options_complain(self, "which scene? %s", self->synopsis);
 }
 
-int read_scene(scene *s, const char *name, const char *const *settings, int setting_count) {
+int add_setting(const command *self, setting_list *settings, const char *setting) {
+    if (settings->count == MOST_SETTINGS)
+        return options_complain(self, "more than %d times --set", MOST_SETTINGS);
+    settings->setting[settings->count++] = setting;
+    return 0;
+}
+
+int read_scene(scene *s, const char *name, const setting_list *settings) {
     char path[FILE_PATH_SIZE];
     if (files_find_scene(name, path) != 0 || scene_read(s, path) != 0)
         return -1;
-    for (int k = 0; k < setting_count; k++)
-        if (scene_set(s, settings[k]) != 0) {
+    for (int k = 0; k < settings->count; k++)
+        if (scene_set(s, settings->setting[k]) != 0) {
             scene_free(s);
             return -1;
         }
@@ -286,7 +290,7 @@ static int run(const command *self, int argc, char **argv) {
     const int wrong = read_request(self, argc, argv, &r);
     if (wrong >= 0)
         return wrong;
-    if (read_scene(&all.of, r.scene_name, r.settings, r.setting_count) != 0)
+    if (read_scene(&all.of, r.scene_name, &r.settings) != 0)
         return EXIT_FAILURE;
     if (r.steps >= 0)
         all.of.steps = (int)r.steps;

@@ -53,10 +53,8 @@ int triangle_elements_place(triangle_elements *e, const block_matrix *A) {
     e->block = calloc((size_t)e->count + 1, sizeof *e->block);
     if (!e->block)
         return -1;
-    for (int t = 0; t < e->count; t++)
-        for (int p = 0, m = 0; p < 3; p++)
-            for (int q = p; q < 3; q++, m++)
-                e->block[t][m] = block_find(A, e->vertex[t][p], e->vertex[t][q]);
+    const element_list list = {e->count, 3, &e->vertex[0][0]};
+    block_matrix_locate(A, &list, &e->block[0][0]);
     return 0;
 }
 

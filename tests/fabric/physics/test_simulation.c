@@ -5,66 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cloth.h"
-#include "simulation.h"
-#include "simulation_state.h"
+#include "stage.h"
 #include "vector.h"
-
-typedef struct stage {
-    mesh m;
-    scene s;
-    simulation *sim;
-} stage;
-
-static stage stage_of(mesh m, scene s) {
-    return (stage){.m = m, .s = s};
-}
-
-/* The stage must stay where it is from now on. */
-static void begin(stage *on) {
-    char error[256] = "";
-    on->sim = simulation_new(&on->m, &on->s, error);
-    if (!on->sim)
-        fail_msg("%s", error);
-}
-
-static void end(stage *on) {
-    simulation_free(on->sim);
-    cloth_free(&on->m);
-}
-
-static void run(stage *on, int steps) {
-    char error[256] = "";
-    for (int n = 0; n < steps; n++)
-        if (simulation_step(on->sim, error) != 0)
-            fail_msg("%s", error);
-}
-
-static void assert_all_finite(const stage *on) {
-    for (int i = 0; i < on->m.vertex_count; i++)
-        for (int a = 0; a < 3; a++)
-            assert_true(isfinite(simulation_positions(on->sim)[i][a]) &&
-                        isfinite(simulation_velocities(on->sim)[i][a]));
-}
-
-/* Kinetic and elastic, in J. */
-static double energy(stage *on) {
-    simulation *sim = on->sim;
-    const double(*x)[3] = simulation_positions(sim);
-    double stretch, shear, sum = 0;
-    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
-    hinge_update_angles(&sim->hinges, x);
-    for (int i = 0; i < on->m.vertex_count; i++)
-        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
-    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + sum;
-}
 
 /* S24: v = -g t, and after the first step nothing is left to iterate. */
 static void S24_free_fall(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    begin(&on);
-    run(&on, 50);
+    stage_begin(&on);
+    stage_run(&on, 50);
     const double t = simulation_time(on.sim);
     assert_near(t, 0.5, 1e-15);
     for (int i = 0; i < on.m.vertex_count; i++) {
@@ -74,7 +23,7 @@ static void S24_free_fall(void **state) {
     assert_true(simulation_iterations(on.sim) <= 50);
     assert_int_equal(simulation_steps_taken(on.sim), 50);
     assert_int_equal(simulation_steps_rejected(on.sim), 0);
-    end(&on);
+    stage_end(&on);
 }
 
 /* S06: inner forces move nothing; as exact as the solution of the system. */
@@ -87,8 +36,8 @@ static void S06_momentum_is_kept(void **state) {
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++)
             on.m.position[i][a] += 0.005 * random_number(&seed);
-    begin(&on);
-    run(&on, 60);
+    stage_begin(&on);
+    stage_run(&on, 60);
     double sum[3] = {0, 0, 0}, size = 0;
     for (int i = 0; i < on.m.vertex_count; i++) {
         vector_add_scaled(sum, on.sim->mass[i], on.sim->v[i], sum);
@@ -96,7 +45,7 @@ static void S06_momentum_is_kept(void **state) {
     }
     assert_true(size > 0);
     assert_below(vector_length(sum) / size, 1e-10);
-    end(&on);
+    stage_end(&on);
 }
 
 /* S08: a free sheet stretched by 5 % gains no energy in any step. */
@@ -112,16 +61,16 @@ static void S08_energy_does_not_grow(void **state) {
             on.m.position[i][a] *= 1.05;
         on.m.position[i][2] = 1e-4 * random_number(&seed);
     }
-    begin(&on);
-    const double first = energy(&on);
+    stage_begin(&on);
+    const double first = stage_energy(&on);
     double before = first;
     for (int n = 0; n < 60; n++) {
-        run(&on, 1);
-        const double now = energy(&on);
+        stage_run(&on, 1);
+        const double now = stage_energy(&on);
         assert_below(now - before, 1e-12 * first);
         before = now;
     }
-    end(&on);
+    stage_end(&on);
 }
 
 /* S10: collapsed to a line and to a point, cloth unfolds. */
@@ -134,8 +83,8 @@ static void S10_collapsed_sheet_recovers(void **state) {
             on.m.position[i][1] = on.m.position[i][2] = 0;
             on.m.position[i][0] *= to_point ? 0 : 1;
         }
-        begin(&on);
-        run(&on, 200);
+        stage_begin(&on);
+        stage_run(&on, 200);
         double area = 0, rest = 0;
         for (int t = 0; t < on.sim->triangles.count; t++) {
             const int *v = on.sim->triangles.vertex[t];
@@ -147,7 +96,7 @@ static void S10_collapsed_sheet_recovers(void **state) {
             rest += on.sim->triangles.rest[t].area;
         }
         assert_true(area >= 0.9 * rest);
-        end(&on);
+        stage_end(&on);
     }
 }
 
@@ -160,8 +109,8 @@ static void S22_pins_are_exact(void **state) {
     on.s.tolerance = 1e-4;
     on.s.pins = pins;
     on.s.pin_count = 2;
-    begin(&on);
-    run(&on, 1000);
+    stage_begin(&on);
+    stage_run(&on, 1000);
     int held = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int p = 0; p < 2; p++) {
@@ -176,7 +125,7 @@ static void S22_pins_are_exact(void **state) {
             }
         }
     assert_int_equal(held, 12);
-    end(&on);
+    stage_end(&on);
 }
 
 /* S24, S27: on a ball cloth comes to rest and stays there. */
@@ -193,20 +142,20 @@ static void test_cloth_comes_to_rest(void **state) {
     on.s.drag = 1;
     on.s.colliders = &ball;
     on.s.collider_count = 1;
-    begin(&on);
-    run(&on, 300);
+    stage_begin(&on);
+    stage_run(&on, 300);
     double sum = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
         sum += vector_dot(on.sim->v[i], on.sim->v[i]);
     assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
     /* At rest the right side is next to nothing; a tolerance relative to it alone asks too much. */
     const long before = simulation_iterations(on.sim);
-    run(&on, 100);
+    stage_run(&on, 100);
     assert_below((double)(simulation_iterations(on.sim) - before), 100 * 10);
     long contacts;
     collisions_count(&on.sim->collisions, &contacts, NULL);
     assert_in_range(contacts, 1, 36);
-    end(&on);
+    stage_end(&on);
 }
 
 /* An effect that does nothing changes no bit: a collider far away, drag and bend of 0. */
@@ -221,14 +170,14 @@ static void test_far_collider_changes_no_bit(void **state) {
     with.s.colliders = &far;
     with.s.collider_count = 1;
     with.s.wind[0] = 3; /* no drag: no wind */
-    begin(&with);
-    begin(&without);
-    run(&with, 30);
-    run(&without, 30);
+    stage_begin(&with);
+    stage_begin(&without);
+    stage_run(&with, 30);
+    stage_run(&without, 30);
     assert_memory_equal(simulation_positions(with.sim), simulation_positions(without.sim),
                         sizeof(double[3]) * (size_t)with.m.vertex_count);
-    end(&with);
-    end(&without);
+    stage_end(&with);
+    stage_end(&without);
 }
 
 /* No bending, no hinge blocks; no force between vertices, no blocks but the diagonal. */
@@ -236,18 +185,18 @@ static void test_matrix_follows_the_effects(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     const int edges = on.m.hinge_count + (3 * on.m.triangle_count - 2 * on.m.hinge_count);
-    begin(&on);
+    stage_begin(&on);
     assert_true(simulation_matrix_blocks(on.sim) > 36 + edges);
     simulation_free(on.sim);
     on.s.bend = on.s.bend_damping = 0;
-    begin(&on);
+    stage_begin(&on);
     assert_int_equal(simulation_matrix_blocks(on.sim), 36 + edges);
     simulation_free(on.sim);
     on.s.stretch = on.s.shear = on.s.stretch_damping = on.s.shear_damping = 0;
     on.s.drag = 0.3;
-    begin(&on);
+    stage_begin(&on);
     assert_int_equal(simulation_matrix_blocks(on.sim), 36);
-    run(&on, 5);
+    stage_run(&on, 5);
     int count;
     const effect_account *effects = simulation_effects(on.sim, &count);
     for (int k = 0; k < count; k++) {
@@ -257,7 +206,7 @@ static void test_matrix_follows_the_effects(void **state) {
         assert_true(expected ? effects[k].elements > 0 : effects[k].elements == 0);
         assert_true(expected || strcmp(effects[k].name, "contact") == 0 || effects[k].seconds == 0);
     }
-    end(&on);
+    stage_end(&on);
 }
 
 /* S20: a vertex of no triangle stays where it is, and hurts nobody. */
@@ -266,12 +215,12 @@ static void S20_lone_vertex_is_held(void **state) {
     const double material[4][2] = {{0, 0}, {1, 0}, {0, 1}, {5, 5}};
     const int triangle[1][3] = {{0, 1, 2}};
     stage on = stage_of(cloth_of(4, material, 1, triangle), cloth_scene());
-    begin(&on);
-    run(&on, 10);
-    assert_all_finite(&on);
+    stage_begin(&on);
+    stage_run(&on, 10);
+    stage_assert_finite(&on);
     assert_true(simulation_positions(on.sim)[3][2] == 0);
     assert_true(simulation_positions(on.sim)[0][2] < -0.01);
-    end(&on);
+    stage_end(&on);
 }
 
 static void S35_broken_position_is_refused(void **state) {
@@ -281,18 +230,18 @@ static void S35_broken_position_is_refused(void **state) {
     on.m.position[4][1] = NAN;
     assert_null(simulation_new(&on.m, &on.s, error));
     assert_non_null(strstr(error, "finite"));
-    end(&on);
+    stage_end(&on);
 }
 
 /* A step's phases are counted, one call each. */
 static void test_phases_are_counted(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(3, 3, 0.1, 0, 1), cloth_scene());
-    begin(&on);
-    run(&on, 7);
+    stage_begin(&on);
+    stage_run(&on, 7);
     for (int k = 0; k < PHASE_COUNT; k++)
         assert_int_equal(simulation_phases(on.sim)[k].calls, 7);
-    end(&on);
+    stage_end(&on);
 }
 
 int main(void) {

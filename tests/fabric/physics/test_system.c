@@ -53,7 +53,13 @@ static void test_layout_is_the_elements_pairs(void **state) {
                 if (i != j && !share(&lists[0], i, j) && !(with_hinges && share(&lists[1], i, j)))
                     continue;
                 blocks++;
-                const int block = block_find(&s.A, i, j);
+                const int pair[2] = {i, j};
+                const element_list both = {1, 2, pair};
+                int found[3];
+                block_matrix_locate(&s.A, &both, found);
+                const int block = found[1];
+                assert_int_equal(found[0], s.A.row_start[i]);
+                assert_int_equal(found[2], s.A.row_start[j]);
                 assert_in_range(block, s.A.row_start[i], s.A.row_start[i + 1] - 1);
                 assert_int_equal(s.A.column[block], j);
             }
