@@ -36,20 +36,7 @@ dpkg-deb -f "$packages"/libredcc-rt-dev_*.deb Depends >depends
 expect_match depends 'libredcc-rt1 \(= '
 
 export PATH="$root/usr/bin:$PATH" LD_LIBRARY_PATH="${library%/*}"
-cat >count.c <<'EOF'
-#include <stdio.h>
-static double b[64];
-static int s[100000];
-int main(void) {
-    for (int t = 0; t < 100000; t++)
-        s[t] = (t * 7919) % 64;
-    for (int t = 0; t < 100000; t++)
-        b[s[t]] += 1.0 / (1 + t);
-    for (int e = 0; e < 64; e++)
-        printf("%a\n", b[e]);
-    return 0;
-}
-EOF
+write_histogram count.c
 cc -O2 -ffp-contract=off count.c -o serial && ./serial >expected
 REDCC_REPORT=$PWD/report redcc-cc -O2 count.c -o parallel || fail "redcc-cc"
 expect_match report '"verdict":"transformed"'

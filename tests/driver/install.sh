@@ -88,20 +88,7 @@ done
 end
 
 begin "the installed redcc-cc, from a folder with spaces, on a real loop"
-cat >'a loop.c' <<'END'
-#include <stdio.h>
-static double b[64];
-static int s[100000];
-int main(void) {
-    for (int t = 0; t < 100000; t++)
-        s[t] = (t * 7919) % 64;
-    for (int t = 0; t < 100000; t++)
-        b[s[t]] += 1.0 / (1 + t);
-    for (int e = 0; e < 64; e++)
-        printf("%a\n", b[e]);
-    return 0;
-}
-END
+write_histogram 'a loop.c'
 cc -O2 -ffp-contract=off 'a loop.c' -o serial && ./serial >expected
 for compiler in gcc clang-19; do
   command -v $compiler >/dev/null || continue

@@ -64,6 +64,24 @@ int main(void) {
 }
 '
 
+# A program with one loop that redcc makes parallel; it prints every bit of the result.
+write_histogram() { # FILE
+  cat >"$1" <<'END'
+#include <stdio.h>
+static double b[64];
+static int s[100000];
+int main(void) {
+    for (int t = 0; t < 100000; t++)
+        s[t] = (t * 7919) % 64;
+    for (int t = 0; t < 100000; t++)
+        b[s[t]] += 1.0 / (1 + t);
+    for (int e = 0; e < 64; e++)
+        printf("%a\n", b[e]);
+    return 0;
+}
+END
+}
+
 # Installs what was built in BUILD below PREFIX; skips the test (status 77) where the programs are
 # not built.
 install_tree() { # BUILD PREFIX

@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Does what docs/tutorial.md says, with an installed redcc: writes its files (```c NAME), runs its
 # commands (```sh) in an empty folder, and compares what they print with the ```text that follows.
-# BUILD is the build folder to install from, TUTORIAL the document.
+# BUILD is the build folder to install from, or PREFIX where redcc is installed; TUTORIAL the document.
 . "$(dirname "$0")/library.sh"
-prefix=$(mktemp -d) # $(pkg-config ...) in a command cannot have spaces in it
-trap 'rm -rf "$work" "$prefix"' EXIT
-install_tree "$BUILD" "$prefix"
-export PATH="$prefix/bin:$PATH" PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+if [ -z "${PREFIX:-}" ]; then
+  PREFIX=$(mktemp -d) # $(pkg-config ...) in a command cannot have spaces in it
+  trap 'rm -rf "$work" "$PREFIX"' EXIT
+  install_tree "$BUILD" "$PREFIX"
+  export PKG_CONFIG_PATH="$PREFIX/lib/pkgconfig"
+fi
+export PATH="$PREFIX/bin:$PATH"
 begin "tutorial"
 
 kind='' name='' text='' printed='' command=''
