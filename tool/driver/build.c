@@ -137,7 +137,8 @@ static attempt compile_for_messages(session *s, const translation *t) {
     word_list words = {0};
     words_add_all(a, &words, &s->real.words);
     command_add_options(a, &words, &s->command,
-                        OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
+                        OPTION_DEPENDENCY | OPTION_AUXILIARY |
+                            (s->command.links ? OPTION_LINKER : 0));
     add_colour(s, &words);
     words_add(a, &words, "-c");
     words_add(a, &words, "-o");
@@ -304,7 +305,9 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
         session_end(s, -process_signal());
     if (translated == 0)
         build_original(s);
-    if (s->command.compiled == 1)
+    /* Where files are to be named after the program, its one source is compiled and linked in one
+     * call; else in two, so that the linker's messages are known from the compiler's. */
+    if (s->command.compiled == 1 && (!s->command.links || s->command.meaning & OPTION_AUXILIARY))
         build_one(s, &translations[0]);
     build_several(s, translations, count);
 }

@@ -63,18 +63,35 @@ static unsigned meaning_of_preprocessor_list(const char *word, unsigned meaning)
     return meaning;
 }
 
+/* What depends on the option's own argument. */
+static unsigned meaning_with_argument(const option *found, const item *i) {
+    const char *argument = i->value ? i->value : i->text + strlen(found->name);
+    if (strcmp(found->name, "-fopt-info") == 0 && !strchr(argument, '='))
+        return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes no file, but messages */
+    if (strcmp(found->name, "-MF") == 0 &&
+        (strcmp(argument, "-") == 0 || strncmp(argument, "/dev/", 5) == 0) &&
+        strcmp(argument, "/dev/null") != 0)
+        return found->meaning | OPTION_GIVE_UP; /* to a stream, with other things */
+    return found->meaning;
+}
+
 static item read_option(const word_list *words, unsigned *next) {
     item i = {words->items[*next], NULL, 0, INPUT_NOT, NULL};
     ++*next;
     const option *found = option_find(i.text);
     if (!found)
         return i;
-    i.meaning = found->meaning;
+    bool takes_next = (found->meaning & OPTION_ARGUMENT) && strcmp(i.text, found->name) == 0;
+    if (takes_next && *next >= words->count) {
+        /* nothing may be added that would become its argument */
+        i.meaning = found->meaning | OPTION_GIVE_UP | OPTION_NO_RUNTIME;
+        return i;
+    }
+    if (takes_next)
+        i.value = words->items[(*next)++];
+    i.meaning = meaning_with_argument(found, &i);
     if (strncmp(i.text, "-Wp,", 4) == 0)
         i.meaning = meaning_of_preprocessor_list(i.text, i.meaning);
-    if ((found->meaning & OPTION_ARGUMENT) && strcmp(i.text, found->name) == 0 &&
-        *next < words->count)
-        i.value = words->items[(*next)++];
     return i;
 }
 

@@ -100,6 +100,15 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
+/* Clang looks for all inputs before it begins, and says so where none is left. */
+static bool misses_input(const command *c) {
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->items[i].kind != INPUT_NOT && strcmp(c->items[i].text, "-") != 0 &&
+            access(c->items[i].text, F_OK) != 0)
+            return true;
+    return false;
+}
+
 /* What is in the way of translating any source of this command; NULL: nothing. */
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
@@ -141,7 +150,8 @@ static _Noreturn void translate_and_build(session *s) {
 static _Noreturn void run(session *s) {
     char here[PATH_MAX];
     bool probe = command_is_probe(&s->command, getcwd(here, sizeof here) ? here : "");
-    if (is_disabled() || probe || !(s->command.compiles || s->command.links))
+    if (is_disabled() || probe || !(s->command.compiles || s->command.links) ||
+        (!s->show && misses_input(&s->command)))
         session_become_compiler(s);
     const char *why = general_obstacle(s);
     if (why && s->command.c_count > 0)
