@@ -26,6 +26,12 @@ make_sources() {
   done
   printf "#include \"all.h\"\nint main(void) {\n$calls    return 0;\n}\n" >src/main.c
 }
+build_with_cmake() { # FOLDER ARGUMENTS...
+  local folder=$1
+  shift
+  cmake -S . -B "$folder" "$@" >"$folder.log" 2>&1 &&
+    cmake --build "$folder" -j 4 >>"$folder.log" 2>&1 || fail "$case_name: $* : $(tail -n 20 "$folder.log")"
+}
 expect_ten() { # PROGRAM
   expect_equal "$case_name: $1" 10 "$("$1" | grep -c '^translated$')"
 }
@@ -60,12 +66,44 @@ target_include_directories(half PUBLIC include)
 add_executable(program src/main.c src/m5.c src/m6.c src/m7.c src/m8.c src/m9.c)
 target_link_libraries(program PRIVATE half)
 '
-build_with_cmake() { # FOLDER ARGUMENTS...
-  local folder=$1
-  shift
-  cmake -S . -B "$folder" "$@" >"$folder.log" 2>&1 &&
-    cmake --build "$folder" -j 4 >>"$folder.log" 2>&1 || fail "$case_name: $* : $(tail -n 20 "$folder.log")"
-}
+
+begin "C++ that calls C: whoever links goes through redcc-cc"
+if command -v g++ >/dev/null; then
+  make_sources
+  mv src/main.c src/main.cpp
+  sed -i 's/void f/extern "C" void f/' include/all.h
+  sed -i 's/.*all\.h.*//' src/m*.c
+  cat >Makefile <<'END'
+program: $(patsubst %.c,%.o,$(wildcard src/*.c)) src/main.o
+	$(CXX) $^ -o $@
+src/%.o: src/%.c
+	$(CC) -Iinclude -c $< -o $@
+src/%.o: src/%.cpp
+	$(CXX) -Iinclude -c $< -o $@
+END
+  make -s CC="'$redcc_cc'" CXX="'$redcc_cc' g++" >log 2>&1 || fail "$case_name: $(cat log)"
+  expect_ten ./program
+  echo 'cmake_minimum_required(VERSION 3.23)
+project(ten C CXX)
+include_directories(include)
+file(GLOB sources src/*.c)
+add_executable(program src/main.cpp ${sources})' >CMakeLists.txt
+  build_with_cmake build "-DCMAKE_C_COMPILER=$plain/bin/redcc-cc" "-DCMAKE_CXX_LINKER_LAUNCHER=$plain/bin/redcc-cc"
+  expect_ten build/program
+  # a target of redcc_target needs nothing of the kind
+  echo 'cmake_minimum_required(VERSION 3.23)
+project(ten C CXX)
+find_package(redcc REQUIRED)
+include_directories(include)
+file(GLOB sources src/*.c)
+add_library(ten STATIC ${sources})
+redcc_target(ten)
+add_executable(program src/main.cpp)
+target_link_libraries(program ten)' >CMakeLists.txt
+  build_with_cmake with-target "-DCMAKE_PREFIX_PATH=$plain"
+  expect_ten with-target/program
+fi
+end
 
 begin "CMake: redcc-cc as the compiler"
 make_sources
