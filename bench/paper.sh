@@ -59,7 +59,7 @@ else
     echo "set terminal pngcairo size 1250,1350 font ',11'; set output '$plot'"
     echo "set multiplot layout 3,2 margins 0.06,0.82,0.05,0.95 spacing 0.06,0.07 title \\"
     echo "  'The heavy loop: filled and solid is measured, open and dashed is modelled from the schedules'"
-    echo "set logscale x 2; set grid; set xrange [1.8:36]; set xlabel 'threads'"
+    echo "set linetype 9 linecolor rgb 'grey50'; set logscale x 2; set grid; set xrange [1.8:36]; set xlabel 'threads'"
     key="set key at screen 0.99,0.95 right top Left reverse font ',10'"
     for part in 5:speed-up 8:efficiency 9:memory; do
       for mesh in sorted shuffled; do
@@ -79,7 +79,7 @@ else
             grep "^$kind,$mesh,$method," "$csv" | sort -t, -k4n |
               awk -F, -v c="${part%%:*}" '{print $4, $c}' >"$data-$kind"
           done
-          style="linetype $((number)) pointsize 1.3"
+          style="linetype $number pointsize 1.3"
           line="$line '$data-measured' with linespoints $style pointtype 7 title '$method',"
           line="$line '$data-modelled' with linespoints $style pointtype 6 dashtype 2 notitle,"
         done

@@ -24,7 +24,8 @@ struct work {
     struct point *point; /* of the group at hand, sorted by address */
     struct point *spare;
     size_t count;
-    struct label *label; /* of every sampled iteration */
+    struct label *label;  /* of every sampled iteration */
+    struct label *beside; /* of the iterations of the points */
 };
 
 static void gather(struct work *work, uint32_t group) {
@@ -105,13 +106,13 @@ static void label_iterations(struct work *work, uint32_t group, size_t iteration
 static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
     long cost = 0;
     for (size_t i = 0; i < work->count; i++) {
-        const struct label label = work->label[work->point[i].iteration];
+        const struct label label = work->beside[i];
         cost += label.low <= label.high && label.high < owner;
     }
     long least = cost;
     size_t first = 0, last = 0;
     for (size_t i = 0; i < work->count; i++) { /* the cut moves from before point i to after it */
-        const struct label label = work->label[work->point[i].iteration];
+        const struct label label = work->beside[i];
         if (label.low <= label.high)
             cost += (label.low >= owner) - (label.high < owner);
         if (cost < least) {
@@ -131,9 +132,9 @@ static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owne
 static void cut_beside_leader(struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
     bool labelled = false;
-    for (size_t i = 0; i < work->count && !labelled; i++) {
-        const struct label label = work->label[work->point[i].iteration];
-        labelled = label.low <= label.high;
+    for (size_t i = 0; i < work->count; i++) {
+        work->beside[i] = work->label[work->point[i].iteration];
+        labelled = labelled || work->beside[i].low <= work->beside[i].high;
     }
     if (!labelled)
         return; /* never touched together with the leading group: its own quantiles stay */
@@ -183,11 +184,13 @@ bool redcc_choose_cuts(struct partition *partition, const struct sample *const *
     work.point = redcc_memory_take(points * sizeof *work.point);
     work.spare = redcc_memory_take(points * sizeof *work.spare);
     work.label = redcc_memory_take(iterations * sizeof *work.label);
-    const bool enough = work.point && work.spare && work.label;
+    work.beside = redcc_memory_take(points * sizeof *work.beside);
+    const bool enough = work.point && work.spare && work.label && work.beside;
     if (enough)
         cut_all(&work, iterations);
     redcc_memory_give(work.point);
     redcc_memory_give(work.spare);
     redcc_memory_give(work.label);
+    redcc_memory_give(work.beside);
     return enough;
 }

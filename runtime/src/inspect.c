@@ -17,7 +17,9 @@
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
     SAMPLED_MOST = 8192,
-    SAMPLED_TOUCHES = 32768
+    SAMPLED_TOUCHES = 32768,                   /* kept of them, by few owners; by many */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,           /* so many each, */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES /* up to this */
 };
 
 void redcc_refuse(struct execution *execution, enum reason reason) {
@@ -77,13 +79,24 @@ static redcc_int sampled_before(const struct member *member) {
     return (redcc_own_begin(member) + stride - 1) / stride;
 }
 
+/* A part's cuts can be no more even than the touches from which they are chosen. (Where results
+ * must not depend on the number of threads each of them has room for all, so these are few.) */
+static size_t touches_to_keep(const struct execution *execution) {
+    if (execution->method && execution->method->keeps == REDCC_ORDER_FIXED)
+        return SAMPLED_TOUCHES;
+    const size_t wanted = (size_t)execution->partition.owners * SAMPLED_TOUCHES_AN_OWNER;
+    const size_t most = wanted < SAMPLED_TOUCHES_MOST ? wanted : SAMPLED_TOUCHES_MOST;
+    return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
+}
+
 /* Where results must not depend on the number of threads, each has room for whatever of its share
  * may stay in the end. */
 static size_t sample_room(const struct member *member) {
     const struct method *method = member->execution->method;
-    const size_t least = 1024, even = SAMPLED_TOUCHES / (size_t)member->threads;
+    const size_t all = touches_to_keep(member->execution);
+    const size_t least = 1024, even = all / (size_t)member->threads;
     if (method && method->keeps == REDCC_ORDER_FIXED)
-        return SAMPLED_TOUCHES;
+        return all;
     return even > least ? even : least;
 }
 
@@ -190,7 +203,7 @@ static void cut_and_sweep(struct execution *execution) {
         redcc_refuse(execution, REASON_REPLICATION);
 }
 
-/* One item stands for as many touches in all samples, and all have SAMPLED_TOUCHES at most. */
+/* One item stands for as many touches in all samples, and all have touches_to_keep at most. */
 static void thin_samples(struct execution *execution) {
     struct member *const *member = execution->state->member;
     uint64_t keep_each = 1;
@@ -198,7 +211,7 @@ static void thin_samples(struct execution *execution) {
     for (int thread = 0; thread < execution->threads; thread++)
         if (member[thread]->sample.keep_each > keep_each)
             keep_each = member[thread]->sample.keep_each;
-    for (; count > SAMPLED_TOUCHES; keep_each *= 2) {
+    for (; count > touches_to_keep(execution); keep_each *= 2) {
         count = 0;
         for (int thread = 0; thread < execution->threads; thread++)
             count += redcc_sample_count(&member[thread]->sample, keep_each);

@@ -15,12 +15,12 @@ void redcc_sample_end(struct sample *sample) {
 }
 
 /* True of one touch in `in` on average (a power of two); true of fewer where `in` is larger. The
- * finalizer of Steele, Lea and Flood's SplitMix64. */
+ * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, lie evenly in every stretch
+ * of iterations and of touches (Roberts, The unreasonable effectiveness of quasirandom sequences,
+ * 2018); here in units of 2^-64. */
 static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
-    uint64_t hash = iteration * 0x9e3779b97f4a7c15u + touch * 0xd1b54a32d192ed03u;
-    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
-    return ((hash ^ hash >> 31) & (in - 1)) == 0;
+    const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
+    return fraction <= UINT64_MAX / in;
 }
 
 static bool stays(const struct sample *sample, const struct sampled *item, uint64_t keep_each) {

@@ -140,6 +140,30 @@ static void sets_are_kept_once(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
+/* Of three touches an iteration, in every stretch of iterations as many are kept of each. */
+static void a_thinned_sample_is_even(void **unused) {
+    (void)unused;
+    enum { ITERATIONS = 20000, STRETCHES = 32, TOUCHES = 3 };
+    for (uint64_t keep_each = 2; keep_each <= 32; keep_each *= 2) {
+        struct sample sample;
+        long count[STRETCHES][TOUCHES] = {{0}};
+        assert_true(redcc_sample_begin(&sample, ITERATIONS * TOUCHES, 0));
+        for (uint32_t i = 0; i < ITERATIONS; i++) {
+            for (uint32_t touch = 0; touch < TOUCHES; touch++)
+                redcc_sample_add(&sample, i, touch);
+            redcc_sample_next_iteration(&sample);
+        }
+        redcc_sample_thin(&sample, keep_each);
+        for (size_t i = 0; i < sample.count; i++)
+            count[sample.item[i].iteration / (ITERATIONS / STRETCHES)][sample.item[i].array]++;
+        const long expected = ITERATIONS / STRETCHES / (long)keep_each;
+        for (int stretch = 0; stretch < STRETCHES; stretch++)
+            for (int touch = 0; touch < TOUCHES; touch++)
+                assert_in_range(count[stretch][touch], expected - 3, expected + 3);
+        redcc_sample_end(&sample);
+    }
+}
+
 /* Touches of two arrays in turn: both are sampled, from the beginning to the end. */
 static void a_full_sample_stays_even(void **unused) {
     (void)unused;
@@ -599,6 +623,7 @@ int main(void) {
         cmocka_unit_test(nobody_passes_a_barrier_early),
         cmocka_unit_test(sets_are_kept_once),
         cmocka_unit_test(a_full_sample_stays_even),
+        cmocka_unit_test(a_thinned_sample_is_even),
         cmocka_unit_test(cuts_of_several_arrays_lie_at_the_same_rows),
         cmocka_unit_test(a_sweep_lists_each_owner_once),
         cmocka_unit_test(more_iterations_than_32_bits_count),
