@@ -6,6 +6,7 @@
 #include "clock.h"
 #include "compensate.h"
 #include "memory.h"
+#include "node.h"
 #include "settings.h"
 #include "trace.h"
 
@@ -267,6 +268,12 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     return 1;
 }
 
+static void note_node(struct member *member) {
+    const int node = redcc_node();
+    member->moved = member->node >= 0 && node != member->node;
+    member->node = node;
+}
+
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads) {
     struct execution *execution = call->execution;
     *worker = (redcc_worker){.call = call, .thread = thread};
@@ -277,6 +284,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
     }
     struct member *member = execution->state->member[thread];
     worker->execution = member;
+    note_node(member);
     member->float_control = redcc_float_control();
     redcc_float_control_take(execution->float_control);
     member->threads = threads;
@@ -352,6 +360,16 @@ static void trace_execution(const struct execution *execution, double now) {
                 execution->course == COURSE_SOLO ? 1 : execution->threads, now - execution->ready);
 }
 
+static void count_nodes(const struct execution *execution, struct statistics *statistics) {
+    unsigned long long nodes = 0;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        const struct member *member = execution->state->member[thread];
+        nodes |= member->node >= 0 ? 1ull << (member->node & 63) : 0;
+        statistics->moves += member->moved;
+    }
+    statistics->nodes = __builtin_popcountll(nodes);
+}
+
 static void count_execution(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
@@ -372,6 +390,7 @@ static void count_execution(struct execution *execution, double now) {
     statistics->trip = plan->trip;
     statistics->length = solo ? plan->trip : plan->length;
     statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
+    count_nodes(execution, statistics);
     trace_execution(execution, now);
     if (execution->method)
         return;

@@ -49,6 +49,8 @@ struct member {
     struct float_control
         float_control;       /* the thread's own, while it has that of the loop's caller */
     const struct plan *plan; /* to execute */
+    int node;                /* where it ran last (node.h); -1: not known */
+    bool moved;              /* from another one, where it ran at the execution before */
     bool failed;             /* no memory */
     bool told_all;           /* the inspector told as many iterations as asked for */
     redcc_int next;          /* iterations handed out for inspection up to here */

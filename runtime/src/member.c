@@ -10,6 +10,7 @@ static struct member *member_new(struct loop_state *state, const redcc_loop *loo
         return NULL;
     member->execution = &state->execution;
     member->thread = thread;
+    member->node = -1;
     member->sources = redcc_memory_take_zeroed(loop->source_count, sizeof *member->sources);
     member->base = redcc_memory_take_zeroed(loop->array_count, sizeof *member->base);
     member->owner = redcc_memory_take_zeroed(loop->array_count, sizeof *member->owner);

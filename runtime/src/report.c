@@ -111,6 +111,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     write_choice(out, it);
     fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
             redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
+    fprintf(out, ", \"nodes\": %d, \"moves\": %ld", it->nodes, it->moves);
     fprintf(out, ", \"sum\": \"%s\"", it->compensated ? "compensated" : "plain");
     if (it->validated.executions > 0)
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
@@ -161,8 +162,22 @@ bool redcc_report_validation(void) {
     return broken;
 }
 
+/* What binds the threads, as the environment says it: to bind them is OpenMP's. */
+static void write_variable(FILE *out, const char *key, const char *variable) {
+    const char *value = getenv(variable);
+    fprintf(out, "\"%s\": ", key);
+    if (value)
+        write_string(out, value);
+    else
+        fputs("null", out);
+    fputs(", ", out);
+}
+
 static bool write_all(FILE *out) {
-    fputs("{\"loops\": [", out);
+    putc('{', out);
+    write_variable(out, "proc_bind", "OMP_PROC_BIND");
+    write_variable(out, "places", "OMP_PLACES");
+    fputs("\"loops\": [", out);
     const char *separator = "\n ";
     for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next) {
         fputs(separator, out);

@@ -37,6 +37,8 @@ struct statistics {
     int parameter;
     redcc_order order;
     int threads; /* of the last execution */
+    int nodes;   /* of the machine that its threads ran on then; 0: not known */
+    long moves;  /* threads found on another node than at the execution before, in all */
     long plans_built;
     long plans_reused;
     double inspect_seconds;

@@ -211,6 +211,8 @@ static void the_report_says_what_was_done(void **unused) {
     assert_int_equal(number(loop, "plans_built"), 1);
     assert_int_equal(number(loop, "plans_reused"), 4);
     assert_int_equal(number(loop, "stages"), 1);
+    assert_in_range(number(loop, "nodes"), 0, 3);
+    assert_in_range(number(loop, "moves"), 0, 4 * 3);
     assert_in_range(number(loop, "iterations"), 5 * 6000, 5 * 6600);
     assert_true(number(loop, "extra_bytes") > 0);
     assert_true(json_is_real(json_object_get(loop, "inspect_seconds")));
@@ -254,6 +256,18 @@ static void expect_fallback(const char *variables, const char *reason, long coun
     json_decref(report);
 }
 
+static void the_report_says_what_binds_the_threads(void **unused) {
+    (void)unused;
+    json_t *report = report_of("OMP_NUM_THREADS=2 REDCC_METHOD=localwrite OMP_PROC_BIND=spread "
+                               "OMP_PLACES=cores",
+                               "2000 5");
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    assert_string_equal(json_string_value(json_object_get(report, "proc_bind")), "spread");
+    assert_string_equal(json_string_value(json_object_get(report, "places")), "cores");
+    assert_int_equal(number(loop, "moves"), 0);
+    json_decref(report);
+}
+
 static void the_report_says_why_not(void **unused) {
     (void)unused;
     expect_fallback("OMP_NUM_THREADS=1 REDCC_METHOD=localwrite", "one thread", 5);
@@ -291,6 +305,7 @@ int main(int count, char **arguments) {
         cmocka_unit_test(compensated_sums),
         cmocka_unit_test(an_order_and_a_method_that_cannot_keep_it),
         cmocka_unit_test(the_report_says_what_was_done),
+        cmocka_unit_test(the_report_says_what_binds_the_threads),
         cmocka_unit_test(the_report_says_why_not),
         cmocka_unit_test(the_report_names_the_method_with_its_parameter),
     };
