@@ -170,6 +170,22 @@ printf '%s%s' "$headers" "$source_text" >x.c
 expect_equal "$case_name: the standard headers" "translated ran" "$(./p | paste -sd' ')"
 end
 
+begin "a precompiled header: made for the options of the source itself"
+printf '%s' "$source_text" >x.c
+mkdir elsewhere && echo '#define NOTHING' >elsewhere/all.h
+gcc -x c-header elsewhere/all.h -o elsewhere/all.h.gch
+for options in "-include elsewhere/all.h" "-Ielsewhere -Winvalid-pch -include all.h"; do
+  # shellcheck disable=SC2086
+  expect_untranslated gcc -v $options
+  expect_match messages 'a precompiled header, elsewhere/all\.h\.gch'
+  # shellcheck disable=SC2086
+  expect_untranslated gcc $options
+  expect_empty messages
+done
+rm elsewhere/all.h.gch
+"$redcc_cc" -include elsewhere/all.h x.c -o p && expect_equal "$case_name: none" "translated ran" "$(./p | paste -sd' ')"
+end
+
 begin "what the translator is told"
 printf '%s' "$source_text" >x.c
 mkdir inc

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "driver/dependencies.h"
 #include "driver/files.h"
@@ -121,6 +122,19 @@ static const char *sensitive_word(session *s, const translation *t) {
     return NULL;
 }
 
+/* A header that the compiler may take from a precompiled form, which is for its own options alone:
+ * gcc 12 crashes where OpenMP was off when it was made. NULL: there is none. */
+static const char *precompiled_header(session *s, const translation *t) {
+    static const char *const endings[] = {"gch", "pch"};
+    for (unsigned i = 0; i < t->read.count; i++)
+        for (unsigned k = 0; k < sizeof endings / sizeof endings[0]; k++) {
+            const char *path = arena_format(s->memory, "%s.%s", t->read.items[i], endings[k]);
+            if (access(path, F_OK) == 0)
+                return path;
+        }
+    return NULL;
+}
+
 /* Why the text cannot be compiled in the source's place; NULL: it can. */
 static const char *obstacle(session *s, translation *t) {
     if (!list_files(s, t))
@@ -129,6 +143,10 @@ static const char *obstacle(session *s, translation *t) {
         return NULL;
     if (!compiler_openmp(s->memory, &s->real, t->folder))
         return "the compiler has no OpenMP library";
+    const char *precompiled = precompiled_header(s, t);
+    if (precompiled)
+        return arena_format(s->memory, "a precompiled header, %s, is for other options",
+                            precompiled);
     return sensitive_word(s, t);
 }
 
