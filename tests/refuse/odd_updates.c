@@ -18,22 +18,21 @@ double last_cond(int n, const int *k, double *h, const double *w) {
     double d = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse last-value
         if (w[t] > 0) {
-            d = w[t];
-            h[k[t]] += d;
+            const double e = d = w[t];
+            h[k[t]] += e;
         }
     }
     return d;
 }
 
-double last_inner(int n, const int *k, double *h) {
-    double d = 0;
+int last_inner(int n, const int *k, double *h) {
+    int c = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse last-value
-        for (int c = 0; c < k[t]; c++) {
-            d = c;
-            h[k[t]] += d;
-        }
+        if (k[t] > 3)
+            for (c = 0; c < k[t]; c++)
+                h[k[t]] += c;
     }
-    return d;
+    return c;
 }
 
 void sub_private_escape(int n, const int *k, double *h, int **out) {

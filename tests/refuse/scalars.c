@@ -57,27 +57,6 @@ void global_scalar(int n, const int *k, double *h) {
     }
 }
 
-double last_not_always(int n, const int *k, double *h, const double *v) {
-    double d = -1.0;
-    for (int t = 0; t < n; t++) // EXPECT: nothing
-        if (v[t] > 0.0) {
-            d = v[t];
-            h[k[t]] += d;
-        }
-    return d;
-}
-
-double last_after_continue(int n, const int *k, double *h, const double *v) {
-    double d = -1.0;
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        if (k[t] < 0)
-            continue;
-        d = v[t];
-        h[k[t]] += d;
-    }
-    return d;
-}
-
 /* Lazily filled: the order decides the numbers. */
 void numbered(int n, const int *k, int *number, double *h) {
     int next = 0;

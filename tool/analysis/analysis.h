@@ -113,6 +113,8 @@ typedef struct private_variable {
     ir_variable *variable;
     bool is_declared_inside; /* then nothing is to be generated for it */
     bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
+    bool is_last_sought;     /* its last value is needed, but some iterations leave it as it was: a
+                                scalar that is assigned by statements of its own (IR_EXPRESSION) */
 } private_variable;
 
 /** How an operand of a scalar's update is kept: as the type in which the operation is made. */

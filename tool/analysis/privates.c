@@ -2,7 +2,31 @@
 /* Variables of the loop that are no arrays of its: private ones with their last values, and those
  * that are only read. */
 #include "analysis/analyser.h"
+#include "analysis/expression.h"
 #include "analysis/live.h"
+
+/* k = e; as a statement, of which a copy can be followed by a note of when that was. */
+static bool is_statement(const ir_node *write, const ir_variable *variable) {
+    const ir_node *target = expression_written(write);
+    const ir_node *statement = write->parent;
+    return target && target->kind == IR_VARIABLE && target->variable == variable &&
+           (write->kind == IR_ASSIGN || write->kind == IR_UNARY) && statement &&
+           statement->kind == IR_EXPRESSION && statement->range.begin < statement->range.end &&
+           !(statement->parent->kind == IR_FOR && statement->parent->children[3] != statement);
+}
+
+/* Is every assignment in the loop such a statement? */
+static bool is_assigned_by_statements(const judgement *j, const ir_variable *variable) {
+    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    if (!ir_type_is_scalar(variable->type) || variable->type->is_volatile ||
+        variable->type->is_atomic)
+        return false;
+    for (unsigned i = 0; i < fact->writes.count; i++)
+        if (ir_contains(j->loop, fact->writes.items[i]) &&
+            !is_statement(fact->writes.items[i], variable))
+            return false;
+    return true;
+}
 
 static bool judge_last_value(judgement *j, private_variable *item) {
     const ir_variable *variable = item->variable;
@@ -13,10 +37,10 @@ static bool judge_last_value(judgement *j, private_variable *item) {
     if (!variable_is_live_after(j->an->facts, j->loop, variable))
         return true;
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
-    if (!result.assigned_at_end)
-        return judgement_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
-    item->is_live_after = true;
-    return true;
+    item->is_live_after = result.assigned_at_end;
+    item->is_last_sought = !result.assigned_at_end && is_assigned_by_statements(j, variable);
+    return item->is_live_after || item->is_last_sought ||
+           judgement_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
 }
 
 static bool is_known(const judgement *j, const ir_variable *variable) {

@@ -43,7 +43,7 @@ static bool take_private(judgement *j, const ir_variable *variable) {
     if (!is_inside && !pragma_names(word, variable->name) &&
         must_write_check(j->an->prover, j->counted.body, variable).verdict != PRIVATE_PROVED)
         return false;
-    private_variable item = {(ir_variable *)variable, is_inside, false};
+    private_variable item = {.variable = (ir_variable *)variable, .is_declared_inside = is_inside};
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }

@@ -18,7 +18,7 @@ typedef struct body_copy {
     bool is_guarded;
     edit_list edits;
     VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
-    const ir_node *guarding;         /* the update that the printer is inside of */
+    const ir_node *within;           /* the statement that the printer is inside of */
 } body_copy;
 
 /* ---- what the printer writes --------------------------------------------------------------- */
@@ -88,19 +88,34 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
+/** k = e; and that it was assigned in this iteration. */
+static bool print_noted(body_copy *copy, const ir_node *statement) {
+    const int number = sought_value_of(copy->loop->facts, statement);
+    if (number < 0 || copy->within == statement)
+        return false;
+    writer_line(copy->printer.out, "{");
+    copy->within = statement;
+    print_statement(&copy->printer, statement);
+    copy->within = NULL;
+    write_note(copy->loop, copy->printer.out, (unsigned)number);
+    writer_line(copy->printer.out, "}");
+    return true;
+}
+
 static bool print_guard(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
-    if (print_operand(copy, statement) || print_forward(copy, statement))
+    if (print_operand(copy, statement) || print_forward(copy, statement) ||
+        print_noted(copy, statement))
         return true;
-    if (!copy->is_guarded || copy->guarding == statement)
+    if (!copy->is_guarded || copy->within == statement)
         return false;
     const reduction_update *update = update_of(copy->loop->facts, statement);
     if (!update)
         return false;
     writer_line(p->out, "%s", guard_text(copy->loop, update));
-    copy->guarding = statement;
+    copy->within = statement;
     print_statement(p, statement);
-    copy->guarding = NULL;
+    copy->within = NULL;
     writer_line(p->out, "%s", guard_end(update));
     return true;
 }
@@ -204,6 +219,13 @@ static void check_updates(loop_text *loop) {
 
 /* ---- guards -------------------------------------------------------------------------------- */
 
+static void choose_noted(body_copy *copy, const ir_node *node) {
+    if (sought_value_of(copy->loop->facts, node) >= 0)
+        print_instead(copy, node);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        choose_noted(copy, node->children[i]);
+}
+
 static void choose_printed_updates(body_copy *copy) {
     const loop_facts *facts = copy->loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {
@@ -269,6 +291,8 @@ static const char *copied_text(body_copy *copy, const char **changes) {
         print_instead(copy, loop->facts->scalars[i].statement);
     for (unsigned i = 0; i < loop->facts->forward_count; i++)
         print_instead(copy, loop->facts->forwards[i].statement);
+    if (has_sought_values(loop->facts))
+        choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
     if (copy->is_guarded)
         choose_printed_updates(copy);

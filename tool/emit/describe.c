@@ -155,8 +155,13 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
+/** What an iteration leaves beside its updates must be there, also if it makes none. */
+static bool needs_every_iteration(const loop_facts *facts) {
+    return facts->scalar_count > 0 || has_sought_values(facts);
+}
+
 static bool needs_order(const loop_facts *facts) {
-    if (facts->scalar_count > 0)
+    if (needs_every_iteration(facts))
         return true;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)
@@ -171,7 +176,7 @@ static const char *flags_text(const loop_text *loop) {
     } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
-                 {loop->facts->scalar_count > 0, "REDCC_EVERY_ITERATION"}};
+                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)

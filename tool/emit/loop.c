@@ -113,6 +113,7 @@ static void write_outcome(loop_text *loop, writer *out) {
         writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
                     loop->counter_type);
     write_last_values(loop, out, true);
+    take_sought_values(loop, out);
     out->depth--;
 }
 
@@ -145,6 +146,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_last_values(loop, out);
+    declare_sought_values(loop, out, false);
     writer_line(out, "int redcc__done = 0;");
     writer_line(out, "if (%s) {", entry);
     out->depth++;

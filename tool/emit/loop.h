@@ -126,6 +126,17 @@ void declare_last_values(loop_text *loop, writer *out);
 /** Stores the last values, of the thread that has them; or from there into the user's variables. */
 void write_last_values(loop_text *loop, writer *out, bool into_variables);
 
+/** lasting.c: private variables assigned in some iterations only, whose last value is wanted; what
+ *  notes the value and when it was assigned, of all threads or of one in the region; */
+bool has_sought_values(const loop_facts *facts);
+void declare_sought_values(loop_text *loop, writer *out, bool in_region);
+/** the number of the private variable that this statement assigns so, or -1; the note after it; */
+int sought_value_of(const loop_facts *facts, const ir_node *statement);
+void write_note(loop_text *loop, writer *out, unsigned number);
+/** the latest of all threads', at the end of the region; and from there to the variables. */
+void gather_sought_values(loop_text *loop, writer *out);
+void take_sought_values(loop_text *loop, writer *out);
+
 /** inspector.c: the statements of one iteration, counter and private variables declared. */
 void write_inspected_iteration(loop_text *loop, writer *out);
 

@@ -178,11 +178,13 @@ void write_region(loop_text *loop, writer *out) {
     out->depth++;
     writer_line(out, "redcc_worker redcc__worker;");
     writer_line(out, "redcc_int redcc__k;");
+    declare_sought_values(loop, out, true);
     write_thread_local_copies(loop, out, true);
     writer_line(out, "redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), "
                      "omp_get_num_threads());");
     write_inspector(loop, out);
     write_executor(loop, out);
+    gather_sought_values(loop, out);
     out->depth--;
     writer_line(out, "}");
 }

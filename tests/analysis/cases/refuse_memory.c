@@ -132,8 +132,8 @@ int last_value(int n, const int *s, double *h) {
     int k = 0;
     for (int i = 0; i < n; i++) { // EXPECT: refuse last-value
         if (s[i] > 0) {
-            k = s[i];
-            h[k] += 1.0;
+            int place = k = s[i];
+            h[place] += 1.0;
         }
     }
     return k;

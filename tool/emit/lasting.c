@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Private variables that some iterations assign, and whose value is wanted after the loop: that of
+ * the last iteration that assigned them. Each thread notes the value with the iteration's number,
+ * in redcc__own_N and redcc__when_N; of all threads' the one with the highest number counts.
+ * Several threads that execute an iteration note the same.
+ */
+#include "emit/loop.h"
+
+bool has_sought_values(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].is_last_sought)
+            return true;
+    return false;
+}
+
+void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        if (!loop->facts->privates[i].is_last_sought)
+            continue;
+        const char *name = loop->facts->privates[i].variable->name;
+        writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
+        writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
+    }
+}
+
+int sought_value_of(const loop_facts *facts, const ir_node *statement) {
+    const ir_node *assignment = statement->kind == IR_EXPRESSION ? ir_child(statement, 0) : NULL;
+    const ir_node *target =
+        assignment && (assignment->kind == IR_ASSIGN ||
+                       (assignment->kind == IR_UNARY && assignment->op >= IR_OP_PRE_INCREMENT &&
+                        assignment->op <= IR_OP_POST_DECREMENT))
+            ? ir_child(assignment, 0)
+            : NULL;
+    for (unsigned i = 0; target && i < facts->private_count; i++)
+        if (facts->privates[i].is_last_sought && target->kind == IR_VARIABLE &&
+            target->variable == facts->privates[i].variable)
+            return (int)i;
+    return -1;
+}
+
+void write_note(loop_text *loop, writer *out, unsigned number) {
+    writer_line(out, "if (redcc__k >= redcc__when_%u) {", number);
+    writer_line(out, "    redcc__when_%u = redcc__k;", number);
+    writer_line(out, "    redcc__own_%u = %s;", number,
+                loop->facts->privates[number].variable->name);
+    writer_line(out, "}");
+}
+
+void gather_sought_values(loop_text *loop, writer *out) {
+    if (!has_sought_values(loop->facts))
+        return;
+    buffer_text(&out->out, "#pragma omp critical (redcc__found)\n");
+    writer_line(out, "{");
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        if (!loop->facts->privates[i].is_last_sought)
+            continue;
+        writer_line(out, "    if (redcc__when_%u > redcc__latest_%u) {", i, i);
+        writer_line(out, "        redcc__latest_%u = redcc__when_%u;", i, i);
+        writer_line(out, "        redcc__found_%u = redcc__own_%u;", i, i);
+        writer_line(out, "    }");
+    }
+    writer_line(out, "}");
+}
+
+void take_sought_values(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->private_count; i++) {
+        if (!loop->facts->privates[i].is_last_sought)
+            continue;
+        writer_line(out, "if (redcc__latest_%u >= 0)", i);
+        writer_line(out, "    %s = redcc__found_%u;", loop->facts->privates[i].variable->name, i);
+    }
+}
