@@ -16,7 +16,13 @@ typedef struct mesh {
 } mesh;
 
 /** Order of vertices; triangles, edges and hinges then follow their vertices' order. */
-typedef enum mesh_order { MESH_ORDER_GENERATED, MESH_ORDER_SORTED, MESH_ORDER_SHUFFLED } mesh_order;
+typedef enum mesh_order {
+    MESH_ORDER_GENERATED,
+    MESH_ORDER_SORTED,   /* reverse Cuthill-McKee */
+    MESH_ORDER_SHUFFLED, /* at random */
+    MESH_ORDER_HILBERT,  /* along a space-filling curve through the flat cloth */
+    MESH_ORDER_DISSECTED /* nested dissection by METIS, where that is built in */
+} mesh_order;
 
 /**
  * A Delaunay mesh of a square of the given side (m) in the plane z = 0, centred at the origin, with
@@ -30,9 +36,16 @@ int mesh_generate(mesh *m, int vertices, int boundary, double side, unsigned see
  *  the hinge. Counts such edges in *non_manifold. */
 int mesh_connect(mesh *m, int *non_manifold, char *error);
 
-/** Renumbers: sorted is reverse Cuthill-McKee; shuffled is random (seed). new_of_old, if not NULL,
- *  [vertex_count] receives the permutation, so that results in different orders can be compared. */
+/** Renumbers the vertices (`seed`: of what is random); triangles, edges and hinges then follow
+ * theirs, but for the shuffled order, which mixes them too. new_of_old, if not NULL, [vertex_count]
+ * receives the permutation, so that results in different orders can be compared. Returns 0, or -1
+ * with a message in error[256]: the mesh is as it was. */
 int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error);
+
+/** Renumbers the vertices by a permutation, and sorts triangles, edges and hinges by theirs; with
+ *  `back` by its inverse, which undoes mesh_reorder. Returns 0; -1 with a message in error[256]
+ * where it is no permutation of the vertices or memory is out. */
+int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error);
 
 void mesh_free(mesh *m);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Renumbering a mesh: reverse Cuthill-McKee (George and Liu, Computer solution of large sparse
- * positive definite systems, 1981, chapter 4) and random permutation. */
+ * positive definite systems, 1981, chapter 4), random permutation, and the orders of mesh_curve.c
+ * and mesh_dissection.c. */
 #include "mesh.h"
 
 #include <stddef.h>
@@ -12,14 +13,6 @@
 #include "random.h"
 
 enum { ERROR_SIZE = 256 };
-
-/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1], each once or twice
- *  (an edge inside belongs to two triangles). */
-typedef struct graph {
-    int vertex_count;
-    int *start;
-    int *neighbour;
-} graph;
 
 /** What the search for an ordering works on. */
 typedef struct search {
@@ -78,7 +71,7 @@ static void sort_edges(mesh *m) {
         qsort(m->hinge, (size_t)m->hinge_count, sizeof *m->hinge, compare_4);
 }
 
-static int graph_of_mesh(graph *g, const mesh *m) {
+int mesh_graph_make(mesh_graph *g, const mesh *m) {
     g->vertex_count = m->vertex_count;
     g->start = calloc((size_t)m->vertex_count + 1, sizeof *g->start);
     g->neighbour = malloc(6 * (size_t)m->triangle_count * sizeof *g->neighbour);
@@ -100,12 +93,18 @@ static int graph_of_mesh(graph *g, const mesh *m) {
     return 0;
 }
 
-static int degree(const graph *g, int v) {
+void mesh_graph_free(mesh_graph *g) {
+    free(g->start);
+    free(g->neighbour);
+    *g = (mesh_graph){0};
+}
+
+static int degree(const mesh_graph *g, int v) {
     return g->start[v + 1] - g->start[v];
 }
 
 /** Insertion sort by degree: stable, and a vertex has few neighbours. */
-static void sort_by_degree(const graph *g, int *vertices, int count) {
+static void sort_by_degree(const mesh_graph *g, int *vertices, int count) {
     for (int i = 1; i < count; i++) {
         const int moving = vertices[i];
         int k = i;
@@ -117,7 +116,7 @@ static void sort_by_degree(const graph *g, int *vertices, int count) {
 
 /** Breadth first from the root, neighbours by degree: order[0 ..] of the part it lies in.
  *  Returns how many vertices that part has. */
-static int cuthill_mckee(const graph *g, search *s, int *order, int root) {
+static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
     int reached = 1;
     s->searches++;
     order[0] = root;
@@ -140,7 +139,7 @@ static int cuthill_mckee(const graph *g, search *s, int *order, int root) {
 
 /** Leaves in order[0 ..] the part in which `start` lies, from a root at (nearly) its far end: the
  *  root moves to the last vertex reached until the part gets no longer. */
-static int order_part(const graph *g, search *s, int *order, int start) {
+static int order_part(const mesh_graph *g, search *s, int *order, int start) {
     int count = cuthill_mckee(g, s, order, start), length = -1;
     while (s->level[order[count - 1]] > length) {
         length = s->level[order[count - 1]];
@@ -150,14 +149,14 @@ static int order_part(const graph *g, search *s, int *order, int start) {
 }
 
 static int sorted_order(const mesh *m, int *new_of_old) {
-    graph g = {0};
+    mesh_graph g = {0};
     search s = {0};
     const size_t count = (size_t)m->vertex_count;
     int status = -1, done = 0;
     s.order = malloc(count * sizeof *s.order);
     s.mark = calloc(count, sizeof *s.mark);
     s.level = malloc(count * sizeof *s.level);
-    if (s.order && s.mark && s.level && graph_of_mesh(&g, m) == 0) {
+    if (s.order && s.mark && s.level && mesh_graph_make(&g, m) == 0) {
         for (int v = 0; v < m->vertex_count; v++)
             if (s.mark[v] == 0)
                 done += order_part(&g, &s, s.order + done, v);
@@ -165,8 +164,7 @@ static int sorted_order(const mesh *m, int *new_of_old) {
             new_of_old[s.order[i]] = m->vertex_count - 1 - i; /* reversed: less fill, George 1971 */
         status = 0;
     }
-    free(g.start);
-    free(g.neighbour);
+    mesh_graph_free(&g);
     free(s.order);
     free(s.mark);
     free(s.level);
@@ -226,17 +224,29 @@ static int move_vertices(mesh *m, const int *new_of_old) {
     return 0;
 }
 
-static int renumber(mesh *m, mesh_order order, unsigned seed, int *new_of_old) {
+static int find_order(const mesh *m, mesh_order order, random_source *source, int *new_of_old,
+                      char *error) {
+    switch (order) {
+    case MESH_ORDER_SORTED:
+        return sorted_order(m, new_of_old);
+    case MESH_ORDER_HILBERT:
+        return mesh_order_by_curve(m, new_of_old);
+    case MESH_ORDER_DISSECTED:
+        return mesh_order_by_dissection(m, new_of_old, error);
+    case MESH_ORDER_SHUFFLED:
+    case MESH_ORDER_GENERATED:
+        break;
+    }
+    shuffled_order(m->vertex_count, source, new_of_old);
+    return 0;
+}
+
+static int reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char *error) {
     random_source source = {seed};
-    if (order == MESH_ORDER_SORTED) {
-        if (sorted_order(m, new_of_old) != 0)
-            return -1;
-    } else
-        shuffled_order(m->vertex_count, &source, new_of_old);
-    if (move_vertices(m, new_of_old) != 0)
+    if (find_order(m, order, &source, new_of_old, error) != 0 || move_vertices(m, new_of_old) != 0)
         return -1;
     sort_edges(m);
-    if (order == MESH_ORDER_SORTED) {
+    if (order != MESH_ORDER_SHUFFLED) {
         mesh_sort_triangles(m);
         return 0;
     }
@@ -256,12 +266,37 @@ int mesh_reorder(mesh *m, mesh_order order, unsigned seed, int *new_of_old, char
         return 0;
     }
     int *permutation = new_of_old;
+    snprintf(error, ERROR_SIZE, "out of memory"); /* unless something else is said */
     if (!permutation)
         permutation = malloc((size_t)m->vertex_count * sizeof *permutation);
-    const int status = permutation ? renumber(m, order, seed, permutation) : -1;
-    if (status != 0)
-        snprintf(error, ERROR_SIZE, "out of memory");
+    const int status = permutation ? reorder(m, order, seed, permutation, error) : -1;
     if (!new_of_old)
         free(permutation);
+    return status;
+}
+
+int mesh_renumber(mesh *m, const int *new_of_old, int back, char *error) {
+    int status = -1;
+    int *to = malloc((size_t)m->vertex_count * sizeof *to);
+    char *taken = calloc((size_t)m->vertex_count, 1);
+    snprintf(error, ERROR_SIZE, "out of memory");
+    for (int v = 0; to && taken && v < m->vertex_count; v++) {
+        const int w = new_of_old[v];
+        if (w < 0 || w >= m->vertex_count || taken[w]) {
+            snprintf(error, ERROR_SIZE, "no permutation of %d vertices: number %d, for vertex %d",
+                     m->vertex_count, w, v);
+            goto out;
+        }
+        taken[w] = 1;
+        to[back ? w : v] = back ? v : w;
+    }
+    if (to && taken && move_vertices(m, to) == 0) {
+        sort_edges(m);
+        mesh_sort_triangles(m);
+        status = 0;
+    }
+out:
+    free(to);
+    free(taken);
     return status;
 }

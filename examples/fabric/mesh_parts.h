@@ -9,6 +9,26 @@
  *  is out. mesh_free frees it. */
 int mesh_allocate(mesh *m, int vertices, int triangles);
 
+/** Neighbours of vertex v: neighbour[start[v]] .. neighbour[start[v + 1] - 1], each once or twice
+ *  (an edge inside belongs to two triangles). */
+typedef struct mesh_graph {
+    int vertex_count;
+    int *start;
+    int *neighbour;
+} mesh_graph;
+
+/** The graph of the triangles' edges. -1 when memory is out; mesh_graph_free all the same. */
+int mesh_graph_make(mesh_graph *g, const mesh *m);
+
+void mesh_graph_free(mesh_graph *g);
+
+/** The order along Hilbert's curve through the material coordinates. -1 when memory is out. */
+int mesh_order_by_curve(const mesh *m, int *new_of_old);
+
+/** The order of a nested dissection. -1 with a message in error[256] when memory is out or it is
+ * not built in. */
+int mesh_order_by_dissection(const mesh *m, int *new_of_old, char *error);
+
 /** Turns each triangle to begin with its lowest vertex, then sorts triangles by their vertices. */
 void mesh_sort_triangles(mesh *m);
 

@@ -33,7 +33,7 @@ _Static_assert(sizeof((collider *)0)->file == FILE_SIZE, "a file fits the collid
 #define END                                                                                        \
     { NULL, VALUE_TEXT, 0, 0, 0, 0.0, 0.0, 0, 0, NULL, NULL, NULL }
 
-static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
+static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 static const char *const kinds[] = {"plane", "box", "sphere", "cylinder", "mesh", NULL};
 
 static const char *const integrators[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};

@@ -52,6 +52,28 @@ expect 0 "edges:     549, of which 48 on the border and 0 of more than two trian
 expect 0 "" "$program" mesh reorder made.obj --order shuffled -o shuffled.obj
 expect 0 "" "$program" mesh reorder shuffled.obj --order sorted -o sorted.obj
 expect 0 "hinges:    501" "$program" mesh info sorted.obj
+# Numbers lead back from any order.
+for order in sorted shuffled hilbert; do
+  expect 0 "" "$program" mesh reorder made.obj --order $order --numbers numbers.txt -o moved.obj
+  expect 0 "" "$program" mesh reorder moved.obj --restore numbers.txt -o back.obj
+  cmp made.obj back.obj
+done
+expect 0 "hinges:    501" "$program" mesh info moved.obj
+"$program" mesh reorder made.obj --order metis -o metis.obj 2>metis.said ||
+  grep -q "libmetis-dev" metis.said
+head -n 199 numbers.txt >few.txt
+expect 1 "few.txt does not hold 200 numbers" \
+  "$program" mesh reorder moved.obj --restore few.txt -o no.obj
+sed 's/^7$/8/' numbers.txt >twice.txt
+expect 1 "no permutation of 200 vertices" \
+  "$program" mesh reorder moved.obj --restore twice.txt -o no.obj
+expect 1 "cannot read nowhere.txt" "$program" mesh reorder moved.obj --restore nowhere.txt -o no.obj
+expect 1 "cannot write no/where" \
+  "$program" mesh reorder made.obj --order sorted --numbers no/where -o no.obj
+expect 2 "--restore is for reorder" \
+  "$program" mesh reorder moved.obj --order sorted --restore numbers.txt -o no.obj
+expect 2 "--numbers is for generate and reorder" "$program" mesh info made.obj --numbers numbers.txt
+[ ! -e no.obj ]
 holds "the order changes the file" test "$(cmp -s made.obj sorted.obj; echo $?)" -eq 1
 echo "v 0 0" >wrong.obj
 expect 1 "wrong.obj:1: expected 3 finite numbers" "$program" mesh info wrong.obj

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh.h"
+#include "mesh_parts.h"
 
 static const uint64_t TABLECLOTH_HASH = 0x256c9cbf8cb3ed56u, PATCH_HASH = 0x502232c7b4da6f67u;
 
@@ -286,6 +286,92 @@ static void test_orders_keep_the_mesh(void **unused) {
     check_order(MESH_ORDER_GENERATED);
     check_order(MESH_ORDER_SORTED);
     check_order(MESH_ORDER_SHUFFLED);
+    check_order(MESH_ORDER_HILBERT);
+#ifdef FABRIC_WITH_METIS
+    check_order(MESH_ORDER_DISSECTED);
+#endif
+}
+
+/* Whatever the order, its numbers lead back; what is no permutation is refused, and nothing moves.
+ */
+static void test_orders_are_undone(void **unused) {
+    (void)unused;
+    char error[256];
+    static const mesh_order orders[] = {MESH_ORDER_SORTED, MESH_ORDER_SHUFFLED, MESH_ORDER_HILBERT};
+    for (int k = 0; k < 3; k++) {
+        mesh old = generate(200, 48, 3), new = generate(200, 48, 3);
+        int new_of_old[200];
+        mesh_sort_triangles(&old);
+        assert_int_equal(mesh_reorder(&new, orders[k], 7, new_of_old, error), 0);
+        assert_int_equal(mesh_renumber(&new, new_of_old, 1, error), 0);
+        assert_memory_equal(old.position, new.position, 200 * sizeof *new.position);
+        assert_memory_equal(old.triangle, new.triangle,
+                            (size_t) new.triangle_count * sizeof *new.triangle);
+        check_connections(&new);
+        const int kept = new_of_old[5];
+        new_of_old[5] = new_of_old[6];
+        assert_int_equal(mesh_renumber(&new, new_of_old, 0, error), -1);
+        assert_non_null(strstr(error, "no permutation"));
+        new_of_old[5] = 200;
+        assert_int_equal(mesh_renumber(&new, new_of_old, 1, error), -1);
+        assert_memory_equal(old.position, new.position, 200 * sizeof *new.position);
+        new_of_old[5] = kept;
+        assert_int_equal(mesh_renumber(&new, new_of_old, 0, error), 0);
+        assert_int_equal(mesh_renumber(&new, new_of_old, 1, error), 0);
+        assert_memory_equal(old.position, new.position, 200 * sizeof *new.position);
+        mesh_free(&old);
+        mesh_free(&new);
+    }
+}
+
+/* The points of a grid of 2^n * 2^n: each is a neighbour of the one before. */
+static void test_curve_goes_from_neighbour_to_neighbour(void **unused) {
+    (void)unused;
+    enum { SIDE = 32, COUNT = SIDE * SIDE };
+    static double material[COUNT][2];
+    static int new_of_old[COUNT], old_of_new[COUNT];
+    const mesh m = {.vertex_count = COUNT, .material = material};
+    for (int v = 0; v < COUNT; v++) {
+        material[v][0] = 3.0 + v % SIDE;
+        material[v][1] = v / SIDE - 7.0;
+    }
+    assert_int_equal(mesh_order_by_curve(&m, new_of_old), 0);
+    for (int v = 0; v < COUNT; v++)
+        old_of_new[new_of_old[v]] = v;
+    for (int i = 1; i < COUNT; i++) {
+        const double *p = material[old_of_new[i - 1]], *q = material[old_of_new[i]];
+        assert_true(fabs(p[0] - q[0]) + fabs(p[1] - q[1]) < 1.5);
+    }
+}
+
+/* Nobody has written where a vertex lies: some order all the same. */
+static void test_curve_of_what_is_no_number(void **unused) {
+    (void)unused;
+    double material[3][2] = {{NAN, 1.0}, {INFINITY, 0.0}, {0.0, -INFINITY}};
+    int new_of_old[3], sum = 0;
+    const mesh m = {.vertex_count = 3, .material = material};
+    assert_int_equal(mesh_order_by_curve(&m, new_of_old), 0);
+    for (int v = 0; v < 3; v++)
+        sum += 1 << new_of_old[v];
+    assert_int_equal(sum, 7);
+}
+
+static void test_dissection_is_there_or_says_why_not(void **unused) {
+    (void)unused;
+    char error[256] = "";
+    mesh m = generate(2602, 220, 14);
+    const int status = mesh_reorder(&m, MESH_ORDER_DISSECTED, 1, NULL, error);
+#ifdef FABRIC_WITH_METIS
+    assert_int_equal(status, 0);
+    int crossing = 0; /* halves, then what separates them: few edges lead from half to half */
+    for (int e = 0; e < m.edge_count; e++)
+        crossing += m.edge[e][0] < 1100 && m.edge[e][1] >= 1500;
+    assert_true(crossing < m.edge_count / 8);
+#else
+    assert_int_equal(status, -1);
+    assert_non_null(strstr(error, "METIS"));
+#endif
+    mesh_free(&m);
 }
 
 static void test_orders_move_neighbours(void **unused) {
@@ -334,6 +420,10 @@ int main(void) {
         cmocka_unit_test(test_connect),
         cmocka_unit_test(test_non_manifold),
         cmocka_unit_test(test_orders_keep_the_mesh),
+        cmocka_unit_test(test_orders_are_undone),
+        cmocka_unit_test(test_curve_goes_from_neighbour_to_neighbour),
+        cmocka_unit_test(test_curve_of_what_is_no_number),
+        cmocka_unit_test(test_dissection_is_there_or_says_why_not),
         cmocka_unit_test(test_orders_move_neighbours),
         cmocka_unit_test(test_sort_of_parts),
     };

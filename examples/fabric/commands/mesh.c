@@ -13,20 +13,23 @@
 
 enum { ERROR_SIZE = 256 };
 
-enum { OUTPUT, VERTICES, BOUNDARY, SIDE, SEED, ORDER };
+enum { OUTPUT, VERTICES, BOUNDARY, SIDE, SEED, ORDER, NUMBERS, RESTORE };
 static const option mesh_options[] = {
     [OUTPUT] = {"-o", "FILE.obj", "where the mesh goes (generate, reorder)"},
     [VERTICES] = {"--vertices", "N", "generate: vertices (default 2602)"},
     [BOUNDARY] = {"--boundary", "N", "generate: of these, on the border (default 220)"},
     [SIDE] = {"--side", "M", "generate: the square's side in metres (default 1)"},
     [SEED] = {"--seed", "N", "generate, reorder: seed of what is random (default 1)"},
-    [ORDER] = {"--order", "ORDER", "generated, sorted (by neighbourhood) or shuffled"},
+    [ORDER] = {"--order", "ORDER",
+               "generated, sorted (reverse Cuthill-McKee), shuffled, hilbert or metis"},
+    [NUMBERS] = {"--numbers", "FILE", "where the new number of each vertex goes, one a line"},
+    [RESTORE] = {"--restore", "FILE", "reorder: back to what it was before such numbers"},
     {NULL, NULL, NULL}};
 
 static const char *const actions[] = {"generate", "reorder", "info", NULL};
 enum { GENERATE, REORDER, INFO };
 
-static const char *const orders[] = {"generated", "sorted", "shuffled", NULL};
+static const char *const orders[] = {"generated", "sorted", "shuffled", "hilbert", "metis", NULL};
 
 /** What the command line asks for. */
 typedef struct request {
@@ -36,6 +39,7 @@ typedef struct request {
     long vertices, boundary, seed;
     double side;
     mesh_order order;
+    const char *numbers, *restore;
 } request;
 
 static int take_word(const command *self, const options *o, request *r) {
@@ -65,6 +69,12 @@ static int take_option(const command *self, int option_number, const options *o,
         return options_number(o, "--side", 1e-9, &r->side);
     case SEED:
         return options_whole(o, "--seed", 0, 4294967295, &r->seed);
+    case NUMBERS:
+        r->numbers = o->value;
+        return 0;
+    case RESTORE:
+        r->restore = o->value;
+        return 0;
     case ORDER:
         number = options_choice(o, "--order", orders);
         r->order = (mesh_order)number;
@@ -79,6 +89,10 @@ static int check_request(const command *self, const request *r) {
         return options_complain(self, "generate, reorder or info? %s", self->synopsis);
     if (r->action != GENERATE && !r->input)
         return options_complain(self, "which mesh? %s", self->synopsis);
+    if (r->restore && (r->action != REORDER || r->numbers || r->order != MESH_ORDER_GENERATED))
+        return options_complain(self, "--restore is for reorder, without --order and --numbers");
+    if (r->numbers && r->action == INFO)
+        return options_complain(self, "--numbers is for generate and reorder");
     if (r->action != INFO && !r->output)
         return options_complain(self, "where to? -o FILE.obj");
     return 0;
@@ -152,6 +166,55 @@ static int connect_and_check(mesh *m, mesh_problem *found, char *error) {
     return -1;
 }
 
+/** Writes the new number of each vertex, one a line. */
+static int write_numbers(const char *name, const int *number, int count) {
+    FILE *file = fopen(name, "w");
+    for (int v = 0; file && v < count; v++)
+        fprintf(file, "%d\n", number[v]);
+    const int wrong = !file || ferror(file);
+    if ((file && fclose(file) != 0) || wrong) {
+        fprintf(stderr, "mesh: cannot write %s\n", name);
+        return -1;
+    }
+    return 0;
+}
+
+/** Reads `count` numbers, and no more. -1 with a message in error. */
+static int read_numbers(const char *name, int *number, int count, char *error) {
+    FILE *file = fopen(name, "r");
+    int read = 0, more;
+    while (file && read < count && fscanf(file, "%d", &number[read]) == 1)
+        read++;
+    const int whole = file && read == count && fscanf(file, "%d", &more) == EOF;
+    if (file)
+        fclose(file);
+    if (!file)
+        snprintf(error, ERROR_SIZE, "cannot read %s", name);
+    else if (!whole)
+        snprintf(error, ERROR_SIZE, "%s does not hold %d numbers, one for each vertex", name,
+                 count);
+    return whole ? 0 : -1;
+}
+
+/** Into the order asked for, or back from one. -1 after a message, or with one in error. */
+static int change_order(const request *r, mesh *m, char *error) {
+    int *number = malloc((size_t)m->vertex_count * sizeof *number);
+    int status = -1;
+    snprintf(error, ERROR_SIZE, "out of memory");
+    if (number && r->restore)
+        status = read_numbers(r->restore, number, m->vertex_count, error) == 0
+                     ? mesh_renumber(m, number, 1, error)
+                     : -1;
+    else if (number)
+        status = mesh_reorder(m, r->order, (unsigned)r->seed, number, error);
+    if (status == 0 && r->numbers && write_numbers(r->numbers, number, m->vertex_count) != 0) {
+        error[0] = '\0';
+        status = -1;
+    }
+    free(number);
+    return status;
+}
+
 static int perform(const request *r) {
     char error[ERROR_SIZE] = "";
     mesh m = {0};
@@ -165,12 +228,12 @@ static int perform(const request *r) {
     if (status == 0)
         status = connect_and_check(&m, found, error);
     if (status == 0 && r->action != INFO)
-        status = mesh_reorder(&m, r->order, (unsigned)r->seed, NULL, error);
-    if (status != 0)
+        status = change_order(r, &m, error);
+    if (status != 0 && error[0] != '\0')
         fprintf(stderr, "mesh: %s\n", error);
-    else if (r->action == INFO)
+    if (status == 0 && r->action == INFO)
         print_info(&m, found[MESH_NON_MANIFOLD].count);
-    else
+    else if (status == 0)
         status = obj_write(&m, r->output);
     mesh_free(&m);
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
@@ -178,7 +241,7 @@ static int perform(const request *r) {
 
 static int run(const command *self, int argc, char **argv) {
     options o = {self, argc, argv, 0, NULL, 0};
-    request r = {-1, NULL, NULL, 2602, 220, 1, 1.0, MESH_ORDER_GENERATED};
+    request r = {-1, NULL, NULL, 2602, 220, 1, 1.0, MESH_ORDER_GENERATED, NULL, NULL};
     for (int next; (next = options_next(&o)) != OPTIONS_END;) {
         if (next == OPTIONS_HELP)
             return EXIT_SUCCESS;
