@@ -76,36 +76,40 @@ typedef struct header {
     const char *type;   /* of the counter */
     const char *format; /* %1$s: the counter, %2$s: its type and it, or it; %3$s: the bound */
     bool is_plain;
-    int most_trips; /* 0: any */
+    int most_trips;   /* 0: any */
+    bool is_declared; /* the counter is declared here, and nowhere else */
 } header;
 
 /* Last the ones that wrap if they are misread, or run downwards, or by more than one. */
 static const header headers[] = {
-    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
-    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
-    {"int", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 0},
-    {"long", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
-    {"size_t", "for (%2$s = 0; %1$s < (size_t)%3$s; %1$s++) ", true, 0},
-    {"unsigned", "for (%2$s = 0; %1$s < (unsigned)%3$s; %1$s++) ", true, 0},
-    {"int", "for (%2$s = 0; %1$s <= %3$s - 1; %1$s++) ", true, 0},
-    {"int", "for (%2$s = 0; %1$s != %3$s; %1$s++) ", false, 0},
-    {"int", "for (%2$s = %3$s - 1; %1$s >= 0; %1$s--) ", false, 0},
-    {"long", "for (%2$s = %3$s; %1$s > 0; --%1$s) ", false, 0},
-    {"int", "for (%2$s = 1; %1$s < %3$s; %1$s += 2) ", true, 0},
-    {"int", "for (%2$s = 2; %1$s < %3$s; %1$s += 3) ", true, 0},
-    {"int", "for (%2$s = 5; %3$s > %1$s; %1$s = %1$s + 1) ", true, 0},
-    {"unsigned", "for (%2$s = (unsigned)%3$s; %1$s-- > 0;) ", false, 0},
-    {"unsigned char", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 255},
-    {"short", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0},
-    {"unsigned short", "for (%2$s = 250; %1$s != (unsigned short)(%3$s + 250); %1$s++) ", false, 0},
-    {"unsigned char", "for (%2$s = 250; %1$s != (unsigned char)%3$s; %1$s++) ", false, 249},
+    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
+    {"int", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
+    {"int", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 0, false},
+    {"long", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
+    {"size_t", "for (%2$s = 0; %1$s < (size_t)%3$s; %1$s++) ", true, 0, false},
+    {"unsigned", "for (%2$s = 0; %1$s < (unsigned)%3$s; %1$s++) ", true, 0, false},
+    {"int", "for (%2$s = 0; %1$s <= %3$s - 1; %1$s++) ", true, 0, false},
+    {"int", "for (%2$s = 0, end = %3$s - 1; %1$s <= end; %1$s++) ", false, 0, true},
+    {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
+    {"int", "for (%2$s = 0; %1$s != %3$s; %1$s++) ", false, 0, false},
+    {"int", "for (%2$s = %3$s - 1; %1$s >= 0; %1$s--) ", false, 0, false},
+    {"long", "for (%2$s = %3$s; %1$s > 0; --%1$s) ", false, 0, false},
+    {"int", "for (%2$s = 1; %1$s < %3$s; %1$s += 2) ", true, 0, false},
+    {"int", "for (%2$s = 2; %1$s < %3$s; %1$s += 3) ", true, 0, false},
+    {"int", "for (%2$s = 5; %3$s > %1$s; %1$s = %1$s + 1) ", true, 0, false},
+    {"unsigned", "for (%2$s = (unsigned)%3$s; %1$s-- > 0;) ", false, 0, false},
+    {"unsigned char", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 255, false},
+    {"short", "for (%2$s = 0; %1$s < %3$s; %1$s++) ", true, 0, false},
+    {"unsigned short", "for (%2$s = 250; %1$s != (unsigned short)(%3$s + 250); %1$s++) ", false, 0,
+     false},
+    {"unsigned char", "for (%2$s = 250; %1$s != (unsigned char)%3$s; %1$s++) ", false, 249, false},
 };
 
 static void put_header(kernel *k, const char *counter, buffer *b) {
     const header *h = &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
     if (h->most_trips && k->trips > h->most_trips)
         h = &headers[0];
-    k->has_outer_counter = chance(k, 30);
+    k->has_outer_counter = chance(k, 30) && !h->is_declared;
     k->has_plain_header = h->is_plain;
     k->counter_type = h->type;
     k->may_continue = true;

@@ -34,4 +34,8 @@ const ir_node *slice_place(const judgement *j, const ir_node *node);
 /** May this expression be evaluated where the program did not: no loads, calls or divisions? */
 bool slice_is_safe_anywhere(const ir_node *row);
 
+/** The same, in the loop: loads are allowed that each iteration makes in any case. `as_address`:
+ *  of an lvalue only the address is computed. */
+bool slice_is_safe_here(const judgement *j, const ir_node *node, bool as_address);
+
 #endif
