@@ -106,6 +106,8 @@ bool judge_text(judgement *j) {
         return judgement_refuse(j, REASON_IN_MACRO, loop, "the loop");
     if (loop->range.begin >= loop->range.end)
         return judgement_refuse(j, REASON_NO_RANGE, loop, "the loop");
+    if (j->an->unit->includes_itself)
+        return judgement_refuse(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
     if (!judge_directives(j) || !judge_text_before(j))
         return false;
     const ir_range everything = {0, s ? s->length : 0};

@@ -117,6 +117,9 @@ void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
 /** Sets the unit's compiler_word. */
 void find_compiler_words(converter *c);
+
+/** Sets the unit's includes_itself. */
+void find_own_inclusion(converter *c);
 /** Sets is_skipped of the unit's directives. */
 void mark_skipped_directives(converter *c);
 /** Fills in functions_with_errors and the unit's error_count. */

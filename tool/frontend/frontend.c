@@ -200,6 +200,7 @@ static void convert_unit(converter *c) {
     note_macros_of_directives(c);
     mark_skipped_directives(c);
     find_compiler_words(c);
+    find_own_inclusion(c);
     mark_weak_names(c);
     finish_unit(c);
 }

@@ -39,6 +39,17 @@ bool is_in_main_file(converter *c, CXSourceLocation location) {
     return is_same_file(file, c->main_file);
 }
 
+static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth,
+                            CXClientData data) {
+    (void)stack;
+    converter *c = data;
+    c->unit->includes_itself |= depth > 0 && is_same_file(file, c->main_file);
+}
+
+void find_own_inclusion(converter *c) {
+    clang_getInclusions(c->clang, visit_inclusion, c);
+}
+
 CXSourceRange extent_of(converter *c, CXCursor cursor) {
     const enum CXCursorKind kind = clang_getCursorKind(cursor);
     if (!clang_isExpression(kind) && !clang_isStatement(kind))

@@ -258,6 +258,7 @@ typedef struct ir_unit {
     ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
     unsigned error_count; /* compiler errors anywhere */
+    bool includes_itself; /* its text may be compiled several times. Not in the text form */
     const char *compiler_word; /* a name in the program's own text by which it may ask for the
                                   compiler: "__clang"; NULL: none. Not in the text form */
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
