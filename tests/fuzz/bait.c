@@ -481,7 +481,6 @@ void bait(kernel *k) {
         separate_bits,
         row_pointers,
         store_subscript,
-        nearly_stored_again,
         pointer_to_subscript,
         store_bound_of_rows,
         side_effect_subscript,
@@ -507,6 +506,9 @@ void bait(kernel *k) {
         change_bound,
     };
     const size_t begin = begin_statement(k);
-    kinds[below(k, LENGTH(kinds))](k);
+    if (k->is_wide && chance(k, 35))
+        wide_bait(k);
+    else
+        kinds[below(k, LENGTH(kinds))](k);
     end_statement(k, begin);
 }

@@ -13,6 +13,12 @@ void *memcpy(void *to, const void *from, size_t bytes);
 
 #define ADD(target, value) target += (value)
 
+#define EACH(declared, i, n) for (declared = 0; i < n; i++)
+#define PUT(array, k, value)                                                                       \
+    do {                                                                                           \
+        (array)[k] += (value);                                                                     \
+    } while (0)
+
 static inline double damp(double x) {
     return x > 9.0 ? 9.0 : x < -9.0 ? -9.0 : x;
 }

@@ -45,7 +45,10 @@ typedef enum storage {
     STORAGE_CONTEXT, /* c->h, of a struct that is given by its address */
     STORAGE_VALUE,   /* c.h, of a struct that is given by value */
     STORAGE_POINTER, /* a local pointer to the object */
-    STORAGE_GLOBAL_POINTER
+    STORAGE_GLOBAL_POINTER,
+    STORAGE_LOCAL, /* the kernel's own, copied from the object and back */
+    STORAGE_STATIC_LOCAL,
+    STORAGE_VARIABLE_LENGTH
 } storage;
 
 typedef struct array {
@@ -57,6 +60,7 @@ typedef struct array {
     shape shape;
     storage storage;
     const char *operation; /* of a reduction array: "+", "*", "&", "|", "^", "<", ">" */
+    bool is_member;        /* the object is a member of one that holds others as well */
 } array;
 
 enum { MOST_NAMES = 24, REDUCTIONS = 2, SUBSCRIPTS = 2 };
@@ -89,6 +93,7 @@ typedef struct kernel {
     int size;     /* elements of every array */
     int elements; /* a power of two: subscripts lie below */
     int trips;
+    bool is_wide;   /* programs of even seeds: wide.c, more storages, more than one loop */
     bool is_masked; /* subscripts from memory are masked at their use */
     bool is_damped; /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -146,7 +151,7 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, stored.c, bait.c */
+/* ---- statement.c, inner.c, stored.c, bait.c, wide.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -155,6 +160,10 @@ void inner_loop(kernel *k);
 void stored_again(kernel *k);
 void nearly_stored_again(kernel *k);
 void bait(kernel *k);
+/** As statement and bait, of kinds that only programs of even seeds have: programs of odd seeds
+ * stay what they were when these were added. */
+void wide_statement(kernel *k);
+void wide_bait(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

@@ -105,8 +105,23 @@ static const header headers[] = {
     {"unsigned char", "for (%2$s = 250; %1$s != (unsigned char)%3$s; %1$s++) ", false, 249, false},
 };
 
+/* Of programs of even seeds. */
+static const header wide_headers[] = {
+    {"int", "for (%2$s = %3$s * 2; %1$s > 0; %1$s -= 2) ", false, 0},
+    {"long long", "for (%2$s = %3$s; %1$s-- != 0;) ", false, 0},
+    {"unsigned", "for (%2$s = 0u - 7u; %1$s + 7u < (unsigned)%3$s; %1$s++) ", false, 0},
+    {"signed char", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 127},
+    {"int", "EACH(%2$s, %1$s, %3$s) ", true, 0},
+};
+
+static const header *any_header(kernel *k) {
+    if (k->is_wide && chance(k, 20))
+        return &wide_headers[below(k, LENGTH(wide_headers))];
+    return &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
+}
+
 static void put_header(kernel *k, const char *counter, buffer *b) {
-    const header *h = &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
+    const header *h = any_header(k);
     if (h->most_trips && k->trips > h->most_trips)
         h = &headers[0];
     k->has_outer_counter = chance(k, 30) && !h->is_declared;
@@ -122,6 +137,18 @@ static void put_header(kernel *k, const char *counter, buffer *b) {
 #pragma GCC diagnostic pop
     if (k->has_outer_counter && chance(k, 40))
         put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
+}
+
+/* Two counters. */
+static void put_pair(kernel *k, const char *counter, buffer *b) {
+    const char *also = new_name(k, "a");
+    k->has_plain_header = k->may_continue = k->has_outer_counter = true;
+    k->counter_type = "int";
+    put(k, &k->locals, "    int %s, %s;\n", counter, also);
+    put(k, b, "for (%s = 0, %s = 5; %s < %s; %s++, %s += 2) ", counter, also, counter, k->trip,
+        counter, also);
+    add_name(&k->scope.positions, counter);
+    add_name(&k->scope.positions, also);
 }
 
 /* A while loop with its own counting. */
@@ -164,13 +191,14 @@ static void put_statements(kernel *k, bool with_bait) {
     end_statement(k, begin);
 }
 
-static void put_loop(kernel *k, bool with_bait) {
-    const char *counter = chance(k, 80) ? "i" : "t";
+static void put_loop(kernel *k, bool with_bait, const char *counter) {
     const bool is_while = chance(k, 6);
     buffer head = {0};
     choose_bound(k);
     if (is_while)
         put_while(k, counter, &head);
+    else if (k->is_wide && chance(k, 6))
+        put_pair(k, counter, &head);
     else
         put_header(k, counter, &head);
     put(k, &k->body, "%s{\n", head.data);
@@ -183,6 +211,26 @@ static void put_loop(kernel *k, bool with_bait) {
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
+
+/* Below each other, about the same arrays; the first may be reached twice. */
+static void put_loops(kernel *k, bool with_bait) {
+    static const char *const counters[] = {"i", "t", "u"};
+    const scope outside = k->scope;
+    const char *first = chance(k, 80) ? "i" : "t";
+    const bool is_repeated = k->is_wide && chance(k, 10);
+    if (is_repeated) {
+        put(k, &k->locals, "    int rounds = 0;\n");
+        put(k, &k->body, "again:\n");
+    }
+    put_loop(k, with_bait, first);
+    if (is_repeated)
+        put(k, &k->body, "if (++rounds < 2)\ngoto again;\n");
+    for (int i = 0; k->is_wide && i < 3 && chance(k, 30); i++)
+        if (strcmp(counters[i], first) != 0) {
+            k->scope = outside;
+            put_loop(k, with_bait && chance(k, 50), counters[i]);
+        }
+}
 
 static void put_all(kernel *k, buffer *b) {
     const unsigned long long seed = (unsigned long long)k->seed;
@@ -212,9 +260,10 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
                 .without = without,
                 .without_count = without_count};
     const bool with_bait = chance(&k, 50);
+    k.is_wide = seed % 2 == 0;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
-    put_loop(&k, with_bait);
+    put_loops(&k, with_bait);
     put_all(&k, b);
     buffer_free(&k.globals);
     buffer_free(&k.pointers);

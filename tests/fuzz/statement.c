@@ -272,10 +272,14 @@ void statement(kernel *k) {
         {protected_subscript, 2},
         {own_store, 1},
         {scalar_sum, 1},
-        {stored_again, 5},
     };
     const size_t begin = begin_statement(k);
-    int which = below(k, 110), i = 0;
+    if (k->is_wide && chance(k, 15)) {
+        wide_statement(k);
+        end_statement(k, begin);
+        return;
+    }
+    int which = below(k, 105), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;
     kinds[i].make(k);

@@ -19,6 +19,9 @@ static array *array_of(kernel *k, int i) {
 /* ---- types and places ------------------------------------------------------------------------ */
 
 static storage any_storage(kernel *k) {
+    static const storage own[] = {STORAGE_LOCAL, STORAGE_STATIC_LOCAL, STORAGE_VARIABLE_LENGTH};
+    if (k->is_wide && k->size <= 2048 && chance(k, 15))
+        return own[below(k, LENGTH(own))];
     static const storage choices[] = {STORAGE_PARAMETER, STORAGE_PARAMETER,     STORAGE_PARAMETER,
                                       STORAGE_GLOBAL,    STORAGE_GLOBAL,        STORAGE_GLOBAL,
                                       STORAGE_RESTRICT,  STORAGE_CONTEXT,       STORAGE_VALUE,
@@ -29,7 +32,9 @@ static storage any_storage(kernel *k) {
 static void name_array(kernel *k, array *a, const char *name) {
     const unsigned long long seed = (unsigned long long)k->seed;
     a->storage = any_storage(k);
-    a->object = a->given = text(k, "%s_%llu", name, seed);
+    a->is_member = k->is_wide && chance(k, 25);
+    a->object = a->given =
+        a->is_member ? text(k, "all_%llu.%s", seed, name) : text(k, "%s_%llu", name, seed);
     a->record = text(k, "struct record_%s_%llu", name, seed);
     switch (a->storage) {
     case STORAGE_GLOBAL:
@@ -83,13 +88,17 @@ static void make_input(kernel *k, array *a, const char *name, element type) {
     name_array(k, a, name);
 }
 
+static bool is_pointed_to(const array *a) {
+    return a->storage == STORAGE_PARAMETER || a->storage == STORAGE_CONTEXT ||
+           a->storage == STORAGE_VALUE || a->storage == STORAGE_GLOBAL_POINTER;
+}
+
 /* What is reached through a pointer may be, or overlap with, an array of the same type. */
 static void let_overlap(kernel *k) {
-    for (int i = 0; i < ARRAYS; i++) {
-        array *a = array_of(k, i);
+    for (int i = 0; i < ARRAYS + k->is_wide; i++) {
+        array *a = i < ARRAYS ? array_of(k, i) : &k->out;
         const array *b = array_of(k, below(k, ARRAYS));
-        const bool is_pointer = a->storage != STORAGE_GLOBAL && a->storage != STORAGE_RESTRICT &&
-                                a->storage != STORAGE_POINTER && b->storage != STORAGE_RESTRICT;
+        const bool is_pointer = is_pointed_to(a) && b->storage != STORAGE_RESTRICT;
         const bool is_kept = a == &k->chain || a == &k->first || a == &k->far;
         if (!is_pointer || is_kept || a == b || a->type != b->type || a->shape != b->shape ||
             a->shape == SHAPE_RECORDS)
@@ -129,14 +138,31 @@ static const char *pointer_to(kernel *k, const array *a, const char *name) {
                                   : text(k, "%s%s *%s", constant, type, name);
 }
 
-static void put_object(kernel *k, buffer *b, const array *a) {
-    const char *type = elements[a->type].spelling;
-    if (a->shape == SHAPE_RECORDS) {
-        put(k, b, "%s {\n    %s x, y;\n    int tag, other;\n};\n", a->record, type);
-        type = a->record;
+static const char *type_of(const array *a) {
+    return a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
+}
+
+/* Copied from the object at the kernel's begin, and back at its end. */
+static void put_own_array(kernel *k, const array *a) {
+    const char *rows = a->shape == SHAPE_ROWS ? "[3]" : "";
+    const char *length = text(k, "%d", k->size);
+    if (a->storage == STORAGE_VARIABLE_LENGTH) {
+        length = text(k, "%s_length", a->base);
+        put(k, &k->pointers, "    const int %s = %d + (n < 0);\n", length, k->size);
     }
-    put(k, b, "static %s %s[%d]%s;\n", type, a->object, k->size,
-        a->shape == SHAPE_ROWS ? "[3]" : "");
+    put(k, &k->pointers, "    %s%s %s[%s]%s;\n",
+        a->storage == STORAGE_STATIC_LOCAL ? "static " : "", type_of(a), a->base, length, rows);
+    put(k, &k->pointers, "    memcpy(%s, %s, sizeof %s);\n", a->base, a->object, a->object);
+    put(k, &k->after, "    memcpy(%s, %s, sizeof %s);\n", a->object, a->base, a->object);
+}
+
+static void put_object(kernel *k, buffer *b, const array *a) {
+    const char *rows = a->shape == SHAPE_ROWS ? "[3]" : "";
+    if (!a->is_member)
+        put(k, b, "static %s %s[%d]%s;\n", type_of(a), a->object, k->size, rows);
+    if (a->storage == STORAGE_LOCAL || a->storage == STORAGE_STATIC_LOCAL ||
+        a->storage == STORAGE_VARIABLE_LENGTH)
+        put_own_array(k, a);
     if (a->storage == STORAGE_GLOBAL_POINTER)
         put(k, b, "static %s;\n", pointer_to(k, a, a->base));
     if (a->storage == STORAGE_POINTER)
@@ -158,7 +184,25 @@ static void put_struct(kernel *k, buffer *b, const char *name, storage of) {
     put(k, b, "};\n");
 }
 
+/* Arrays that lie in one object, one after the other. */
+static void put_members_of_all(kernel *k, buffer *b) {
+    put(k, b, "static struct {\n    int none;\n");
+    for (int i = 0; i <= ARRAYS; i++) {
+        const array *a = i < ARRAYS ? array_of(k, i) : &k->out;
+        if (a->is_member)
+            put(k, b, "    %s %s[%d]%s;\n", type_of(a), strrchr(a->object, '.') + 1, k->size,
+                a->shape == SHAPE_ROWS ? "[3]" : "");
+    }
+    put(k, b, "} all_%llu;\n", (unsigned long long)k->seed);
+}
+
 void put_objects(kernel *k, buffer *b) {
+    for (int i = 0; i < REDUCTIONS; i++)
+        if (k->reduction[i].shape == SHAPE_RECORDS)
+            put(k, b, "%s {\n    %s x, y;\n    int tag, other;\n};\n", k->reduction[i].record,
+                elements[k->reduction[i].type].spelling);
+    if (k->is_wide)
+        put_members_of_all(k, b);
     for (int i = 0; i < ARRAYS; i++)
         put_object(k, b, array_of(k, i));
     put_object(k, b, &k->out);
@@ -236,11 +280,26 @@ static void put_members(kernel *k, buffer *b, const char *variable, storage of) 
     }
 }
 
+/* Does the order of updates show in the object, even of small integers? By whatever name it is
+ * updated. */
+static bool shows_order(kernel *k, const char *object) {
+    const size_t length = strlen(object);
+    for (int i = 0; i < REDUCTIONS; i++) {
+        const array *a = &k->reduction[i];
+        const bool is_inexact =
+            elements[a->type].is_floating && (a->type == E_FLOAT || *a->operation != '+');
+        const bool is_given = strncmp(a->given, object, length) == 0 &&
+                              (a->given[length] == 0 || a->given[length] == ' ');
+        if (is_inexact && (is_given || strcmp(a->object, object) == 0))
+            return true;
+    }
+    return false;
+}
+
 static void put_hashes(kernel *k, buffer *b) {
     for (int i = 0; i <= ARRAYS; i++) {
         const array *a = i < ARRAYS ? array_of(k, i) : &k->out;
-        const bool is_ordered = a->operation && (a->type == E_FLOAT || *a->operation != '+') &&
-                                elements[a->type].is_floating;
+        const bool is_ordered = shows_order(k, a->object);
         put(k, b, "        fuzz_print%s(\"%s\", %s, sizeof %s);\n", is_ordered ? "_ordered" : "",
             a->object, a->object, a->object);
     }

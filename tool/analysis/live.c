@@ -156,7 +156,9 @@ static first_use use_around(search *s, const ir_node *enclosing) {
 
 bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
-    if (!occurs_elsewhere(facts, loop, variable))
+    /* The loop itself may be reached again, by a jump or in a loop around it. */
+    search again = {variable, loop, false};
+    if (!occurs_elsewhere(facts, loop, variable) && use_of(&again, loop) != USE_READ)
         return false;
     const ir_node *body = loop;
     while (body->parent)
