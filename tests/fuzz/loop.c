@@ -89,8 +89,6 @@ static const header headers[] = {
     {"size_t", "for (%2$s = 0; %1$s < (size_t)%3$s; %1$s++) ", true, 0, false},
     {"unsigned", "for (%2$s = 0; %1$s < (unsigned)%3$s; %1$s++) ", true, 0, false},
     {"int", "for (%2$s = 0; %1$s <= %3$s - 1; %1$s++) ", true, 0, false},
-    {"int", "for (%2$s = 0, end = %3$s - 1; %1$s <= end; %1$s++) ", false, 0, true},
-    {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
     {"int", "for (%2$s = 0; %1$s != %3$s; %1$s++) ", false, 0, false},
     {"int", "for (%2$s = %3$s - 1; %1$s >= 0; %1$s--) ", false, 0, false},
     {"long", "for (%2$s = %3$s; %1$s > 0; --%1$s) ", false, 0, false},
@@ -107,11 +105,12 @@ static const header headers[] = {
 
 /* Of programs of even seeds. */
 static const header wide_headers[] = {
-    {"int", "for (%2$s = %3$s * 2; %1$s > 0; %1$s -= 2) ", false, 0},
-    {"long long", "for (%2$s = %3$s; %1$s-- != 0;) ", false, 0},
-    {"unsigned", "for (%2$s = 0u - 7u; %1$s + 7u < (unsigned)%3$s; %1$s++) ", false, 0},
-    {"signed char", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 127},
-    {"int", "EACH(%2$s, %1$s, %3$s) ", true, 0},
+    {"int", "for (%2$s = %3$s * 2; %1$s > 0; %1$s -= 2) ", false, 0, false},
+    {"long long", "for (%2$s = %3$s; %1$s-- != 0;) ", false, 0, false},
+    {"signed char", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 127, false},
+    {"int", "EACH(%2$s, %1$s, %3$s) ", true, 0, false},
+    {"int", "for (%2$s = 0, end = %3$s - 1; %1$s <= end; %1$s++) ", false, 0, true},
+    {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
 };
 
 static const header *any_header(kernel *k) {
