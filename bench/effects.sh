@@ -11,12 +11,13 @@ steps=${STEPS:-4}
 csv=$results/effects.csv
 echo "added,blocks,iterations,forces,collisions,solve,update,product" >"$csv"
 
+# By block-Jacobi, an iteration of which is one product with the matrix.
 # A sheet of 900 particles whose corner is above the ball from the start; nothing acts on it.
 none=(--set colliders='[]' --set self_collision.gap=0 --set mesh.origin='[0.2, 0, 0.715]'
   --set surroundings.gravity='[0, 0, 0]' --set surroundings.drag=0
   --set material.stretch=0 --set material.shear=0 --set material.bend=0
   --set material.stretch_damping=0 --set material.shear_damping=0 --set material.bend_damping=0
-  --set mesh.normal='[0.3, 0, 1]')
+  --set mesh.normal='[0.3, 0, 1]' --set solution.preconditioner=block-jacobi)
 ball='{kind: sphere, position: [0, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 far='{kind: sphere, position: [90, 0, 0.4], radius: 0.3, friction: 0.3, gap: 0.01}'
 

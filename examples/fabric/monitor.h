@@ -42,7 +42,7 @@ typedef struct monitored_step {
     const triangle_elements *triangles;
     const triangle_material *triangle_material;
     const strain_limit *limit; /* NULL: none */
-    const hinge_elements *hinges;
+    hinge_elements *hinges;    /* what they remember of the last energy may change */
     const hinge_material *hinge_material;
     const collisions *collisions;
     solver_status status;

@@ -39,7 +39,7 @@ void collisionDetection(simulation *sim) {
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
 }
 
-monitored_step simulation_monitored(const simulation *sim) {
+monitored_step simulation_monitored(simulation *sim) {
     return (monitored_step){
         .h = sim->h,
         .stage_h = sim->stage_h,

@@ -77,7 +77,7 @@ static inline int effect_is_on(const simulation *sim, int effect) {
 }
 
 /** What the monitor is to look at: the step being taken. */
-monitored_step simulation_monitored(const simulation *sim);
+monitored_step simulation_monitored(simulation *sim);
 
 /** A number of ticks as part of the scene's step, s. */
 static inline double ticks_to_seconds(const simulation *sim, int ticks) {

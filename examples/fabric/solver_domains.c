@@ -230,7 +230,7 @@ static void sweep_up(const domain_solver *d, int domain, const double (*from)[3]
     }
 }
 
-/* r = (I + U)^-T (r + carried) in one domain, in place: sweep_even_down, then the odd ones. */
+/* r = (I + U)^-T (r + carried) in one domain, in place: even ones, carry, then odd ones. */
 static void sweep_down(const domain_solver *d, int domain, double (*r)[3]) {
     const block_matrix *U = &d->within;
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
@@ -264,13 +264,18 @@ static void sweep_even_down(domain_solver *d, double (*r)[3]) {
 #pragma omp parallel for schedule(static)
     for (int domain = 0; domain < d->count; domain += 2)
         sweep_down(d, domain, r);
-    subtract_transposed_product(&d->across, (const double(*)[3])r, d->carried);
+}
+
+/* What the even domains, swept down, give to the odd ones. */
+static void carry(domain_solver *d, const double (*r)[3]) {
+    subtract_transposed_product(&d->across, r, d->carried);
 }
 
 /* residual = the transformed r; returns its square, r' M^-1 r. */
 static double transform(domain_solver *d, const double (*r)[3]) {
     scale_residual(d, r);
     sweep_even_down(d, d->residual);
+    carry(d, (const double(*)[3])d->residual);
 #pragma omp parallel for schedule(static)
     for (int domain = 0; domain < d->count; domain++) {
         double sum = 0;
@@ -303,18 +308,25 @@ static void add_correction(domain_solver *d, double (*dv)[3]) {
     }
 }
 
-/* t in one domain, and w but for E; what an iteration begins with. Where there is no E, w is whole;
- * else the product is to add the diagonal as well. */
+static int has_between(const domain_solver *d) {
+    return d->between.block_count > d->A->row_count; /* the diagonal is there in any case */
+}
+
+/* What an iteration begins with: t, and w but for its product with what is between domains, which
+ * is to add the diagonal's part as well. Where nothing is between, w is whole, and an even domain
+ * is swept down at once. */
 static void sweep_direction(domain_solver *d, int domain) {
-    const int whole = d->between.block_count == d->A->row_count;
+    const int whole = !has_between(d);
     sweep_up(d, domain, (const double(*)[3])d->direction, d->swept);
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++)
         for (int a = 0; a < 3; a++)
             d->image[i][a] =
                 d->direction[i][a] + (whole ? vector_dot(d->between.value[i][a], d->swept[i]) : 0);
+    if (whole && domain % 2 == 0)
+        sweep_down(d, domain, d->image);
 }
 
-/* correction = 0, p = the residual, and its t and w. */
+/* correction = 0, p = the residual, and what an iteration begins with. */
 static void begin(domain_solver *d) {
     const size_t size = sizeof(double[3]) * (size_t)d->A->row_count;
     memset(d->correction, 0, size);
@@ -327,7 +339,7 @@ static void begin(domain_solver *d) {
     }
 }
 
-/* image = t + (I + U)^-T w, but for sweep_even_down; returns p . image of one domain. */
+/* image = t + (I + U)^-T w, after carry; returns p . image of one domain. */
 static double finish_image(domain_solver *d, int domain) {
     double sum = 0;
     if (domain % 2)
@@ -395,9 +407,11 @@ static solver_status iterate(domain_solver *d, double square, double goal, long 
             return SOLVER_CONVERGED;
         if (k == most)
             return SOLVER_TOO_MANY_ITERATIONS;
-        if (d->between.block_count > d->A->row_count)
+        if (has_between(d)) {
             half_product(&d->between, (const double(*)[3])d->swept, d->image);
-        sweep_even_down(d, d->image);
+            sweep_even_down(d, d->image);
+        }
+        carry(d, (const double(*)[3])d->image);
         ++*iterations;
         const double curvature = finish_iteration(d, &square);
         if (!isfinite(curvature))

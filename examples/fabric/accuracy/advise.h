@@ -12,11 +12,14 @@ typedef struct curve_point {
     int vertices;
     double step, tolerance, cpu_seconds, error;
     long steps;
+    double side, stiffness; /* of the scene, as are the others: see study.h */
+    int contact, wind;
 } curve_point;
 
 typedef struct advice {
     char integrator[48];
     int exact_scene; /* measured on a scene of this name and mesh; else carried over by scale */
+    double unlike;   /* of the scene measured: curve_unlike; 0: it is the same */
     int within;      /* the error lies between measured ones; else it is extrapolated */
     char measured_on[64];
     double order;       /* slope of the curve there */
@@ -30,9 +33,16 @@ typedef struct advice {
 int curves_read(const char *path, curve_point **points);
 
 /**
- * The cheapest integrator for an rms error (m) of the scene. Curves of the scene's own name are
- * taken as they are; others' errors are scaled by the side of the sheets (`sides` [count], m, of
- * the measured scene) and times by vertices and duration. 0, or -1: no curve reaches it or fits.
+ * How unlike the scene is to the one that the curve was measured on: |log2| of the ratios of
+ * vertices, of side, of stiffness and of duration, 4 where one has colliders and the other has
+ * none, and 2 for wind.
+ */
+double curve_unlike(const scene *s, const curve_point *curve);
+
+/**
+ * The cheapest integrator for an rms error (m) of the scene, by curves of the least unlike one.
+ * Those of the scene's own name and vertices are taken as they are; others' errors are scaled by
+ * the side of the sheets, and times by vertices and duration. 0, or -1: there is no curve.
  */
 int advise(const scene *s, double error, const curve_point *points, int count, advice *result);
 

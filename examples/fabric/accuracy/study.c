@@ -73,6 +73,15 @@ int study_reference(study *of) {
     return status;
 }
 
+double scene_stiffness(const scene *s) {
+    static const double gravity = 9.81; /* m/s^2: also where there is none */
+    return s->stretch / (s->density * gravity * s->side);
+}
+
+int scene_has_wind(const scene *s) {
+    return s->drag > 0 && (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
+}
+
 void study_compare(study *of) {
     for (int k = 0; k < of->row_count; k++) {
         study_row *r = &of->rows[k];
@@ -107,7 +116,8 @@ int study_write(study *of, const char *name) {
         return -1;
     }
     fputs("experiment,scene,vertices,variant,step,tolerance,steps,rejected,cg_iterations,"
-          "newton_iterations,cpu_seconds,error_rms,error_max,error_own,front\n",
+          "newton_iterations,cpu_seconds,error_rms,error_max,error_own,front,side,stiffness,"
+          "contact,wind\n",
           file);
     for (int k = 0; k < of->row_count; k++) {
         study_row *r = &of->rows[k];
@@ -117,7 +127,8 @@ int study_write(study *of, const char *name) {
         print_number(file, r->error_rms);
         print_number(file, r->error_max);
         print_number(file, r->error_own);
-        fprintf(file, ",%d\n", r->front);
+        fprintf(file, ",%d,%.6g,%.6g,%d,%d\n", r->front, of->base.side, scene_stiffness(&of->base),
+                of->base.collider_count > 0, scene_has_wind(&of->base));
         measured_free(&r->got);
     }
     of->row_count = 0;

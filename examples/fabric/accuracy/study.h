@@ -6,11 +6,13 @@
  *   experiment, scene, vertices, variant  what was varied, as text
  *   step, s; tolerance                    of the time stepping; of what the experiment varies
  *   steps, rejected                       taken and thrown away
- *   cg_iterations, newton_iterations      all steps together: the machine's noise does not touch
- * them cpu_seconds                           of the steps, least of the repetitions error_rms,
- * error_max                  m, against the reference at the end of the scene error_own m, rms
- * against the same method with exact algebra, where the experiment has it front 1: nothing in the
- * table is both faster and more exact
+ *   cg_iterations, newton_iterations      all steps together: no noise of the machine in them
+ *   cpu_seconds                           of the steps, least of the repetitions
+ *   error_rms, error_max                  m, against the reference at the end of the scene
+ *   error_own                             m rms, against the same method with exact algebra, where
+ *                                         the experiment has it
+ *   front                                 1: nothing in the table is both faster and more exact
+ *   side, stiffness, contact, wind        of the scene: m; scene_stiffness; 1: there is some
  */
 #ifndef FABRIC_ACCURACY_STUDY_H
 #define FABRIC_ACCURACY_STUDY_H
@@ -43,6 +45,11 @@ typedef struct study {
 } study;
 
 extern const char *const integrator_names[]; /* by integrator_kind, NULL after the last */
+
+/** Stretch over the weight of a strip as long as the sheet: what its own weight stretches it by,
+ *  inverted. No unit. */
+double scene_stiffness(const scene *s);
+int scene_has_wind(const scene *s);
 
 /** Runs the scene and files the result. 0, or -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,

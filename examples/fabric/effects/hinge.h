@@ -21,6 +21,12 @@ typedef struct hinge_elements {
     int (*block)[10]; /* [count] where A keeps (i,i) (i,j) (i,k) (i,l) (j,j) ... (l,l) */
     double *weight;   /* [count] */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
+    /* What hinge_energy_at found last: where a step ends and the next begins angles are the same.
+     */
+    double *ahead;        /* [count] rad */
+    double (*ahead_x)[3]; /* [vertices] m, at these positions */
+    int vertices;         /* one above the hinges' greatest number */
+    int has_ahead;        /* and `angle` has not changed since */
 } hinge_elements;
 
 typedef struct hinge_material {
@@ -44,9 +50,9 @@ void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 void hinge_forces(const hinge_elements *e, const hinge_material *material, double h,
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
-/** Energy at positions x, in J, with the angles nearest to those remembered, which stay. */
-double hinge_energy_at(const hinge_elements *e, const hinge_material *material,
-                       const double (*x)[3]);
+/** Energy at positions x, in J, with the angles nearest to those remembered, which stay; should
+ *  hinge_update_angles be next, and at the same positions, it has nothing to do. */
+double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]);
 
 /** Energy of the angles remembered, in J. */
 double hinge_energy(const hinge_elements *e, const hinge_material *material);

@@ -3,6 +3,7 @@
 #include "hinge.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "chunk_sum.h"
 #include "mesh_rest.h"
@@ -60,9 +61,15 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
         for (int p = 0; p < 4; p++)
             e->corner[n][p] = m->hinge[t][p];
         sort_corners(e->corner[n], e->vertex[n], e->role[n]);
+        e->vertices = e->vertex[n][3] >= e->vertices ? e->vertex[n][3] + 1 : e->vertices;
         e->count++;
     }
-    return 0;
+    e->ahead = calloc(count, sizeof *e->ahead);
+    e->ahead_x = calloc((size_t)e->vertices + 1, sizeof *e->ahead_x);
+    if (e->ahead && e->ahead_x)
+        return 0;
+    hinge_elements_free(e);
+    return -1;
 }
 
 int hinge_elements_place(hinge_elements *e, const block_matrix *A) {
@@ -81,6 +88,8 @@ void hinge_elements_free(hinge_elements *e) {
     free(e->role);
     free(e->weight);
     free(e->angle);
+    free(e->ahead);
+    free(e->ahead_x);
     *e = (hinge_elements){0};
 }
 
@@ -106,20 +115,30 @@ static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
 }
 
 void hinge_update_angles(hinge_elements *e, const double (*x)[3]) {
+    const int known =
+        e->has_ahead && memcmp(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices) == 0;
+    e->has_ahead = 0;
+    if (known) {
+        memcpy(e->angle, e->ahead, sizeof *e->angle * (size_t)e->count);
+        return;
+    }
 #pragma omp parallel for schedule(static)
     for (int t = 0; t < e->count; t++)
         e->angle[t] = angle_at(e, t, x);
 }
 
-double hinge_energy_at(const hinge_elements *e, const hinge_material *material,
-                       const double (*x)[3]) {
+double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++)
         for (int t = chunk * chunk_sum_length(e->count); t < chunk_sum_end(e->count, chunk); t++) {
             const double angle = angle_at(e, t, x);
+            e->ahead[t] = angle;
             sum[chunk] += e->weight[t] * angle * angle;
         }
+    if (e->count > 0)
+        memcpy(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices);
+    e->has_ahead = 1;
     return material->bend * chunk_sum_all(e->count, sum) / 2;
 }
 

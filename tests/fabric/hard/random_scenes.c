@@ -128,7 +128,7 @@ static collider random_collider(double size, unsigned *seed) {
     return c;
 }
 
-static double energy_of(const simulation *sim) {
+static double energy_of(simulation *sim) {
     double stretch, shear, sum = 0;
     const double(*x)[3] = simulation_positions(sim);
     triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);

@@ -384,6 +384,41 @@ static void S14_angle_goes_on_past_the_fold(void **state) {
     bench_end(&b);
 }
 
+/* Angles that were found for the energy are the ones to go on with at the same positions, past the
+ * fold as well, and at no others. */
+static void test_angles_of_the_energy_are_kept(void **state) {
+    (void)state;
+    bench b = bench_hinge();
+    double(*x)[3] = cloth_moved(&b.m, 0, 1);
+    const double step = acos(-1) / 180;
+    double angle[351];
+    for (int degree = 1; degree <= 350; degree++) {
+        x[2][0] = cos(degree * step);
+        x[2][2] = sin(degree * step);
+        hinge_update_angles(&b.hinges, (const double(*)[3])x);
+        angle[degree] = b.hinges.angle[0];
+    }
+    for (int degree = 349; degree >= 1; degree--) {
+        x[2][0] = cos(degree * step);
+        x[2][2] = sin(degree * step);
+        const double ahead = hinge_energy_at(&b.hinges, &b.hinge, (const double(*)[3])x);
+        assert_true(b.hinges.angle[0] == angle[degree + 1]);
+        if (degree % 3 == 0) { /* what was found for other positions is of no use */
+            x[2][0] = cos(degree * step + 1e-6);
+            x[2][2] = sin(degree * step + 1e-6);
+            hinge_update_angles(&b.hinges, (const double(*)[3])x);
+            assert_true(b.hinges.angle[0] != angle[degree]);
+            x[2][0] = cos(degree * step);
+            x[2][2] = sin(degree * step);
+        }
+        hinge_update_angles(&b.hinges, (const double(*)[3])x);
+        assert_true(b.hinges.angle[0] == angle[degree]);
+        assert_true(hinge_energy(&b.hinges, &b.hinge) == ahead);
+    }
+    free(x);
+    bench_end(&b);
+}
+
 /* S15 */
 static void S15_flat_hinge_has_no_noise(void **state) {
     (void)state;
@@ -462,6 +497,7 @@ int main(void) {
         cmocka_unit_test(S09_matrix_is_semidefinite_under_compression),
         cmocka_unit_test(S10_collapsed_cloth_is_finite),
         cmocka_unit_test(S14_angle_goes_on_past_the_fold),
+        cmocka_unit_test(test_angles_of_the_energy_are_kept),
         cmocka_unit_test(S15_flat_hinge_has_no_noise),
         cmocka_unit_test(S16_collapsed_hinge_is_finite),
         cmocka_unit_test(S12_triangles_without_area_are_left_out),
