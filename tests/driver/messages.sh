@@ -58,10 +58,10 @@ for compiler in $compilers; do
 done
 end
 
-begin "an input that is missing"
+begin "an input that is missing, or is none"
 printf '%s' "$source_text" >x.c
 for compiler in $compilers; do
-  for arguments in "-c x.c missing.c" "x.c missing.o -o p" "missing.c"; do
+  for arguments in "-c x.c missing.c" "x.c missing.o -o p" "missing.c" "x.c . -o p"; do
     # shellcheck disable=SC2086
     expect_same_result $compiler $arguments
   done
@@ -101,6 +101,8 @@ for compiler in $compilers; do
   expect_same_result $compiler -Werror $all x.c -o p
   expect_translated
   expect_same_result $compiler -Werror -shared -fPIC x.c -o libx.so
+  expect_translated
+  expect_same_result $compiler -Wa,--noexecstack -DA -I. x.c -o p
   expect_translated
 done
 end

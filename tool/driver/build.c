@@ -264,6 +264,8 @@ static _Noreturn void build_linked(session *s, const translation *translations, 
     }
     add_colour(s, &words);
     add_runtime(s, &words);
+    if (s->real.is_clang) /* options for what was compiled before */
+        words_add(a, &words, "-Qunused-arguments");
     attempt made = try_command(s, &words, s->input);
     if (made.status != 0 && !was_interrupted(&made))
         build_original(s);

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "driver/build.h"
@@ -100,12 +101,16 @@ static bool would_write_over_input(const command *c) {
     return false;
 }
 
-/* Clang looks for all inputs before it begins, and says so where none is left. */
+/* Whether a word is none of what it was taken for: a file that is missing, for which clang looks
+ * before it begins, or the argument of an option that the table does not know. */
 static bool misses_input(const command *c) {
-    for (unsigned i = 0; i < c->count; i++)
-        if (c->items[i].kind != INPUT_NOT && strcmp(c->items[i].text, "-") != 0 &&
-            access(c->items[i].text, F_OK) != 0)
+    for (unsigned i = 0; i < c->count; i++) {
+        const char *word = c->items[i].text;
+        struct stat about;
+        if (c->items[i].kind != INPUT_NOT && strcmp(word, "-") != 0 &&
+            (stat(word, &about) != 0 || S_ISDIR(about.st_mode)))
             return true;
+    }
     return false;
 }
 
