@@ -52,7 +52,8 @@ void note_macro(converter *c, CXCursor definition) {
     clang_disposeString(text);
 }
 
-/* In a branch that another compiler may take, clang sees no macro. */
+/* In a branch that another compiler may take, clang sees no macro. What begins with __ is the
+ * compilers' own: programs define it for those that have not got it. */
 void note_macros_of_directives(converter *c) {
     for (unsigned i = 0; i < c->unit->directive_count; i++) {
         const ir_directive *directive = &c->unit->directives[i];
@@ -65,7 +66,7 @@ void note_macros_of_directives(converter *c) {
             after++;
         const size_t length = (size_t)(after - name);
         const file_text at = {.text = name, .length = (size_t)(end - name)};
-        if (length > 0 && !stands_for_itself(at, name, length))
+        if (length > 0 && strncmp(name, "__", 2) != 0 && !stands_for_itself(at, name, length))
             note(c, name, length, after < end && *after == '(');
     }
 }
