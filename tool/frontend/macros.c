@@ -41,13 +41,23 @@ static void note(converter *c, const char *name, size_t length, bool is_function
         *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
 }
 
+/* Where a macro is defined costs more to find than all else about it, and few of the thousands that
+ * headers define in capitals stand for themselves: those are not looked at. */
+static bool is_worth_a_look(CXSourceLocation location, const char *name) {
+    for (const char *p = name; *p; p++)
+        if (islower((unsigned char)*p))
+            return true;
+    return clang_Location_isFromMainFile(location) != 0;
+}
+
 void note_macro(converter *c, CXCursor definition) {
     CXString text = clang_getCursorSpelling(definition);
     const char *name = clang_getCString(text);
     const size_t length = strlen(name);
     const bool is_function_like = clang_Cursor_isMacroFunctionLike(definition) != 0;
-    if (is_function_like ||
-        !stands_for_itself(text_at(c, clang_getCursorLocation(definition)), name, length))
+    const CXSourceLocation location = clang_getCursorLocation(definition);
+    if (is_function_like || !is_worth_a_look(location, name) ||
+        !stands_for_itself(text_at(c, location), name, length))
         note(c, name, length, is_function_like);
     clang_disposeString(text);
 }

@@ -263,7 +263,8 @@ typedef struct ir_unit {
                                   compiler: "__clang"; NULL: none. Not in the text form */
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
                     those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
-                    their own name. NULL: none. Not in the text form */
+                    their own name, as far as that was looked for. NULL: none. Not in the text form
+                  */
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)
