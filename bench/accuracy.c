@@ -269,6 +269,7 @@ int main(int count, char **arguments) {
                                       {"serial", "plain", "auto"},
                                       {"serial", "plain", "localwrite"},
                                       {"serial", "plain", "graph-localwrite"},
+                                      {"serial", "plain", "wavefront"},
                                       {"serial", "compensated", "localwrite"},
                                       {"serial", "compensated", "graph-localwrite"}};
     const int cores = count > 1 ? atoi(arguments[1]) : 2;

@@ -1,8 +1,8 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # How the two loops of bench/loops.c go with the threads: `auto` timed at 1, 2, 4, ... threads up to
-# the cores there are; beyond, what the schedules of the two LOCALWRITE methods say (iterations of
-# the loop over those of the thread that executes most), which leaves memory out of account.
+# the cores there are; beyond, what the schedules of the methods that keep the order serial say
+# (length.h), which leaves memory and barriers out of account.
 . bench/common.sh
 cores=$(nproc)
 cmake --build --preset release --target bench_loops >/dev/null
@@ -20,7 +20,7 @@ run() { # kind, threads, WARM
 for ((threads = 1; threads <= cores; threads *= 2)); do
   run measured "$threads" "${WARM:-15}"
 done
-for method in localwrite graph-localwrite; do
+for method in localwrite graph-localwrite wavefront; do
   for threads in 2 8 16 33 64; do
     OMP_WAIT_POLICY=passive REDCC_METHOD=$method run modelled "$threads" 0
   done

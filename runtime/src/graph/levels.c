@@ -4,10 +4,10 @@
 #include "memory.h"
 #include "method.h"
 
-enum {
-    FEW = 64,                /* iterations of a level that one thread executes */
-    BARRIER_ITERATIONS = 200 /* some 2 microseconds, of a light loop's 10 nanoseconds */
-};
+enum { FEW = 64 }; /* iterations of a level that one thread executes */
+
+/* In iterations: some 2 microseconds, of a light loop's 10 nanoseconds. */
+static const double barrier_length = 200;
 
 static const uint32_t left_out = UINT32_MAX;
 
@@ -152,7 +152,7 @@ double redcc_levels_length(const struct levels *levels, int threads) {
     double length = 0;
     for (uint32_t s = 0; s < levels->stages; s++) {
         const uint32_t count = levels->stage[s + 1].begin - levels->stage[s].begin;
-        length += BARRIER_ITERATIONS;
+        length += barrier_length;
         length += levels->stage[s].alone ? (double)count : (double)count / threads;
     }
     return length;
