@@ -218,11 +218,49 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
+/* Memory fails on the way to the levels, at one place after the other: the oracle's bits, and
+ * nothing is lost. */
+static void memory_fails_on_the_way(void **unused) {
+    (void)unused;
+    enum { FIRST = 4, STEP = 11 }; /* calls before auto comes to the graph; to be quick */
+    struct problem problem = random_pairs(100000, 60000);
+    const size_t bytes = (size_t)problem.doubles * sizeof(double);
+    double *expected = malloc(bytes);
+    problem_reset(&problem);
+    problem_oracle(&problem);
+    memcpy(expected, problem.first, bytes);
+    redcc_budget_gain(1e6);
+    bool exhausted = true;
+    int by_levels = 0;
+    for (long failing = 0; exhausted; failing += STEP) {
+        struct described described;
+        long last;
+        problem_describe(&problem, &described);
+        for (int call = 0; call < FIRST + 2; call++) {
+            problem_reset(&problem);
+            redcc_memory_fail_after(call == FIRST ? failing : -1);
+            problem_run(&problem, &described, 4, &last);
+            exhausted = call == FIRST ? redcc_memory_is_exhausted() : exhausted;
+            redcc_memory_fail_after(-1);
+            assert_memory_equal(problem.first, expected, bytes);
+        }
+        const struct loop_state *state = described.loop.state;
+        by_levels += state->reported.statistics.method == &redcc_method_wavefront;
+        redcc_loop_forget(&described.loop);
+        assert_int_equal(redcc_memory_live(), 0);
+        assert_int_equal(redcc_memory_in_use(), 0);
+    }
+    assert_true(by_levels > 0);
+    free(expected);
+    problem_free(&problem);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(levels_are_those_of_the_definition),
         cmocka_unit_test(a_chain_is_one_stage),
         cmocka_unit_test(auto_takes_levels_where_no_cut_serves),
+        cmocka_unit_test(memory_fails_on_the_way),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
