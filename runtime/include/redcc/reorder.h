@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Orders of rows and iterations in which neighbours lie close together, for a program that is free
+ * to number its mesh: first the rows, by the graph of the iterations that update them or along a
+ * curve through the points where they lie; then the iterations by their rows.
+ *
+ * An order is a permutation new_of_old: record i becomes record new_of_old[i]. Results in one order
+ * are brought into another by redcc_reorder_records, back included.
+ *
+ * Every function returns 0, or -1 where memory is out or an argument is none of those said (then
+ * nothing is written). All are thread-safe and execute in the calling thread. C89 and C++ will do.
+ */
+#ifndef REDCC_REORDER_H
+#define REDCC_REORDER_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#pragma GCC visibility push(default)
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Rows by reverse Cuthill-McKee: rows that one iteration updates are neighbours.
+ *   trip, touches   iterations, and rows that each of them updates
+ *   row             [trip * touches] which ones: 0 <= row < rows
+ *   new_of_old      [rows] the result
+ */
+int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new_of_old);
+
+/**
+ * Points along Hilbert's curve.
+ *   count, dimensions   points; 2 or 3 numbers each
+ *   point               [count * dimensions]; what is no number counts as the least
+ *   new_of_old          [count] the result
+ */
+int redcc_reorder_points(int count, int dimensions, const double *point, int *new_of_old);
+
+/**
+ * Iterations by the rows that they update: by the lowest, of equals by the next, else as they were.
+ *   trip, touches, row   as for redcc_reorder_rows, the rows in their new order
+ *   new_of_old           [trip] the result
+ */
+int redcc_reorder_iterations(int trip, int touches, const int *row, int *new_of_old);
+
+/**
+ * Moves records of `bytes` bytes each to where an order has them; `back`: from there.
+ *   record       [count]
+ *   new_of_old   [count] a permutation
+ */
+int redcc_reorder_records(void *record, int count, size_t bytes, const int *new_of_old, int back);
+
+#ifdef __cplusplus
+}
+#endif
+#if defined(__GNUC__)
+#pragma GCC visibility pop
+#endif
+
+#endif

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Reverse Cuthill-McKee (George and Liu, Computer solution of large sparse positive definite
+ * systems, 1981, chapter 4) of the rows that iterations update together. */
+#include "redcc/reorder.h"
+
+#include "memory.h"
+
+#include <stdbool.h>
+
+/* Which iterations update a row: iteration[start[r]] ... iteration[start[r + 1] - 1]. A row's
+ * neighbours are those iterations' other rows; they are not listed, for there may be many. */
+struct rows {
+    int count, touches;
+    const int *row;
+    size_t *start;
+    int *iteration;
+};
+
+/* A search from a root, breadth first. */
+struct search {
+    int *order; /* rows, as they are reached */
+    int *mark;  /* [rows] number of the search that reached it last */
+    int *level; /* [rows] its distance from that search's root */
+    int number;
+};
+
+static bool rows_begin(struct rows *rows, int trip) {
+    const size_t all = (size_t)trip * (size_t)rows->touches;
+    rows->start = redcc_memory_take_zeroed((size_t)rows->count + 2, sizeof *rows->start);
+    rows->iteration = redcc_memory_take(all * sizeof *rows->iteration);
+    if (!rows->start || !rows->iteration)
+        return false;
+    for (size_t i = 0; i < all; i++)
+        rows->start[rows->row[i] + 2]++;
+    for (int r = 0; r < rows->count; r++)
+        rows->start[r + 2] += rows->start[r + 1];
+    for (size_t i = 0; i < all; i++) /* each start moves on to where its row's list ends */
+        rows->iteration[rows->start[rows->row[i] + 1]++] = (int)(i / (size_t)rows->touches);
+    return true;
+}
+
+static size_t degree(const struct rows *rows, int row) {
+    return rows->start[row + 1] - rows->start[row];
+}
+
+/* Insertion sort: stable, and few are reached from one row. */
+static void sort_by_degree(const struct rows *rows, int *list, int count) {
+    for (int i = 1; i < count; i++) {
+        const int moving = list[i];
+        int place = i;
+        for (; place > 0 && degree(rows, list[place - 1]) > degree(rows, moving); place--)
+            list[place] = list[place - 1];
+        list[place] = moving;
+    }
+}
+
+/* Returns how many rows are reached. */
+static int search_from(const struct rows *rows, struct search *search, int *order, int root) {
+    int reached = 1;
+    search->number++;
+    order[0] = root;
+    search->mark[root] = search->number;
+    search->level[root] = 0;
+    for (int i = 0; i < reached; i++) {
+        const int first = reached, here = order[i];
+        for (size_t k = rows->start[here]; k < rows->start[here + 1]; k++) {
+            const int *other = rows->row + (size_t)rows->iteration[k] * (size_t)rows->touches;
+            for (int t = 0; t < rows->touches; t++) {
+                if (search->mark[other[t]] == search->number)
+                    continue;
+                search->mark[other[t]] = search->number;
+                search->level[other[t]] = search->level[here] + 1;
+                order[reached++] = other[t];
+            }
+        }
+        sort_by_degree(rows, order + first, reached - first);
+    }
+    return reached;
+}
+
+/* The part of the graph that `row` lies in, from a root at nearly its far end: the root moves to
+ * the last row reached until that is no farther. Returns how many rows the part has. */
+static int order_part(const struct rows *rows, struct search *search, int *order, int row) {
+    int count = search_from(rows, search, order, row), far = -1;
+    while (search->level[order[count - 1]] > far) {
+        far = search->level[order[count - 1]];
+        count = search_from(rows, search, order, order[count - 1]);
+    }
+    return count;
+}
+
+static bool in_range(int trip, int touches, const int *row, int rows) {
+    for (size_t i = 0; i < (size_t)trip * (size_t)touches; i++)
+        if (row[i] < 0 || row[i] >= rows)
+            return false;
+    return true;
+}
+
+int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new_of_old) {
+    if (trip < 0 || touches < 0 || rows < 0 || !in_range(trip, touches, row, rows))
+        return -1;
+    struct rows graph = {.count = rows, .touches = touches, .row = row};
+    struct search search = {.number = 0};
+    const size_t count = (size_t)rows;
+    search.order = redcc_memory_take(count * sizeof *search.order);
+    search.mark = redcc_memory_take_zeroed(count, sizeof *search.mark);
+    search.level = redcc_memory_take(count * sizeof *search.level);
+    const bool enough = rows_begin(&graph, trip) && search.order && search.mark && search.level;
+    int done = 0;
+    for (int r = 0; enough && r < rows; r++)
+        if (search.mark[r] == 0)
+            done += order_part(&graph, &search, search.order + done, r);
+    for (int i = 0; enough && i < rows; i++)
+        new_of_old[search.order[i]] = rows - 1 - i;
+    redcc_memory_give(graph.start);
+    redcc_memory_give(graph.iteration);
+    redcc_memory_give(search.order);
+    redcc_memory_give(search.mark);
+    redcc_memory_give(search.level);
+    return enough ? 0 : -1;
+}
