@@ -5,6 +5,7 @@
 #include "budget.h"
 #include "clock.h"
 #include "compensate.h"
+#include "forked.h"
 #include "memory.h"
 #include "node.h"
 #include "settings.h"
@@ -140,6 +141,8 @@ static enum reason hindrance(const redcc_loop *loop, const struct settings *sett
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
+    if (redcc_is_forked())
+        return REASON_FORKED;
     if (insists(settings))
         return REASON_NONE;
     if (nested)

@@ -5,6 +5,7 @@
 /** Why a loop ran serially: identifier, and what the report says. */
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "")                                                                             \
+    X(REASON_FORKED, "in a process forked from one with several threads")                          \
     X(REASON_NESTED, "inside a parallel region")                                                   \
     X(REASON_CONCURRENT, "the loop is being executed by another thread")                           \
     X(REASON_ONE_THREAD, "one thread")                                                             \

@@ -32,8 +32,8 @@ static storage any_storage(kernel *k) {
 static void name_array(kernel *k, array *a, const char *name) {
     const unsigned long long seed = (unsigned long long)k->seed;
     a->storage = any_storage(k);
-    if (a->storage == STORAGE_VARIABLE_LENGTH && a->type == E_COMPLEX)
-        a->storage = STORAGE_LOCAL; /* clang 19 may crash on `z[k]++` of such */
+    if (a->storage >= STORAGE_LOCAL && a->type == E_COMPLEX)
+        a->storage = STORAGE_PARAMETER; /* clang 19 may crash on z[k]++ of such */
     a->is_member = k->is_wide && chance(k, 25);
     a->object = a->given =
         a->is_member ? text(k, "all_%llu.%s", seed, name) : text(k, "%s_%llu", name, seed);
