@@ -141,10 +141,10 @@ static enum reason hindrance(const redcc_loop *loop, const struct settings *sett
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
-    if (redcc_is_forked())
-        return REASON_FORKED;
     if (insists(settings))
         return REASON_NONE;
+    if (redcc_is_forked())
+        return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
     return threads < 2 ? REASON_ONE_THREAD : REASON_NONE;
@@ -254,7 +254,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
-    threads = nested || threads < 1 ? 1 : threads;
+    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
         let_go(held);
