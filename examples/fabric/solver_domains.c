@@ -234,11 +234,12 @@ static void sweep_up(const domain_solver *d, int domain, const double (*from)[3]
 static void sweep_down(const domain_solver *d, int domain, double (*r)[3]) {
     const block_matrix *U = &d->within;
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
-        const double w0 = r[i][0] += d->carried[i][0];
-        const double w1 = r[i][1] += d->carried[i][1];
-        const double w2 = r[i][2] += d->carried[i][2];
+        for (int a = 0; a < 3; a++)
+            r[i][a] += d->carried[i][a];
         d->carried[i][0] = d->carried[i][1] = d->carried[i][2] = 0;
         for (int k = U->row_start[i]; k < U->row_start[i + 1]; k++) {
+            /* Read here, not once a row: a row by itself is too short to be a loop for threads. */
+            const double w0 = r[i][0], w1 = r[i][1], w2 = r[i][2];
             double *y = r[U->column[k]];
             const double(*u)[3] = (const double(*)[3])U->value[k];
             y[0] -= u[0][0] * w0 + u[1][0] * w1 + u[2][0] * w2;

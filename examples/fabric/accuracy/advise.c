@@ -132,7 +132,7 @@ double curve_unlike(const scene *s, const curve_point *curve) {
            octaves(scene_stiffness(s), curve->stiffness) +
            octaves(s->step * s->steps, curve->step * (double)curve->steps) +
            4 * abs((s->collider_count > 0) - curve->contact) +
-           2 * abs(scene_has_wind(s) - curve->wind);
+           2 * abs(scene_has_wind(s) - curve->wind) + (strcmp(s->name, curve->scene) != 0 ? 3 : 0);
 }
 
 /* The scene to go by; own: it is s itself. */

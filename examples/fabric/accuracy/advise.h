@@ -35,7 +35,7 @@ int curves_read(const char *path, curve_point **points);
 /**
  * How unlike the scene is to the one that the curve was measured on: |log2| of the ratios of
  * vertices, of side, of stiffness and of duration, 4 where one has colliders and the other has
- * none, and 2 for wind.
+ * none, 2 for wind, and 3 for another name.
  */
 double curve_unlike(const scene *s, const curve_point *curve);
 

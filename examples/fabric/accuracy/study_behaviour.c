@@ -159,14 +159,13 @@ int study_mesh(study *of) {
 }
 
 /* An order, and a method that makes use of it: left to itself the runtime takes whatever is
- * fastest, the sequential loop too, and all orders would time the same. */
+ * fastest, the sequential loop too, and all orders would time the same. Compensated sums are added
+ * up in the serial order. */
 static const struct {
-    const char *order, *method;
-} ways[] = {{"serial", "serial"},
-            {"serial", "localwrite"},
-            {"fixed", "expansion-fixed"},
-            {"any", "expansion"},
-            {"any", "auto"}};
+    const char *order, *method, *sum;
+} ways[] = {{"serial", "serial", "plain"},           {"serial", "localwrite", "plain"},
+            {"serial", "localwrite", "compensated"}, {"fixed", "expansion-fixed", "plain"},
+            {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Runs this program on the scene in a process of its own: the runtime reads its environment once.
@@ -181,6 +180,7 @@ static double run_apart(const study *of, int way, const char *threads) {
     if (child == 0) {
         setenv("REDCC_ORDER", ways[way].order, 1);
         setenv("REDCC_METHOD", ways[way].method, 1);
+        setenv("REDCC_SUM", ways[way].sum, 1);
         setenv("OMP_NUM_THREADS", threads, 1);
         execl(program, program_name, "run", yaml, "-o", out, "--frames", "0", "--progress", "none",
               (char *)NULL);
@@ -221,7 +221,7 @@ int study_sum(study *of) {
         fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
         return -1;
     }
-    FILE *file = open_csv(of, "sum.csv", "order,method,threads,cpu_seconds,difference\n");
+    FILE *file = open_csv(of, "sum.csv", "order,method,sum,threads,cpu_seconds,difference\n");
     int status = file ? 0 : -1;
     for (int way = 0; way < WAYS && status == 0; way++)
         for (int k = 0; k < 3 && status == 0; k++) {
@@ -236,10 +236,11 @@ int study_sum(study *of) {
             if (!first.memory)
                 first = now;
             const double difference = farthest(&now, &first);
-            fprintf(file, "%s,%s,%s,%.4g,%.4g\n", ways[way].order, ways[way].method, counts[k],
-                    seconds, difference);
-            fprintf(stderr, "order %-7s %-16s %s threads  %8.3f s  differs by %.3g m\n",
-                    ways[way].order, ways[way].method, counts[k], seconds, difference);
+            fprintf(file, "%s,%s,%s,%s,%.4g,%.4g\n", ways[way].order, ways[way].method,
+                    ways[way].sum, counts[k], seconds, difference);
+            fprintf(stderr, "order %-7s %-16s %-12s %s threads  %8.3f s  differs by %.3g m\n",
+                    ways[way].order, ways[way].method, ways[way].sum, counts[k], seconds,
+                    difference);
             if (now.memory != first.memory)
                 state_free(&now);
         }

@@ -74,7 +74,8 @@ static const struct {
     {"sum", "set output 'sum.png'\nset xtics rotate by -60\nset style data histograms\nset style "
             "fill solid 0.6\n"
             "set ylabel 'CPU time, s'\nset yrange [0:*]\nunset key\n"
-            "plot 'sum.csv' skip 1 using 4:xtic(sprintf('%s %s', strcol(2), strcol(3)))\n"},
+            "plot 'sum.csv' skip 1 using "
+            "5:xtic(sprintf('%s %s %s', strcol(2), strcol(3), strcol(4)))\n"},
 };
 
 static int run_gnuplot(const char *folder, const char *script) {

@@ -133,14 +133,12 @@ static void print_advice(const scene *s, const advice *a) {
         printf("how sure        measured on this scene, continued past what was measured: within 3 "
                "times\n");
     else
-        printf("how sure        carried over from '%s', the nearest that was measured, %.1f unlike "
-               "(log2 "
-               "of vertices, side,\n                stiffness, duration; 4 for contact, 2 for "
-               "wind): a "
-               "guess, which may be 10 times off;\n                'fabric accuracy dt --scene' "
-               "measures "
-               "it\n",
-               a->measured_on, a->unlike);
+        printf(
+            "how sure        carried over from '%s', the nearest that was measured, %.1f unlike\n"
+            "                (log2 of vertices, side, stiffness, duration; 4 for contact, 2 for\n"
+            "                wind, 3 for another name): a guess, which may be 10 times off;\n"
+            "                'fabric accuracy dt --scene' measures it\n",
+            a->measured_on, a->unlike);
     printf("--set time.integrator=%s --set time.step=%.9g --set time.steps=%d --set "
            "solution.%s=%g%s\n",
            a->integrator, s->step * s->steps / steps, steps,
