@@ -104,15 +104,25 @@ void read_attributes(CXCursor declaration, ir_function *function) {
     clang_disposeString(spelling);
 }
 
-/* ---- #pragma weak -------------------------------------------------------------------------- */
+/* ---- names in pragmas ---------------------------------------------------------------------- */
 
-static void mark_weak_name(converter *c, const char *name, size_t length) {
+static bool is_named(const char *name, const char *text, size_t length) {
+    return strncmp(name, text, length) == 0 && name[length] == 0;
+}
+
+static void mark_weak(converter *c, const char *name, size_t length) {
     for (unsigned i = 0; i < c->mains.count; i++)
-        c->mains.items[i]->is_weak |= strncmp(c->mains.items[i]->name, name, length) == 0 &&
-                                      c->mains.items[i]->name[length] == 0;
+        c->mains.items[i]->is_weak |= is_named(c->mains.items[i]->name, name, length);
     for (unsigned i = 0; i < c->found.count; i++)
-        c->found.items[i]->has_other_name |= strncmp(c->found.items[i]->name, name, length) == 0 &&
-                                             c->found.items[i]->name[length] == 0;
+        c->found.items[i]->has_other_name |= is_named(c->found.items[i]->name, name, length);
+}
+
+static void mark_thread_local(converter *c, const char *name, size_t length) {
+    for (unsigned i = 0; i < c->found.count; i++) {
+        ir_variable *v = c->found.items[i];
+        if (v->storage != IR_LOCAL && v->storage != IR_PARAMETER && is_named(v->name, name, length))
+            v->storage = IR_THREAD_LOCAL;
+    }
 }
 
 static bool follows_pragma(const char *text, const char *word) {
@@ -123,18 +133,25 @@ static bool follows_pragma(const char *text, const char *word) {
     return pragma != NULL && pragma < word;
 }
 
-void mark_weak_names(converter *c) {
+/* Marks what is named between `word` and the end of its line, where a pragma stands before it. */
+static void mark_names_after(converter *c, const char *word,
+                             void (*mark)(converter *c, const char *name, size_t length)) {
     const char *text = c->unit->source->text;
-    for (const char *at = strstr(text, "weak"); at != NULL; at = strstr(at, "weak")) {
+    for (const char *at = strstr(text, word); at != NULL; at = strstr(at, word)) {
         const bool is_pragma = follows_pragma(text, at);
-        at += 4;
+        at += strlen(word);
         while (is_pragma && *at != 0 && *at != '\n') {
             size_t length = 0;
             while (is_word_byte(at[length]))
                 length++;
             if (length > 0)
-                mark_weak_name(c, at, length);
+                mark(c, at, length);
             at += length > 0 ? length : 1;
         }
     }
+}
+
+void mark_names_in_pragmas(converter *c) {
+    mark_names_after(c, "weak", mark_weak);
+    mark_names_after(c, "threadprivate", mark_thread_local);
 }

@@ -105,9 +105,9 @@ bool has_cleanup(CXCursor declaration);
 /** May the variable be another name of an object: by an alias attribute, an asm label, assembler
  *  text in the file? */
 bool has_other_name(const converter *c, CXCursor declaration);
-/** What `#pragma weak a` or `#pragma weak a = b` names may be another function, has another name.
- *  clang's tree does not tell. */
-void mark_weak_names(converter *c);
+/** What `#pragma weak a` or `#pragma weak a = b` names may be another function, has another name;
+ *  what `#pragma omp threadprivate(a)` names is thread-local. clang's tree does not tell. */
+void mark_names_in_pragmas(converter *c);
 /** Has the typedef or record the attribute may_alias? */
 bool is_under_may_alias(CXCursor declaration);
 /** With KeepGoing clang calls a missing header an error like any other: its text tells. */

@@ -201,7 +201,7 @@ static void convert_unit(converter *c) {
     mark_skipped_directives(c);
     find_compiler_words(c);
     find_own_inclusion(c);
-    mark_weak_names(c);
+    mark_names_in_pragmas(c);
     finish_unit(c);
 }
 
