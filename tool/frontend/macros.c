@@ -1,20 +1,27 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The names that macros have, wherever they are defined: text that is written into the file would
  * be changed where it uses one. */
+#define _GNU_SOURCE /* memmem */
 #include <ctype.h>
 #include <string.h>
 
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 
-/* Past blanks and line splices. */
+/* Past blanks, comments and line splices. */
 static const char *skip_spaces(const char *at, const char *end) {
-    for (unsigned splice; at < end; at += splice) {
-        splice = splice_length(at, end);
-        if (splice == 0 && *at != ' ' && *at != '\t')
+    while (at < end) {
+        const unsigned splice = splice_length(at, end);
+        if (splice > 0) {
+            at += splice;
+        } else if (*at == ' ' || *at == '\t') {
+            at++;
+        } else if (end - at > 3 && at[0] == '/' && at[1] == '*') {
+            const char *close = memmem(at + 2, (size_t)(end - at - 2), "*/", 2);
+            at = close != NULL ? close + 2 : end;
+        } else {
             break;
-        if (splice == 0)
-            splice = 1;
+        }
     }
     return at;
 }
@@ -62,16 +69,34 @@ void note_macro(converter *c, CXCursor definition) {
     clang_disposeString(text);
 }
 
+/* Behind `#define`: the macro's name; NULL: another directive. */
+static const char *defined_name(const char *at, const char *end) {
+    static const char *const marks[] = {"#", "%:", "?\?="};
+    static const char word[] = "define";
+    for (unsigned i = 0; i < sizeof marks / sizeof *marks; i++) {
+        const size_t length = strlen(marks[i]);
+        if ((size_t)(end - at) < length || strncmp(at, marks[i], length) != 0)
+            continue;
+        const char *name = skip_spaces(at + length, end);
+        if ((size_t)(end - name) < sizeof word || strncmp(name, word, sizeof word - 1) != 0)
+            return NULL;
+        name += sizeof word - 1;
+        return is_name_byte(*name) ? NULL : skip_spaces(name, end);
+    }
+    return NULL;
+}
+
 /* In a branch that another compiler may take, clang sees no macro. What begins with __ is the
  * compilers' own: programs define it for those that have not got it. */
 void note_macros_of_directives(converter *c) {
     for (unsigned i = 0; i < c->unit->directive_count; i++) {
         const ir_directive *directive = &c->unit->directives[i];
-        const char *word = directive->text ? strstr(directive->text, "define") : NULL;
-        if (directive->kind != IR_DIRECTIVE_OTHER || word == NULL)
+        if (directive->kind != IR_DIRECTIVE_OTHER || directive->text == NULL)
             continue;
         const char *end = directive->text + strlen(directive->text);
-        const char *name = skip_spaces(word + strlen("define"), end), *after = name;
+        const char *name = defined_name(directive->text, end), *after = name;
+        if (name == NULL)
+            continue;
         while (after < end && is_name_byte(*after))
             after++;
         const size_t length = (size_t)(after - name);
