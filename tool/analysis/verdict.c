@@ -96,11 +96,42 @@ static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     return record->size;
 }
 
+/* What is made of a base on the way to its elements: b[i], *(b + i), (*b).x. */
+static bool leads_on(const ir_node *parent, const ir_node *node) {
+    const bool is_left = parent->child_count > 0 && parent->children[0] == node;
+    const bool is_pointer = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;
+    if (parent->kind == IR_BINARY)
+        return is_pointer && parent->type->kind == IR_POINTER;
+    return is_left && (parent->kind == IR_INDEX || parent->kind == IR_MEMBER ||
+                       (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE));
+}
+
+/* Is an address in the array used as a value, as in `h == p` or `&h[i] - q`? A function that gets
+ * it is judged by what it reaches. */
+static bool has_address_as_value(const ir_node *node, const ir_node *base) {
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_address_as_value(node->children[i], base))
+            return true;
+    if (!ir_is_expression(node) || !node->type || !expression_same(node, base))
+        return false;
+    while (node->parent && ir_is_expression(node->parent) && node->parent->type &&
+           leads_on(node->parent, node))
+        node = node->parent;
+    const ir_node *user = node->parent;
+    const bool is_taken = user->kind == IR_UNARY && user->op == IR_OP_ADDRESS;
+    const bool is_address = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;
+    if (is_taken)
+        user = user->parent;
+    return (is_taken || is_address) && user->kind != IR_CALL;
+}
+
 static void finish_arrays(judgement *j, loop_facts *facts) {
     reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
         const ir_type *base = arrays[i].base->type;
+        /* in a private copy it would be another */
+        arrays[i].order_is_kept |= has_address_as_value(j->loop, arrays[i].base);
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
             arrays[i].is_interleaved = true;
         if (base && base->target)
