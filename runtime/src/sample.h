@@ -36,9 +36,9 @@ void redcc_sample_end(struct sample *sample);
 
 /** Takes a touch in. When full, about half of the items are dropped and half as many are kept from
  *  then on, so that loops with thousands of touches an iteration are sampled evenly as well. Which
- *  ones, an even sequence of iteration and touch decides, not their rank: loops touch their arrays in
- *  turn, and every fourth touch might be of one array only; nor a hash, which leaves more of one part
- *  than of another. */
+ *  ones, an even sequence of iteration and touch decides, not their rank: loops touch their arrays
+ * in turn, and every fourth touch might be of one array only; nor a hash, which leaves more of one
+ * part than of another. */
 void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array);
 
 /** Drops items until one stands for `keep_each` touches. */
