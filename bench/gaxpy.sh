@@ -42,6 +42,16 @@ run() {
   [ ! -s "$work/report" ] || method=$(jq -r '.loops[0].method' "$work/report")
   echo "$shape,$variant,$round,$median,$first,$bits,$method" >>"$csv"
 }
+# The bound: gcc's program on every core at once, each on a matrix of its own; the slowest of them.
+run_crowd() { # run_crowd SHAPE ROUND
+  local core
+  for core in $(seq "$(nproc)"); do
+    "$work/plain" "$1" "$side" "$calls" >"$work/crowd-$core" &
+  done
+  wait
+  sort -g "$work"/crowd-* | tail -n 1 | awk -v s="$1" -v r="$2" -v n="$(nproc)" \
+    '{print s ",crowd," r "," $1 / n "," $2 / n "," $3 ",-"}' >>"$csv"
+}
 echo "shape,variant,round,seconds,seconds_first,bits,method" >"$csv"
 for shape in "${shapes[@]}"; do
   for round in $(seq "$rounds"); do
@@ -49,6 +59,7 @@ for shape in "${shapes[@]}"; do
     for threads in 1 2; do
       run "$shape" "threads-$threads" "$round" env OMP_NUM_THREADS=$threads "$work/redcc"
     done
+    run_crowd "$shape" "$round"
   done
 done
 
@@ -59,7 +70,7 @@ ratios() {
 }
 echo "seconds of a call (median), plain over variant round by round (median, least to greatest), first call"
 for shape in "${shapes[@]}"; do
-  for variant in plain threads-1 threads-2; do
+  for variant in plain threads-1 threads-2 crowd; do
     printf '%-9s %-10s %9.4f s   ratio %.3f  (%.3f to %.3f)   first %9.4f s   %s\n' "$shape" "$variant" \
       "$(column "$shape" $variant 4 | median)" "$(ratios "$shape" $variant | median)" \
       "$(ratios "$shape" $variant | minimum)" "$(ratios "$shape" $variant | maximum)" \
