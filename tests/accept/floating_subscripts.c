@@ -83,6 +83,13 @@ static void near_ones(int n, double limit) {
     }
 }
 
+/* limit[c], of a type that is const, is part of what a plan depends on. */
+static void by_limits(int n, const double *limit) {
+    for (int c = 0; c < 3; c++)
+        for (int t = 0; t < n; t++) // EXPECT: transformed
+            plain[x[t] < limit[c] ? c : 3 + (t & 7)]++;
+}
+
 int main(void) {
     case_values(x, N);
     case_values(y, N);
@@ -101,6 +108,7 @@ int main(void) {
         clamped(N);
         assign(N / 4);
         near_ones(N, 0.3);
+        by_limits(N, centre[0]);
         CASE_PRINT(plain);
         CASE_PRINT(weighted);
         CASE_PRINT(cell);

@@ -143,7 +143,8 @@ void fill_key(loop_text *loop, writer *out) {
             break;
         default: /* the bits, not the value rounded to an integer */
             writer_line(out, "{");
-            writer_line(out, "    const %s redcc__value = %s;", key->type->spelling, text);
+            writer_line(out, "    %s%s redcc__value = %s;", key->type->is_const ? "" : "const ",
+                        key->type->spelling, text);
             writer_line(out, "    redcc__key[%u] = 0;", i + 1);
             writer_line(out,
                         "    __builtin_memcpy(&redcc__key[%u], &redcc__value, "
