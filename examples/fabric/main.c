@@ -7,8 +7,9 @@
 #include "commands/commands.h"
 #include "words.h"
 
-static const command *const commands[] = {&run_command,    &plan_command, &compare_command,
-                                          &render_command, &mesh_command, &accuracy_command};
+static const command *const commands[] = {&run_command,     &plan_command,   &compare_command,
+                                          &render_command,  &export_command, &mesh_command,
+                                          &accuracy_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static void print_help(FILE *out) {

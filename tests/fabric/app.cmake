@@ -16,7 +16,7 @@ fabric_app_test(scene fabric_scene)
 if(TARGET fabric_app)
   fabric_app_test(state fabric_app)
   fabric_app_test(picture fabric_app)
-  foreach(script accuracy cli run render)
+  foreach(script accuracy cli export run render)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
                      ${scenes_folder} ${app_folder}/${script})

@@ -7,7 +7,7 @@ name=$(basename "$program")
 expect 2 "usage: $name COMMAND" "$program"
 expect 0 "usage: $name COMMAND" "$program" --help
 expect 0 "$name " "$program" --version
-for command in run plan compare render mesh accuracy; do
+for command in run plan compare render export mesh accuracy; do
   expect 0 "usage: $name $command " "$program" $command --help
 done
 expect 2 "unknown command 'rum', did you mean 'run'?" "$program" rum patch

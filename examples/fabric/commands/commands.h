@@ -10,6 +10,7 @@ extern const command run_command;
 extern const command plan_command;
 extern const command compare_command;
 extern const command render_command;
+extern const command export_command;
 extern const command mesh_command;
 extern const command accuracy_command;
 

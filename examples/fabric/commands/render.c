@@ -8,9 +8,9 @@
 #include "commands/commands.h"
 #include "files.h"
 #include "output/camera.h"
+#include "output/frames.h"
 #include "output/picture.h"
 #include "output/stage.h"
-#include "output/state.h"
 #include "surface.h"
 
 enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_ROWS };
@@ -25,12 +25,9 @@ static const option render_options[] = {
 /** A run's folder being drawn. */
 typedef struct job {
     const char *folder;
-    char frames_folder[FILE_PATH_SIZE];
+    frames frames;
     int width, height;
     scene of;
-    long *steps; /* [count] numbers of the frames */
-    int count;
-    state first;     /* the frame that has the triangles */
     float *material; /* [2 * vertices] m, from the first frame: the cloth is flat in it */
     camera from;
     stage *drawing;
@@ -42,21 +39,9 @@ static int out_of_memory(void) {
     return -1;
 }
 
-static int read_frame(const job *j, int number, state *s) {
-    char name[32], path[FILE_PATH_SIZE];
-    snprintf(name, sizeof name, "%04ld.state", j->steps[number]);
-    if (files_join(path, j->frames_folder, name) != 0 || state_read(s, path) != 0)
-        return -1;
-    if (number == 0 ? s->triangle != NULL : s->vertex_count == j->first.vertex_count)
-        return 0;
-    fprintf(stderr, "%s: not a frame of this run\n", path);
-    state_free(s);
-    return -1;
-}
-
 /** Coordinates in the plane of the flat cloth, along two of its own directions. */
 static int find_material(job *j) {
-    const state *s = &j->first;
+    const state *s = &j->frames.first;
     const double *n = j->of.normal;
     const double across[3] = {fabs(n[2]) < 0.9 ? -n[1] : 1.0, fabs(n[2]) < 0.9 ? n[0] : 0.0, 0.0};
     const double length = sqrt(across[0] * across[0] + across[1] * across[1]);
@@ -106,22 +91,22 @@ static long collider_points(const job *j, double time, double (*points)[3]) {
 static int place_camera(job *j) {
     static const double back[3] = {0.8, -1.0, 0.5};
     const long of_solids = 8L * j->of.collider_count;
-    const long all = (long)j->count * j->first.vertex_count;
+    const long all = (long)j->frames.count * j->frames.first.vertex_count;
     const long every = all / MOST_CAMERA_POINTS + 1;
     long count = 0;
     int status = 0;
     double(*points)[3] =
-        malloc(((size_t)(all / every + j->count) + 2 * (size_t)of_solids) * sizeof *points);
+        malloc(((size_t)(all / every + j->frames.count) + 2 * (size_t)of_solids) * sizeof *points);
     if (!points)
         return out_of_memory();
-    for (int number = 0; status == 0 && number < j->count; number++) {
+    for (int number = 0; status == 0 && number < j->frames.count; number++) {
         state s;
-        status = read_frame(j, number, &s);
+        status = frames_read(&j->frames, number, &s);
         if (status != 0)
             break;
         for (long v = 0; v < s.vertex_count; v += every)
             memcpy(points[count++], &s.position[3 * v], sizeof *points);
-        if (number == 0 || number == j->count - 1)
+        if (number == 0 || number == j->frames.count - 1)
             count += collider_points(j, s.time, points + count);
         state_free(&s);
     }
@@ -134,14 +119,7 @@ static int place_camera(job *j) {
 static int open_job(job *j) {
     char path[FILE_PATH_SIZE];
     if (files_join(path, j->folder, "scene.yaml") != 0 || scene_read(&j->of, path) != 0 ||
-        files_join(j->frames_folder, j->folder, "frames") != 0)
-        return -1;
-    j->count = files_numbered(j->frames_folder, ".state", &j->steps);
-    if (j->count == 0)
-        fprintf(stderr, "%s: no frames, which 'run' writes unless --frames is 0\n",
-                j->frames_folder);
-    if (j->count <= 0 || read_frame(j, 0, &j->first) != 0 || find_material(j) != 0 ||
-        place_camera(j) != 0)
+        frames_open(&j->frames, j->folder) != 0 || find_material(j) != 0 || place_camera(j) != 0)
         return -1;
     if (picture_new(&j->sheet, SHEET_COLUMNS * (j->width / 2), SHEET_ROWS * (j->height / 2)) != 0)
         return out_of_memory();
@@ -153,21 +131,20 @@ static int open_job(job *j) {
 static void close_job(job *j) {
     stage_free(j->drawing);
     picture_free(&j->sheet);
-    state_free(&j->first);
+    frames_close(&j->frames);
     free(j->material);
-    free(j->steps);
     scene_free(&j->of);
 }
 
 /** The frame's places on the contact sheet: eight frames, evenly; fewer frames leave places free.
  */
 static int put_on_sheet(job *j, int number, const picture *frame) {
-    const int last = j->count - 1;
+    const int last = j->frames.count - 1;
     picture small;
     if (picture_halve(frame, &small) != 0)
         return out_of_memory();
     for (int place = 0; place < SHEET_FRAMES; place++) {
-        const int wanted = j->count <= SHEET_FRAMES
+        const int wanted = j->frames.count <= SHEET_FRAMES
                                ? place
                                : (place * last + (SHEET_FRAMES - 1) / 2) / (SHEET_FRAMES - 1);
         if (wanted == number)
@@ -185,8 +162,8 @@ static int save_frame(job *j, int number, const picture *large, double time) {
         return out_of_memory();
     snprintf(label, sizeof label, "t = %.2f s", time);
     picture_text(&frame, j->width / 40, j->height / 30, j->height / 360 + 1, label);
-    snprintf(name, sizeof name, "%04ld.png", j->steps[number]);
-    const int status = files_join(path, j->frames_folder, name) == 0 &&
+    snprintf(name, sizeof name, "%04ld.png", j->frames.steps[number]);
+    const int status = files_join(path, j->frames.folder, name) == 0 &&
                                picture_write_png(&frame, path) == 0 &&
                                put_on_sheet(j, number, &frame) == 0
                            ? 0
@@ -198,10 +175,10 @@ static int save_frame(job *j, int number, const picture *large, double time) {
 static int draw_frame(job *j, int number) {
     state s;
     picture large;
-    if (read_frame(j, number, &s) != 0)
+    if (frames_read(&j->frames, number, &s) != 0)
         return -1;
-    const stage_cloth cloth = {j->first.vertex_count, j->first.triangle_count, s.position,
-                               j->first.triangle, j->material};
+    const stage_cloth cloth = {j->frames.first.vertex_count, j->frames.first.triangle_count,
+                               s.position, j->frames.first.triangle, j->material};
     int status = stage_draw(j->drawing, &j->from, &cloth, s.time, &large);
     if (status == 0) {
         status = save_frame(j, number, &large, s.time);
@@ -215,13 +192,13 @@ static int render(job *j) {
     char path[FILE_PATH_SIZE];
     if (open_job(j) != 0)
         return -1;
-    for (int number = 0; number < j->count; number++)
+    for (int number = 0; number < j->frames.count; number++)
         if (draw_frame(j, number) != 0)
             return -1;
     if (files_join(path, j->folder, "contact-sheet.png") != 0 ||
         picture_write_png(&j->sheet, path) != 0)
         return -1;
-    printf("%d pictures in %s, eight of them on %s\n", j->count, j->frames_folder, path);
+    printf("%d pictures in %s, eight of them on %s\n", j->frames.count, j->frames.folder, path);
     return 0;
 }
 

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* fabric export: the frames of a run for other programs. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "commands/commands.h"
+#include "files.h"
+#include "output/exchange.h"
+#include "output/frames.h"
+
+enum { FORMAT, OUTPUT };
+static const option export_options[] = {
+    [FORMAT] = {"--format", "FORMAT", "pc2, mdd, obj, ply or vtu (default pc2)"},
+    [OUTPUT] = {"-o", "PATH",
+                "where to: a file for pc2 and mdd (default DIR/cloth.FORMAT), a "
+                "folder for the others (default DIR/FORMAT)"},
+    {NULL, NULL, NULL}};
+
+typedef enum format { PC2, MDD, OBJ, PLY, VTU } format;
+static const char *const formats[] = {"pc2", "mdd", "obj", "ply", "vtu", NULL};
+
+/** A run's folder being exported. */
+typedef struct job {
+    const char *folder;
+    char path[FILE_PATH_SIZE];
+    frames frames;
+    double *time;     /* [frames.count] s */
+    char (*name)[32]; /* [frames.count] of files of one frame */
+    cloth_frames of;
+} job;
+
+static int read_frame(void *context, int number, state *s) {
+    return frames_read(context, number, s);
+}
+
+static int read_times(job *j) {
+    for (int k = 0; k < j->frames.count; k++) {
+        state s;
+        if (frames_read(&j->frames, k, &s) != 0)
+            return -1;
+        j->time[k] = s.time;
+        state_free(&s);
+    }
+    return 0;
+}
+
+static int open_job(job *j) {
+    if (frames_open(&j->frames, j->folder) != 0)
+        return -1;
+    const size_t count = (size_t)j->frames.count;
+    j->time = malloc(count * sizeof *j->time);
+    j->name = malloc(count * sizeof *j->name);
+    if (!j->time || !j->name) {
+        fprintf(stderr, "export: out of memory\n");
+        return -1;
+    }
+    j->of = (cloth_frames){.count = j->frames.count,
+                           .time = j->time,
+                           .vertex_count = j->frames.first.vertex_count,
+                           .triangle_count = j->frames.first.triangle_count,
+                           .triangle = j->frames.first.triangle,
+                           .read = read_frame,
+                           .context = &j->frames};
+    return read_times(j);
+}
+
+static void close_job(job *j) {
+    free(j->time);
+    free(j->name);
+    frames_close(&j->frames);
+}
+
+/** A file for each frame, NNNN.FORMAT; of vtu a collection, cloth.pvd, as well. */
+static int write_files(job *j, format as) {
+    static int (*const write_file[])(const cloth_frames *, const state *, const char *) = {
+        [OBJ] = obj_frame_write, [PLY] = ply_write, [VTU] = vtu_write};
+    char path[FILE_PATH_SIZE];
+    if (files_make_folder(j->path) != 0)
+        return -1;
+    for (int k = 0; k < j->frames.count; k++) {
+        state s;
+        snprintf(j->name[k], sizeof j->name[k], "%04ld.%s", j->frames.steps[k], formats[as]);
+        if (files_join(path, j->path, j->name[k]) != 0 || frames_read(&j->frames, k, &s) != 0)
+            return -1;
+        const int status = write_file[as](&j->of, &s, path);
+        state_free(&s);
+        if (status != 0)
+            return -1;
+    }
+    if (as != VTU)
+        return 0;
+    return files_join(path, j->path, "cloth.pvd") == 0 ? pvd_write(&j->of, j->name, path) : -1;
+}
+
+static int write_all(job *j, format as) {
+    switch (as) {
+    case PC2:
+        return pc2_write(&j->of, j->path);
+    case MDD:
+        return mdd_write(&j->of, j->path);
+    default:
+        return write_files(j, as);
+    }
+}
+
+static int choose_path(job *j, format as, const char *given) {
+    char name[32];
+    snprintf(name, sizeof name, as == PC2 || as == MDD ? "cloth.%s" : "%s", formats[as]);
+    if (!given)
+        return files_join(j->path, j->folder, name);
+    if (snprintf(j->path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
+        return 0;
+    fprintf(stderr, "%.100s...: path too long\n", given);
+    return -1;
+}
+
+static int run(const command *self, int argc, char **argv) {
+    options o = {self, argc, argv, 0, NULL, 0};
+    job j = {0};
+    const char *path = NULL;
+    int as = PC2;
+    for (int next; (next = options_next(&o)) != OPTIONS_END;)
+        switch (next) {
+        case FORMAT:
+            if ((as = options_choice(&o, "--format", formats)) < 0)
+                return EXIT_USAGE;
+            break;
+        case OUTPUT:
+            path = o.value;
+            break;
+        case OPTIONS_WORD:
+            if (j.folder)
+                return options_complain(self, "one folder at a time, not '%s' as well", o.value);
+            j.folder = o.value;
+            break;
+        case OPTIONS_HELP:
+            return EXIT_SUCCESS;
+        default:
+            return EXIT_USAGE;
+        }
+    if (!j.folder)
+        return options_complain(self, "which folder? %s", self->synopsis);
+    const int status = open_job(&j) == 0 && choose_path(&j, (format)as, path) == 0
+                           ? write_all(&j, (format)as)
+                           : -1;
+    if (status == 0)
+        printf("%d frames of %d vertices in %s\n", j.of.count, j.of.vertex_count, j.path);
+    close_job(&j);
+    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+const command export_command = {
+    "export", "DIR [options]",
+    "Writes the frames of a run for other programs: point caches (pc2, "
+    "mdd: Blender's\nmesh cache), or a file for each frame (obj, ply; vtu "
+    "with a collection, for ParaView).",
+    export_options, run};

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The states that `run` has kept in DIR/frames, of which the first has the triangles. */
+#ifndef FABRIC_OUTPUT_FRAMES_H
+#define FABRIC_OUTPUT_FRAMES_H
+
+#include "files.h"
+#include "output/state.h"
+
+typedef struct frames {
+    char folder[FILE_PATH_SIZE]; /* DIR/frames */
+    long *steps;                 /* [count] numbers of the frames, ascending */
+    int count;
+    state first;
+} frames;
+
+/** Finds the frames of the run in `folder` and reads the first. 0, or -1 after a message;
+ *  frames_close in either case. */
+int frames_open(frames *f, const char *folder);
+void frames_close(frames *f);
+
+/** Reads frame 0 <= number < count; state_free frees it. 0, or -1 after a message. */
+int frames_read(const frames *f, int number, state *s);
+
+#endif
