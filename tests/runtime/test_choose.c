@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What `auto` chooses by, and its decision table in docs/methods.md. */
+#include "choose.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* What executions of a loop take, in seconds. */
+struct times {
+    double serial, parallel, graph;
+};
+
+static enum course course_of(struct chooser *chooser, redcc_int trip) {
+    return redcc_choose_course(chooser, trip, 2, 0).course;
+}
+
+/* Executions as auto plans them, each taking what is said; returns how many ran in parallel without
+ * the graph, and adds those with it to *by_graph. */
+static int simulate_with(struct chooser *chooser, redcc_int trip, int calls, struct times times,
+                         double budget, int *by_graph) {
+    int count = 0;
+    for (int call = 0; call < calls; call++) {
+        const struct choice choice = redcc_choose_course(chooser, trip, 2, budget);
+        if (choice.course == COURSE_SOLO)
+            redcc_choose_learn(chooser, trip, choice.course, false, times.serial);
+        if (choice.course != COURSE_PARALLEL)
+            continue;
+        *by_graph += choice.by_graph;
+        count += !choice.by_graph;
+        const double seconds = choice.by_graph ? times.graph : times.parallel;
+        redcc_choose_learn(chooser, trip, choice.course, choice.by_graph, seconds);
+    }
+    return count;
+}
+
+static int simulate(struct chooser *chooser, redcc_int trip, int calls, double serial,
+                    double parallel) {
+    int by_graph = 0;
+    const struct times times = {serial, parallel, 0};
+    const int count = simulate_with(chooser, trip, calls, times, 1e9, &by_graph);
+    assert_int_equal(by_graph, 0);
+    return count;
+}
+
+static void the_faster_course_is_kept(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    assert_int_equal(course_of(&chooser, 10), COURSE_SERIAL);        /* a small loop's first call */
+    assert_in_range(simulate(&chooser, 10, 1000, 2e-6, 9e-6), 0, 0); /* too little work */
+    assert_int_equal(course_of(&chooser, 100000), COURSE_PARALLEL);
+    assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 1e-3) >= 998);
+    assert_true(simulate(&chooser, 5000, 1000, 1e-4, 2e-4) <= 3 * 3);
+    assert_true(simulate(&chooser, 1000, 1000, 1e-3, 6e-4) >= 996);
+    /* it was faster once and is no longer */
+    assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 3e-3) <= 16 + 3 * 3);
+}
+
+/* A shuffled loop: 0.75 of the iterations for each of two, 100000 touches. */
+static const struct findings shuffled = {
+    .trip = 50000, .threads = 2, .share = 0.75, .touches = 1e5, .swept = true, .reusable = true};
+
+static void a_graph_is_cut_when_the_budget_allows_it(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    const struct times times = {1e-3, 0.9e-3, 0.6e-3};
+    int by_graph = 0;
+    assert_int_equal(course_of(&chooser, shuffled.trip), COURSE_PARALLEL);
+    assert_int_equal(redcc_choose_way(&chooser, &shuffled), RULE_INDEX);
+    simulate_with(&chooser, shuffled.trip, 100, times, 1e-4, &by_graph);
+    assert_int_equal(by_graph, 0);
+    assert_int_equal(redcc_choose_rule(&chooser, shuffled.trip), RULE_FASTER);
+    simulate_with(&chooser, shuffled.trip, 100, times, 1, &by_graph);
+    assert_int_equal(by_graph, 100);
+    assert_int_equal(redcc_choose_rule(&chooser, shuffled.trip), RULE_GRAPH_KEPT);
+    struct findings changed = shuffled; /* other subscripts: only while the budget allows it */
+    changed.by_graph = true;
+    changed.budget = 1;
+    assert_int_equal(redcc_choose_way(&chooser, &changed), RULE_GRAPH);
+    simulate_with(&chooser, shuffled.trip, 100, times, 1, &by_graph);
+    changed.budget = 0;
+    assert_int_equal(redcc_choose_way(&chooser, &changed), RULE_INDEX);
+    by_graph = 0;
+    simulate_with(&chooser, shuffled.trip, 100, times, 0, &by_graph);
+    assert_int_equal(by_graph, 0);
+}
+
+/* The subscripts are others in each call. */
+static void graphs_cut_in_vain_become_rare(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    struct findings changed = shuffled;
+    const struct times times = {1e-3, 0.9e-3, 5e-3};
+    int by_graph = 0, cut = 0;
+    changed.budget = 1e9;
+    course_of(&chooser, shuffled.trip);
+    redcc_choose_way(&chooser, &shuffled);
+    simulate_with(&chooser, shuffled.trip, 10, times, 0, &by_graph);
+    for (int call = 0; call < 1000; call++) {
+        const struct choice choice =
+            redcc_choose_course(&chooser, shuffled.trip, 2, changed.budget);
+        changed.by_graph = choice.by_graph;
+        const bool graph = redcc_choose_way(&chooser, &changed) == RULE_GRAPH;
+        cut += graph;
+        redcc_choose_learn(&chooser, shuffled.trip, choice.course, graph,
+                           graph ? times.graph : times.parallel);
+    }
+    assert_in_range(cut, 1, 6);
+}
+
+static void a_graph_that_does_not_pay_is_left_alone(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    const struct times times = {1e-3, 0.6e-3, 0.9e-3};
+    int by_graph = 0;
+    course_of(&chooser, shuffled.trip);
+    redcc_choose_way(&chooser, &shuffled);
+    simulate_with(&chooser, shuffled.trip, 1000, times, 1, &by_graph);
+    assert_in_range(by_graph, 3, 3);
+    assert_int_equal(redcc_choose_rule(&chooser, shuffled.trip), RULE_GRAPH_LOST);
+    redcc_choose_no_graph(&chooser, shuffled.trip);
+}
+
+static void the_rows_of_the_decision_table(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    struct findings findings = shuffled;
+    findings.share = 0.54;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_EVEN);
+    findings.share = 0.56;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_INDEX);
+    findings.share = 0.9;
+    findings.copies = true;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_COPIES);
+    findings.copies = false;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_SERIAL);
+    findings.swept = false;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_DEFERRED);
+    findings.budget = 1;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_SERIAL);
+    findings.by_graph = true;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_GRAPH);
+}
+
+/* docs/methods.md shows the decision table as the runtime has it. */
+static void the_decision_table_is_documented(void **unused) {
+    (void)unused;
+    static const char *const rows[] = {
+#define ROW(id, known, done) "\n| " known " | " done " |\n",
+        REDCC_RULE_LIST(ROW)
+#undef ROW
+    };
+    static char text[1 << 17];
+    FILE *in = fopen(METHODS_PAGE, "r");
+    assert_non_null(in);
+    text[fread(text, 1, sizeof text - 1, in)] = '\0';
+    fclose(in);
+    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++)
+        if (!strstr(text, rows[row]))
+            fail_msg("docs/methods.md lacks the row:%s", rows[row]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_faster_course_is_kept),
+        cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
+        cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
+        cmocka_unit_test(graphs_cut_in_vain_become_rare),
+        cmocka_unit_test(the_rows_of_the_decision_table),
+        cmocka_unit_test(the_decision_table_is_documented),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
