@@ -8,7 +8,6 @@ static const double even_share = 1.1;      /* of an equal share of the iteration
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
-static const double graph_touch = 40e-9; /* and cutting the graph */
 
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
     return &chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)];
@@ -233,7 +232,7 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
         return trial->rule;
     }
     if (findings->reusable && trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
-        trial->graph_seconds = findings->touches * graph_touch;
+        trial->graph_seconds = findings->touches * redcc_graph_touch;
     if (findings->by_graph && trial->graph != GRAPH_LOST && !cut_in_vain(trial, findings->trip)) {
         if (findings->budget >= trial->graph_seconds)
             return trial->rule = RULE_GRAPH;

@@ -22,6 +22,9 @@ enum course {
     COURSE_PARALLEL /* a method */
 };
 
+/** Seconds that cutting the access graph takes for a touch. */
+static const double redcc_graph_touch = 40e-9;
+
 /** How far ownership by the access graph has come. */
 enum graph_trial { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
 

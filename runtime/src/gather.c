@@ -9,8 +9,7 @@
 
 static const double uneven = 1.25;       /* of an equal share of the iterations */
 static const double shorter = 0.9;       /* than by the owners that were cut */
-static const double graph_touch = 40e-9; /* seconds that cutting takes for a touch (choose.c), */
-static const double level_touch = 20e-9; /* and putting in levels */
+static const double level_touch = 20e-9; /* seconds that putting in levels takes for a touch */
 
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
 static size_t expected_touches(const struct member *member, bool leading) {
@@ -104,10 +103,14 @@ int redcc_gathering(redcc_worker *worker) {
     return 0;
 }
 
+static bool begin_levels(struct execution *execution) {
+    return redcc_levels_begin(&execution->levels, execution->divide.told, execution->threads,
+                              execution->request.loop->flags & REDCC_EVERY_ITERATION);
+}
+
 /* Alone: each iteration's level depends on those before it. */
 static void put_in_levels(struct execution *execution) {
-    const bool every = execution->request.loop->flags & REDCC_EVERY_ITERATION;
-    if (redcc_levels_begin(&execution->levels, execution->divide.told, execution->threads, every)) {
+    if (begin_levels(execution)) {
         redcc_divide_tidy(&execution->divide);
         redcc_make_plan(execution);
     } else {
@@ -119,12 +122,10 @@ static void put_in_levels(struct execution *execution) {
  * by levels? If so they are there. */
 static bool levels_serve_better(struct execution *execution, double share) {
     const double all = (double)execution->request.trip;
-    const bool every = execution->request.loop->flags & REDCC_EVERY_ITERATION;
     if (execution->method || share * execution->threads <= uneven ||
-        redcc_budget() < execution->touches * all * (graph_touch + level_touch))
+        redcc_budget() < execution->touches * all * (redcc_graph_touch + level_touch))
         return false;
-    return redcc_levels_begin(&execution->levels, execution->divide.told, execution->threads,
-                              every) &&
+    return begin_levels(execution) &&
            redcc_levels_length(&execution->levels, execution->threads) < shorter * share * all;
 }
 
