@@ -1,45 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/exchange.h"
 
-#include <errno.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
-
-/** A file being written beside its name. */
-typedef struct fresh_file {
-    const char *path;
-    char beside[FILE_PATH_SIZE];
-    FILE *file;
-} fresh_file;
-
-static int complain(const char *path) {
-    fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
-    return -1;
-}
-
-static int fresh_open(fresh_file *f, const char *path) {
-    f->path = path;
-    errno = ENAMETOOLONG;
-    if (snprintf(f->beside, FILE_PATH_SIZE, "%s.partial", path) >= FILE_PATH_SIZE)
-        return complain(path);
-    f->file = fopen(f->beside, "wb");
-    return f->file ? 0 : complain(path);
-}
-
-/** Gives the file its name, unless what went before failed. */
-static int fresh_close(fresh_file *f, int status) {
-    int failed = ferror(f->file);
-    failed = fclose(f->file) != 0 || failed;
-    if (status == 0 && (failed || rename(f->beside, f->path) != 0))
-        status = complain(f->path);
-    if (status != 0)
-        remove(f->beside);
-    return status;
-}
+#include "output/fresh_file.h"
 
 typedef enum byte_order { LITTLE, BIG } byte_order;
 
@@ -71,7 +36,7 @@ static int put_positions(const cloth_frames *frames, FILE *file, byte_order orde
 
 int pc2_write(const cloth_frames *frames, const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     fwrite("POINTCACHE2", 1, 12, f.file); /* with its 0 */
     put_word(f.file, 1, LITTLE);
@@ -79,23 +44,23 @@ int pc2_write(const cloth_frames *frames, const char *path) {
     put_float(f.file, 0, LITTLE); /* the first frame */
     put_float(f.file, 1, LITTLE); /* frames a sample */
     put_word(f.file, (uint32_t)frames->count, LITTLE);
-    return fresh_close(&f, put_positions(frames, f.file, LITTLE));
+    return fresh_file_close(&f, put_positions(frames, f.file, LITTLE));
 }
 
 int mdd_write(const cloth_frames *frames, const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     put_word(f.file, (uint32_t)frames->count, BIG);
     put_word(f.file, (uint32_t)frames->vertex_count, BIG);
     for (int number = 0; number < frames->count; number++)
         put_float(f.file, frames->time[number], BIG);
-    return fresh_close(&f, put_positions(frames, f.file, BIG));
+    return fresh_file_close(&f, put_positions(frames, f.file, BIG));
 }
 
 int ply_write(const cloth_frames *frames, const state *s, const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     fprintf(f.file, "ply\nformat ascii 1.0\ncomment time %.9g s\n", s->time);
     fprintf(f.file, "element vertex %d\nproperty float x\nproperty float y\nproperty float z\n",
@@ -108,12 +73,12 @@ int ply_write(const cloth_frames *frames, const state *s, const char *path) {
     for (int t = 0; t < frames->triangle_count; t++)
         fprintf(f.file, "3 %d %d %d\n", frames->triangle[3 * t], frames->triangle[3 * t + 1],
                 frames->triangle[3 * t + 2]);
-    return fresh_close(&f, 0);
+    return fresh_file_close(&f, 0);
 }
 
 int obj_frame_write(const cloth_frames *frames, const state *s, const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     for (int v = 0; v < frames->vertex_count; v++)
         fprintf(f.file, "v %.9g %.9g %.9g\n", s->position[3 * v], s->position[3 * v + 1],
@@ -121,7 +86,7 @@ int obj_frame_write(const cloth_frames *frames, const state *s, const char *path
     for (int t = 0; t < frames->triangle_count; t++)
         fprintf(f.file, "f %d %d %d\n", frames->triangle[3 * t] + 1,
                 frames->triangle[3 * t + 1] + 1, frames->triangle[3 * t + 2] + 1);
-    return fresh_close(&f, 0);
+    return fresh_file_close(&f, 0);
 }
 
 static void put_cells(const cloth_frames *frames, FILE *file) {
@@ -141,7 +106,7 @@ static void put_cells(const cloth_frames *frames, FILE *file) {
 
 int vtu_write(const cloth_frames *frames, const state *s, const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     fputs("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n", f.file);
     fprintf(f.file, "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
@@ -154,12 +119,12 @@ int vtu_write(const cloth_frames *frames, const state *s, const char *path) {
     fputs("</DataArray>\n</Points>\n", f.file);
     put_cells(frames, f.file);
     fputs("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n", f.file);
-    return fresh_close(&f, 0);
+    return fresh_file_close(&f, 0);
 }
 
 int pvd_write(const cloth_frames *frames, char (*file)[32], const char *path) {
     fresh_file f;
-    if (fresh_open(&f, path) != 0)
+    if (fresh_file_open(&f, path) != 0)
         return -1;
     fputs("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n",
           f.file);
@@ -167,5 +132,5 @@ int pvd_write(const cloth_frames *frames, char (*file)[32], const char *path) {
         fprintf(f.file, "<DataSet timestep=\"%.9g\" part=\"0\" file=\"%s\"/>\n", frames->time[k],
                 file[k]);
     fputs("</Collection>\n</VTKFile>\n", f.file);
-    return fresh_close(&f, 0);
+    return fresh_file_close(&f, 0);
 }

@@ -9,36 +9,23 @@
 #include <string.h>
 
 #include "mesh_parts.h"
+#include "output/fresh_file.h"
 
 int obj_write(const mesh *m, const char *path) {
-    char *beside = malloc(strlen(path) + sizeof ".partial");
-    if (!beside) {
-        fprintf(stderr, "%s: out of memory\n", path);
+    fresh_file f;
+    if (fresh_file_open(&f, path) != 0)
         return -1;
+    for (int v = 0; v < m->vertex_count; v++)
+        fprintf(f.file, "v %.17g %.17g %.17g\n", m->position[v][0], m->position[v][1],
+                m->position[v][2]);
+    for (int v = 0; v < m->vertex_count; v++)
+        fprintf(f.file, "vt %.17g %.17g\n", m->material[v][0], m->material[v][1]);
+    for (int t = 0; t < m->triangle_count; t++) {
+        const int *c = m->triangle[t];
+        fprintf(f.file, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1, c[2] + 1,
+                c[2] + 1);
     }
-    sprintf(beside, "%s.partial", path); /* its room was made for this */
-    FILE *file = fopen(beside, "w");
-    int failed = !file;
-    if (file) {
-        for (int v = 0; v < m->vertex_count; v++)
-            fprintf(file, "v %.17g %.17g %.17g\n", m->position[v][0], m->position[v][1],
-                    m->position[v][2]);
-        for (int v = 0; v < m->vertex_count; v++)
-            fprintf(file, "vt %.17g %.17g\n", m->material[v][0], m->material[v][1]);
-        for (int t = 0; t < m->triangle_count; t++) {
-            const int *c = m->triangle[t];
-            fprintf(file, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1, c[2] + 1,
-                    c[2] + 1);
-        }
-        failed = ferror(file);
-        failed = fclose(file) != 0 || failed || rename(beside, path) != 0;
-        if (failed)
-            remove(beside);
-    }
-    if (failed)
-        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
-    free(beside);
-    return failed ? -1 : 0;
+    return fresh_file_close(&f, 0);
 }
 
 /** A file being read, line by line; first counted, then filled into the mesh. */

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/fresh_file.h"
+
 int picture_new(picture *p, int width, int height) {
     const size_t size = 3 * (size_t)width * (size_t)height;
     *p = (picture){width, height, malloc(size)};
@@ -91,19 +93,11 @@ int picture_write_png(const picture *p, const char *path) {
                        .width = (png_uint_32)p->width,
                        .height = (png_uint_32)p->height,
                        .format = PNG_FORMAT_RGB};
-    char *beside = malloc(strlen(path) + sizeof ".partial");
-    if (!beside) {
-        fprintf(stderr, "%s: out of memory\n", path);
+    fresh_file f;
+    if (fresh_file_open(&f, path) != 0)
         return -1;
-    }
-    sprintf(beside, "%s.partial", path); /* its room was made for this */
-    const int written = png_image_write_to_file(&image, beside, 0, p->rgb, 0, NULL) != 0;
-    int status = 0;
-    if (!written || rename(beside, path) != 0) {
-        fprintf(stderr, "%s: cannot be written: %s\n", path, written ? "rename" : image.message);
-        remove(beside);
-        status = -1;
-    }
-    free(beside);
-    return status;
+    const int written = png_image_write_to_stdio(&image, f.file, 0, p->rgb, 0, NULL) != 0;
+    if (!written)
+        fprintf(stderr, "%s: cannot be written: %s\n", path, image.message);
+    return fresh_file_close(&f, written ? 0 : -1);
 }

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/fresh_file.h"
+
 typedef struct file_header {
     char magic[8];
     uint32_t byte_order;
@@ -90,16 +92,12 @@ static void pack(const state *s, layout l, char *payload) {
 }
 
 static int write_file(const char *path, const file_header *header, const char *payload) {
-    FILE *file = fopen(path, "wb");
-    if (!file)
-        return complain_errno(path, "cannot be written");
-    const int whole = fwrite(header, sizeof *header, 1, file) == 1 &&
-                      fwrite(payload, 1, header->payload_size, file) == header->payload_size;
-    if (fclose(file) == 0 && whole)
-        return 0;
-    complain_errno(path, "cannot be written");
-    remove(path);
-    return -1;
+    fresh_file f;
+    if (fresh_file_open(&f, path) != 0)
+        return -1;
+    fwrite(header, sizeof *header, 1, f.file);
+    fwrite(payload, 1, header->payload_size, f.file);
+    return fresh_file_close(&f, 0);
 }
 
 int state_write(const state *s, const char *path) {
@@ -114,19 +112,12 @@ int state_write(const state *s, const char *path) {
                           .payload_size = layout_size(l)};
     memcpy(header.magic, MAGIC, sizeof MAGIC);
     char *payload = malloc(header.payload_size + 1);
-    char *beside = malloc(strlen(path) + sizeof ".partial");
-    int status = -1;
-    if (payload && beside) {
-        pack(s, l, payload);
-        header.checksum = file_checksum(header, payload);
-        sprintf(beside, "%s.partial", path); /* its room was made for this */
-        status = write_file(beside, &header, payload);
-        if (status == 0 && rename(beside, path) != 0)
-            status = complain_errno(path, "cannot be written");
-    } else
-        complain(path, "out of memory");
+    if (!payload)
+        return complain(path, "out of memory");
+    pack(s, l, payload);
+    header.checksum = file_checksum(header, payload);
+    const int status = write_file(path, &header, payload);
     free(payload);
-    free(beside);
     return status;
 }
 

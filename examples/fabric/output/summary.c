@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/fresh_file.h"
+
 const char *summary_phase_name(int phase_number) {
     static const char *const names[PHASE_COUNT] = {[PHASE_FORCES] = "forces",
                                                    [PHASE_COLLISIONS] = "collisions",
@@ -76,19 +78,17 @@ static json_t *summary_of(const run_account *run) {
 
 int summary_write(const run_account *run, const char *path) {
     json_t *summary = summary_of(run);
-    char *beside = malloc(strlen(path) + sizeof ".partial");
+    fresh_file f;
     int status = -1;
-    if (summary && beside) {
-        sprintf(beside, "%s.partial", path); /* its room was made for this */
-        if (json_dump_file(summary, beside, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) == 0 &&
-            rename(beside, path) == 0)
-            status = 0;
-        else
-            fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
-    } else
+    if (!summary)
         fprintf(stderr, "%s: out of memory\n", path);
+    else if (fresh_file_open(&f, path) == 0) {
+        status = json_dumpf(summary, f.file, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+        if (status != 0)
+            fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+        status = fresh_file_close(&f, status);
+    }
     json_decref(summary);
-    free(beside);
     return status;
 }
 

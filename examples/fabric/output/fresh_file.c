@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "output/fresh_file.h"
+
+#include <errno.h>
+#include <string.h>
+
+static int complain(const char *path) {
+    fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+    return -1;
+}
+
+int fresh_file_open(fresh_file *f, const char *path) {
+    f->path = path;
+    errno = ENAMETOOLONG;
+    if (snprintf(f->beside, FILE_PATH_SIZE, "%s.partial", path) >= FILE_PATH_SIZE)
+        return complain(path);
+    f->file = fopen(f->beside, "wb");
+    return f->file ? 0 : complain(path);
+}
+
+int fresh_file_close(fresh_file *f, int status) {
+    int failed = ferror(f->file);
+    failed = fclose(f->file) != 0 || failed;
+    if (status == 0 && (failed || rename(f->beside, f->path) != 0))
+        status = complain(f->path);
+    if (status != 0)
+        remove(f->beside);
+    return status;
+}

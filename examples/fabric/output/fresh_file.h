@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Files that are written beside their name and get it when they are whole. */
+#ifndef FABRIC_OUTPUT_FRESH_FILE_H
+#define FABRIC_OUTPUT_FRESH_FILE_H
+
+#include <stdio.h>
+
+#include "files.h"
+
+typedef struct fresh_file {
+    const char *path; /* by reference */
+    char beside[FILE_PATH_SIZE];
+    FILE *file; /* to be written to */
+} fresh_file;
+
+/** Begins one. 0, or -1 after a message: then there is nothing to close. */
+int fresh_file_open(fresh_file *f, const char *path);
+
+/** Gives the file its name where `status`, what became of it so far, is 0; else removes it. Returns
+ *  the status, or -1 after a message. */
+int fresh_file_close(fresh_file *f, int status);
+
+#endif
