@@ -30,6 +30,16 @@ expect_same_result() { # COMPILER ARGUMENTS...
   cmp -s "$work/compiler.messages" "$work/wrapper.messages" ||
     fail "$case_name: $*: $(diff "$work/compiler.messages" "$work/wrapper.messages")"
 }
+# The same of each compiler with each line of arguments.
+expect_same_results() { # "ARGUMENTS"...
+  local compiler arguments
+  for compiler in $compilers; do
+    for arguments in "$@"; do
+      # shellcheck disable=SC2086
+      expect_same_result $compiler $arguments
+    done
+  done
+}
 expect_translated() { expect_match "$RECORD" '^redcc'; rm -f "$RECORD"; }
 
 begin "the long names of gcc's options"
@@ -50,22 +60,12 @@ end
 begin "an option whose argument is missing"
 printf '%s' "$source_text" >x.c
 cc -c x.c -o y.o
-for compiler in $compilers; do
-  for arguments in "-c x.c -o" "x.c -o" "y.o -o" "x.c -x"; do
-    # shellcheck disable=SC2086
-    expect_same_result $compiler $arguments
-  done
-done
+expect_same_results "-c x.c -o" "x.c -o" "y.o -o" "x.c -x"
 end
 
 begin "an input that is missing, or is none"
 printf '%s' "$source_text" >x.c
-for compiler in $compilers; do
-  for arguments in "-c x.c missing.c" "x.c missing.o -o p" "missing.c" "x.c . -o p"; do
-    # shellcheck disable=SC2086
-    expect_same_result $compiler $arguments
-  done
-done
+expect_same_results "-c x.c missing.c" "x.c missing.o -o p" "missing.c" "x.c . -o p"
 end
 
 begin "dependencies on standard output"

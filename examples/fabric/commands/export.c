@@ -33,6 +33,8 @@ static int read_frame(void *context, int number, state *s) {
     return frames_read(context, number, s);
 }
 
+/** Reads all of it once before anything is written, so that a damaged frame leaves nothing behind.
+ */
 static int read_times(job *j) {
     for (int k = 0; k < j->frames.count; k++) {
         state s;
