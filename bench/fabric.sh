@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The cloth simulator against its serial build (same sources, same optimisation): force loops of the
 # large mesh, and the paper's scenes as a whole. Rounds are interleaved; ratios are of one round.
-#   ROUNDS=5
+#   ROUNDS=5 STEPS=30   (steps of the large mesh; in the third, auto times the sequential loops once)
 . bench/common.sh
 rounds=${ROUNDS:-5}
+steps=${STEPS:-30}
 export FABRIC_SCENES=$PWD/examples/fabric/scenes
 threads=$(nproc)
 serial=$build/examples/fabric/fabric-serial
@@ -48,7 +49,7 @@ run_crowd() { # run_crowd EXPERIMENT ROUND ARGUMENTS...: the slowest of them
 }
 
 # The force loops need no long solve: a short step keeps the conjugate gradient out of the way.
-large=(run sheet218k --steps 10 --set time.step=0.0002)
+large=(run sheet218k --steps "$steps" --set time.step=0.0002)
 for round in $(seq "$rounds"); do
   run forces-218k serial "$round" "$force_seconds" "$serial" "${large[@]}"
   run forces-218k threads-1 "$round" "$force_seconds" env OMP_NUM_THREADS=1 "$parallel" "${large[@]}"
