@@ -60,14 +60,26 @@ static bool mentions(const source *s, const char *word) {
     return false;
 }
 
+/** Why no loop of the file can be written; NULL: nothing forbids it. */
+static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
+    if (mentions(unit->source, reserved_prefix))
+        return "the file uses names that begin with redcc__, which are reserved for what redcc "
+               "writes";
+    const char *macro = macro_name_in_head(unit);
+    if (macro)
+        return arena_format(a,
+                            "the macro '%s', defined before the file begins, would change the "
+                            "runtime's header",
+                            macro);
+    return NULL;
+}
+
 /** Adds the edit for one loop; false, with *why set, where it cannot be written. */
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
-                     const emit_options *options, bool names_are_free, edit_list *edits,
+                     const emit_options *options, const char *obstacle, edit_list *edits,
                      reason *why) {
-    if (!names_are_free) {
-        *why = (reason){.message = "the file uses names that begin with redcc__, which are "
-                                   "reserved for what redcc writes",
-                        .range = verdict->loop->range};
+    if (obstacle) {
+        *why = (reason){.message = obstacle, .range = verdict->loop->range};
         return false;
     }
     ir_range replaced;
@@ -99,11 +111,10 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
     emit_result result = {.text = s->text, .length = s->length, .obstacles = obstacles};
     edit_list edits = {0};
-    const bool names_are_free = !mentions(s, reserved_prefix);
+    const char *obstacle = obstacle_of_file(a, unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++)
         if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
-            add_loop(a, unit, &analysis->verdicts[i], options, names_are_free, &edits,
-                     &obstacles[i]))
+            add_loop(a, unit, &analysis->verdicts[i], options, obstacle, &edits, &obstacles[i]))
             result.loop_count++;
     if (result.loop_count == 0)
         return result;

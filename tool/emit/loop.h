@@ -151,6 +151,9 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable);
 /** macro_names.c: the name of a macro of the program that is used in the text; NULL: there is none.
  */
 const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
+/** The name of a macro, defined before the program's file begins, that the head of the written file
+ *  uses (the runtime's header, pragmas); NULL: there is none. */
+const char *macro_name_in_head(const ir_unit *unit);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 

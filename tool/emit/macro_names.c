@@ -79,6 +79,19 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
     return NULL;
 }
 
+/** All words of the runtime's header; emit's CMakeLists.txt reads them from it. */
+static const char *const words_of_header[] = {
+#include "header_words.inc"
+};
+
+const char *macro_name_in_head(const ir_unit *unit) {
+    for (size_t i = 0; unit->macros_before && i < sizeof words_of_header / sizeof *words_of_header;
+         i++)
+        if (map_get(unit->macros_before, words_of_header[i], strlen(words_of_header[i])))
+            return words_of_header[i];
+    return NULL;
+}
+
 static void check_piece(loop_text *loop, const char *text, size_t begin, size_t end) {
     const char *name = macro_name_in(loop->arena, loop->unit, text + begin, end - begin);
     if (name)

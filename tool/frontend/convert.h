@@ -45,6 +45,7 @@ typedef struct converter {
     map *expansion_ends;          /* begin of a macro's expansion in the main file -> its end + 1 */
     map *expansion_begins;        /* end -> begin + 1 */
     bool knows_expansions;        /* the two are complete */
+    bool has_begun;               /* has anything of the main file been met among its macros? */
     bool has_assembler;           /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;

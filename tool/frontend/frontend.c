@@ -77,11 +77,13 @@ static void convert_diagnostics(arena *a, CXTranslationUnit clang, frontend_resu
 
 static enum CXChildVisitResult visit_macro(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
+    converter *c = data;
     const enum CXCursorKind kind = clang_getCursorKind(cursor);
+    c->has_begun = c->has_begun || is_in_main_file(c, clang_getCursorLocation(cursor));
     if (kind == CXCursor_MacroExpansion)
-        note_expansion(data, cursor);
+        note_expansion(c, cursor);
     else if (kind == CXCursor_MacroDefinition)
-        note_macro(data, cursor);
+        note_macro(c, cursor);
     return CXChildVisit_Continue;
 }
 
@@ -211,6 +213,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->source = src;
     unit->strict_aliasing = true;
     unit->macros = map_new(a);
+    unit->macros_before = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,

@@ -42,8 +42,8 @@ static bool stands_for_itself(file_text at, const char *name, size_t length) {
     return body == end || *body == '\n' || *body == '\r';
 }
 
-static void note(converter *c, const char *name, size_t length, bool is_function_like) {
-    void **known = map_at(c->unit->macros, name, length);
+static void note(map *macros, const char *name, size_t length, bool is_function_like) {
+    void **known = map_at(macros, name, length);
     if (*known != IR_MACRO_AS_OBJECT)
         *known = is_function_like ? IR_MACRO_AS_FUNCTION : IR_MACRO_AS_OBJECT;
 }
@@ -57,6 +57,16 @@ static bool is_worth_a_look(CXSourceLocation location, const char *name) {
     return clang_Location_isFromMainFile(location) != 0;
 }
 
+/* The compiler's own macros are what text that names them means. */
+static bool is_own_of_compiler(CXSourceLocation location) {
+    CXString file;
+    clang_getPresumedLocation(location, &file, NULL, NULL);
+    const char *name = clang_getCString(file);
+    const bool is_own = name != NULL && strcmp(name, "<built-in>") == 0;
+    clang_disposeString(file);
+    return is_own;
+}
+
 void note_macro(converter *c, CXCursor definition) {
     CXString text = clang_getCursorSpelling(definition);
     const char *name = clang_getCString(text);
@@ -65,7 +75,9 @@ void note_macro(converter *c, CXCursor definition) {
     const CXSourceLocation location = clang_getCursorLocation(definition);
     if (is_function_like || !is_worth_a_look(location, name) ||
         !stands_for_itself(text_at(c, location), name, length))
-        note(c, name, length, is_function_like);
+        note(c->unit->macros, name, length, is_function_like);
+    if (!c->has_begun && !is_own_of_compiler(location))
+        note(c->unit->macros_before, name, length, is_function_like);
     clang_disposeString(text);
 }
 
@@ -102,6 +114,6 @@ void note_macros_of_directives(converter *c) {
         const size_t length = (size_t)(after - name);
         const file_text at = {.text = name, .length = (size_t)(end - name)};
         if (length > 0 && strncmp(name, "__", 2) != 0 && !stands_for_itself(at, name, length))
-            note(c, name, length, after < end && *after == '(');
+            note(c->unit->macros, name, length, after < end && *after == '(');
     }
 }

@@ -265,6 +265,8 @@ typedef struct ir_unit {
                     those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
                     their own name, as far as that was looked for. NULL: none. Not in the text form
                   */
+    map *macros_before; /* the same of those that the command line, or a file it includes, defines
+                           before the main file begins; the compiler's own apart */
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)
