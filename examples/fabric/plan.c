@@ -84,8 +84,14 @@ void plan_make(simulation *sim) {
     set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
     set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);
     set_effect(sim, EFFECT_SELF_COLLISION, "self-collision", s->self_gap > 0, triangles);
-    switch_effects(sim, 0);
-    sim->next_event = next_event(s, 0);
+    plan_return_to(sim, 0);
+}
+
+void plan_return_to(simulation *sim, double time) {
+    collisions_follow(&sim->collisions, time);
+    switch_effects(sim, time);
+    sim->next_event = next_event(sim->scene, time);
+    sim->plan_time = time;
 }
 
 void plan_follow(simulation *sim) {
@@ -93,8 +99,6 @@ void plan_follow(simulation *sim) {
     const double time = simulation_time(sim) + 1e-9 * sim->scene->step;
     if (time < sim->next_event)
         return;
-    collisions_follow(&sim->collisions, time);
-    switch_effects(sim, time);
-    sim->next_event = next_event(sim->scene, time);
+    plan_return_to(sim, time);
     sim->plans_changed++;
 }

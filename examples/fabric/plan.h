@@ -37,6 +37,10 @@ void plan_make(simulation *sim);
 /** Brings what is on to the time at which the next step begins. */
 void plan_follow(simulation *sim);
 
+/** Makes on what was on in a step that began at `time`, at which plan_make or plan_follow last
+ * found something to change. */
+void plan_return_to(simulation *sim, double time);
+
 /** The times, ascending, at which something begins or ends; `time` has room for `most`. Returns how
  *  many there are. */
 int plan_events(const scene *s, double *time, int most);

@@ -3,6 +3,8 @@
 #ifndef FABRIC_SIMULATION_H
 #define FABRIC_SIMULATION_H
 
+#include <stddef.h>
+
 #include "mesh.h"
 #include "scene.h"
 
@@ -46,6 +48,15 @@ void updateSystem(simulation *sim);
 /** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
  *  error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);
+
+/* Between two steps of the scene: all from which a simulation of the same mesh and scene goes on
+ * with the same bits, as bytes that this machine can read. */
+size_t simulation_saved_size(simulation *sim);
+/** bytes: [size], of simulation_saved_size. Changes nothing of the simulation. */
+void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
+/** To a simulation that has just been made. 0, or -1: the bytes are not of such a simulation; then
+ *  all that can be done with it is to free it. Changes nothing of the bytes. */
+int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
 
 /* What callers may look at; valid until simulation_free. */
 const double (*simulation_positions(const simulation *sim))[3];

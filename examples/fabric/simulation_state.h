@@ -32,6 +32,7 @@ struct simulation {
     int has_triangle_forces, has_hinge_forces;
     double wind[3];    /* m/s, at present */
     double next_event; /* s, when what is on changes next */
+    double plan_time;  /* s, the time that what is on at present was found for */
     double *mass;      /* [vertices] kg */
     double total_mass;
 
