@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "accuracy/study.h"
+#include "clock.h"
 #include "files.h"
 #include "integrator.h"
 #include "options.h"
@@ -168,14 +169,20 @@ static const struct {
             {"any", "expansion", "plain"},           {"any", "auto", "plain"}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
+/* What a run took: seconds that passed, and CPU seconds of all threads together. */
+typedef struct {
+    double passed, cpu;
+} spent;
+
 /* Runs this program on the scene in a process of its own: the runtime reads its environment once.
- * CPU seconds, or -1 after a message. */
-static double run_apart(const study *of, int way, const char *threads) {
+ * 0; or -1 after a message. */
+static int run_apart(const study *of, int way, const char *threads, spent *it) {
     char program[] = "/proc/self/exe", yaml[FILE_PATH_SIZE], out[FILE_PATH_SIZE];
     if (files_join(yaml, of->folder, "sum.yaml") != 0 ||
         files_join(out, of->folder, "sum-run") != 0)
         return -1;
     fflush(NULL);
+    const double began = clock_seconds();
     const pid_t child = fork();
     if (child == 0) {
         setenv("REDCC_ORDER", ways[way].order, 1);
@@ -194,7 +201,22 @@ static double run_apart(const study *of, int way, const char *threads) {
                 ways[way].order, ways[way].method);
         return -1;
     }
-    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+    *it = (spent){clock_seconds() - began,
+                  (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec};
+    return 0;
+}
+
+/* The least of all repetitions. */
+static int least_apart(const study *of, int way, const char *threads, spent *least) {
+    *least = (spent){INFINITY, INFINITY};
+    for (int n = 0; n < of->repeat; n++) {
+        spent once;
+        if (run_apart(of, way, threads, &once) != 0)
+            return -1;
+        least->passed = fmin(least->passed, once.passed);
+        least->cpu = fmin(least->cpu, once.cpu);
+    }
+    return 0;
 }
 
 static double farthest(const state *a, const state *b) {
@@ -221,26 +243,27 @@ int study_sum(study *of) {
         fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
         return -1;
     }
-    FILE *file = open_csv(of, "sum.csv", "order,method,sum,threads,cpu_seconds,difference\n");
+    FILE *file =
+        open_csv(of, "sum.csv", "order,method,sum,threads,seconds,cpu_seconds,difference\n");
     int status = file ? 0 : -1;
     for (int way = 0; way < WAYS && status == 0; way++)
         for (int k = 0; k < 3 && status == 0; k++) {
             state now;
-            double seconds = INFINITY;
-            for (int n = 0; n < of->repeat && seconds >= 0; n++)
-                seconds = fmin(seconds, run_apart(of, way, counts[k]));
-            if (seconds < 0 || state_read(&now, final_state) != 0) {
+            spent least;
+            if (least_apart(of, way, counts[k], &least) != 0 ||
+                state_read(&now, final_state) != 0) {
                 status = -1;
                 break;
             }
             if (!first.memory)
                 first = now;
             const double difference = farthest(&now, &first);
-            fprintf(file, "%s,%s,%s,%s,%.4g,%.4g\n", ways[way].order, ways[way].method,
-                    ways[way].sum, counts[k], seconds, difference);
-            fprintf(stderr, "order %-7s %-16s %-12s %s threads  %8.3f s  differs by %.3g m\n",
-                    ways[way].order, ways[way].method, ways[way].sum, counts[k], seconds,
-                    difference);
+            fprintf(file, "%s,%s,%s,%s,%.4g,%.4g,%.4g\n", ways[way].order, ways[way].method,
+                    ways[way].sum, counts[k], least.passed, least.cpu, difference);
+            fprintf(stderr,
+                    "order %-7s %-16s %-12s %s threads  %8.3f s (CPU %.3f s)  differs by %.3g m\n",
+                    ways[way].order, ways[way].method, ways[way].sum, counts[k], least.passed,
+                    least.cpu, difference);
             if (now.memory != first.memory)
                 state_free(&now);
         }

@@ -73,7 +73,7 @@ static const struct {
              "'' skip 1 using 1:4 axes x1y2 title 'CPU time' pt 6\n"},
     {"sum", "set output 'sum.png'\nset xtics rotate by -60\nset style data histograms\nset style "
             "fill solid 0.6\n"
-            "set ylabel 'CPU time, s'\nset yrange [0:*]\nunset key\n"
+            "set ylabel 'time, s'\nset yrange [0:*]\nunset key\n"
             "plot 'sum.csv' skip 1 using "
             "5:xtic(sprintf('%s %s %s', strcol(2), strcol(3), strcol(4)))\n"},
 };
