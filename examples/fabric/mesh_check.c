@@ -27,7 +27,7 @@ static void note(mesh_problem *found, int problem, int number) {
         found[problem].first = number;
 }
 
-static int check_numbers(const mesh *m, char *error) {
+int mesh_check_numbers(const mesh *m, char *error) {
     for (int v = 0; v < m->vertex_count; v++) {
         const double *at = m->position[v], *flat = m->material[v];
         if (isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]) && isfinite(flat[0]) &&
@@ -97,7 +97,7 @@ static int mark(const mesh *m, mesh_problem *found, unsigned char *removed) {
 int mesh_clean(mesh *m, mesh_problem *found, char *error) {
     for (int k = 0; k < MESH_PROBLEM_COUNT; k++)
         found[k] = (mesh_problem){0, -1};
-    if (check_numbers(m, error) != 0)
+    if (mesh_check_numbers(m, error) != 0)
         return -1;
     unsigned char *removed = calloc((size_t)m->triangle_count + 1, 1);
     if (!removed || mark(m, found, removed) != 0) {

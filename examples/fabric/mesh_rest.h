@@ -36,6 +36,10 @@ typedef struct mesh_problem {
     int first; /* -1: there is none */
 } mesh_problem;
 
+/** 0, or -1 with a message in error[256]: a coordinate is not finite, or a triangle names a vertex
+ *  that does not exist. */
+int mesh_check_numbers(const mesh *m, char *error);
+
 /** Removes the triangles that mesh_clean removes, before mesh_connect. Fills those two entries of
  *  found [MESH_PROBLEM_COUNT]. 0, or -1 with a message in error[256]: a number is not finite, a
  *  vertex does not exist, or no triangle is left. */

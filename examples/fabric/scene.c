@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "output/obj.h"
+#include "input/mesh_file.h"
 #include "scene_value.h"
 #include "surface.h"
 
@@ -42,7 +42,7 @@ static int read_surfaces(const scene_source *from, scene *s) {
         mesh m = {0};
         if (c->kind != COLLIDER_MESH || c->surface)
             continue;
-        if (obj_read(&m, c->file) == 0)
+        if (mesh_file_read(&m, c->file) == 0)
             c->surface = surface_new(&m, error);
         mesh_free(&m);
         snprintf(path, sizeof path, "colliders.%d.file", n);

@@ -12,6 +12,7 @@ function(fabric_app_test name)
 endfunction()
 
 fabric_app_test(mesh fabric_mesh m)
+fabric_app_test(mesh_file fabric_mesh m)
 fabric_app_test(scene fabric_scene)
 if(TARGET fabric_app)
   fabric_app_test(state fabric_app)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric mesh: generates, renumbers and describes meshes in OBJ files. */
+/* fabric mesh: generates meshes, and renumbers and describes those of files. */
 #include "mesh.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "commands/commands.h"
-#include "mesh_rest.h"
+#include "input/mesh_file.h"
 #include "output/obj.h"
 
 enum { ERROR_SIZE = 256 };
@@ -141,31 +141,6 @@ static void print_info(const mesh *m, int non_manifold) {
     printf("bandwidth: %d, neighbours are %.1f apart in the mean\n", longest, mean);
 }
 
-/** What is wrong with the mesh as a cloth, a line a kind. */
-static void print_problems(const mesh_problem *found) {
-    for (int k = 0; k < MESH_PROBLEM_COUNT; k++)
-        if (found[k].count > 0) {
-            fprintf(stderr, "mesh: %d %s", found[k].count, mesh_problem_name(k));
-            if (found[k].first >= 0)
-                fprintf(stderr, "; the first is number %d", found[k].first + 1);
-            fputc('\n', stderr);
-        }
-}
-
-/** What cannot stay is removed, and all that is wrong is said. 0, or -1 with a message. */
-static int connect_and_check(mesh *m, mesh_problem *found, char *error) {
-    int non_manifold;
-    if (mesh_clean(m, found, error) != 0 || mesh_connect(m, &non_manifold, error) != 0)
-        return -1;
-    found[MESH_NON_MANIFOLD].count = non_manifold;
-    if (mesh_check(m, found) == 0) {
-        print_problems(found);
-        return 0;
-    }
-    snprintf(error, ERROR_SIZE, "out of memory");
-    return -1;
-}
-
 /** Writes the new number of each vertex, one a line. */
 static int write_numbers(const char *name, const int *number, int count) {
     FILE *file = fopen(name, "w");
@@ -223,10 +198,10 @@ static int perform(const request *r) {
     if (r->action == GENERATE)
         status = mesh_generate(&m, (int)r->vertices, (int)r->boundary, r->side, (unsigned)r->seed,
                                error);
-    else if (obj_read(&m, r->input) != 0)
+    else if (mesh_file_read(&m, r->input) != 0)
         return EXIT_FAILURE;
     if (status == 0)
-        status = connect_and_check(&m, found, error);
+        status = mesh_file_prepare(&m, "mesh", found, error);
     if (status == 0 && r->action != INFO)
         status = change_order(r, &m, error);
     if (status != 0 && error[0] != '\0')
@@ -252,6 +227,7 @@ static int run(const command *self, int argc, char **argv) {
     return wrong != 0 ? wrong : perform(&r);
 }
 
-const command mesh_command = {"mesh", "generate|reorder IN.obj|info IN.obj [options]",
-                              "Generates, renumbers and describes meshes in OBJ files.",
+const command mesh_command = {"mesh", "generate|reorder FILE|info FILE [options]",
+                              "Generates meshes as OBJ files; renumbers and describes those of "
+                              ".obj, .ply, .gltf, .glb\nand .stl files.",
                               mesh_options, run};

@@ -2,6 +2,7 @@
 #include "output/obj.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -88,15 +89,11 @@ static const char *read_corner(const obj_reader *r, const char *text, int *verte
     return end + strcspn(end, " \t\r\n");
 }
 
-static int read_face(obj_reader *r, const char *text) {
-    int corner[3], material[3];
-    for (int k = 0; k < 3; k++)
-        if (!(text = read_corner(r, text, &corner[k], &material[k])))
-            return -1;
-    if (text[strspn(text, " \t\r\n")] != '\0')
-        return complain(r, "a face with more than three corners, expected a triangle");
+static int add_triangle(obj_reader *r, const int corner[3], const int material[3]) {
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
         return complain(r, "a triangle with one vertex twice");
+    if (r->triangles == INT_MAX / 3)
+        return complain(r, "more than %d triangles", INT_MAX / 3);
     if (r->into)
         for (int k = 0; k < 3; k++) {
             r->into->triangle[r->triangles][k] = corner[k];
@@ -104,6 +101,23 @@ static int read_face(obj_reader *r, const char *text) {
                 memcpy(r->into->material[corner[k]], r->material[material[k]], sizeof *r->material);
         }
     r->triangles++;
+    return 0;
+}
+
+/** A polygon is a fan of triangles around its first corner. */
+static int read_face(obj_reader *r, const char *text) {
+    int corner[3], material[3], count = 0;
+    while (text[strspn(text, " \t\r\n")] != '\0' || count < 3) {
+        const int k = count < 2 ? count : 2;
+        if (!(text = read_corner(r, text, &corner[k], &material[k])))
+            return -1;
+        if (++count < 3)
+            continue;
+        if (add_triangle(r, corner, material) != 0)
+            return -1;
+        corner[1] = corner[2];
+        material[1] = material[2];
+    }
     return 0;
 }
 

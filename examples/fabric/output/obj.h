@@ -10,9 +10,9 @@
 int obj_write(const mesh *m, const char *path);
 
 /**
- * Reads vertices, material coordinates and triangles; no edges or hinges yet (mesh_connect). A file
- * without vt gives each vertex its x and y. Lines of other kinds are passed over. 0, or -1 after
- * "file:line: ..." on standard error. mesh_free frees it.
+ * Reads vertices, material coordinates and faces, polygons as fans of triangles; no edges or hinges
+ * yet (mesh_connect). A file without vt gives each vertex its x and y. Lines of other kinds are
+ * passed over. 0, or -1 after "file:line: ..." on standard error. mesh_free frees it.
  */
 int obj_read(mesh *m, const char *path);
 
