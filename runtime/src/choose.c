@@ -8,6 +8,10 @@ static const double even_share = 1.1;      /* of an equal share of the iteration
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
+/* Seconds: a touch that is executed once more, a run, a byte of a copy that is filled and brought
+ * in, and one that the system has to find a page for as well. */
+static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
+                    new_byte_copied = 0.6e-9;
 
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
     return &chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)];
@@ -194,8 +198,21 @@ void redcc_choose_levels(struct chooser *chooser, redcc_int trip) {
     trial_of(chooser, trip)->rule = RULE_LEVELS;
 }
 
+/* A thread's share of a copy's cost is the whole of one copy: it fills its own, and brings in its
+ * part of all. */
+static bool copies_are_cheaper(const struct findings *findings) {
+    if (!findings->copies || !findings->swept)
+        return false;
+    const double again = findings->share - 1.0 / findings->threads;
+    const double by_owners =
+        again * findings->touches * touch_again + findings->runs / findings->threads * run_begun;
+    return by_owners > findings->copied * (findings->reusable ? byte_copied : new_byte_copied);
+}
+
 /* Without the graph. */
 static enum rule plain_way(const struct findings *findings, double sweep_seconds) {
+    if (copies_are_cheaper(findings))
+        return RULE_CHEAP_COPIES;
     if (findings->share <= most_share)
         return RULE_INDEX;
     if (findings->copies)
@@ -224,12 +241,11 @@ static bool cut_in_vain(struct trial *trial, redcc_int trip) {
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings) {
     struct trial *trial = trial_of(chooser, findings->trip);
     const double sweep_seconds = findings->touches * sweep_touch;
-    trial->rule = RULE_EVEN;
     if (findings->share * findings->threads <= even_share) {
         if (findings->swept)
             trial->graph = GRAPH_UNTRIED;
         trial->graph_seconds = 0;
-        return trial->rule;
+        return trial->rule = copies_are_cheaper(findings) ? RULE_CHEAP_COPIES : RULE_EVEN;
     }
     if (findings->reusable && trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
         trial->graph_seconds = findings->touches * redcc_graph_touch;

@@ -84,14 +84,16 @@ struct findings {
     double share;   /* of the iterations, by the thread that would execute most by LOCALWRITE */
     double touches; /* of all iterations, about */
     bool swept;     /* the share is exact; else by a sample */
+    double runs;    /* stretches of iterations alike, of all threads; where swept */
     bool copies;    /* private copies may and can be had */
+    double copied;  /* bytes of one of them */
     bool reusable;  /* the plan will be kept */
     bool by_graph;  /* the choice was by_graph */
     double budget;
 };
 
-/** The row that a loop of these findings falls under: EVEN, GRAPH, INDEX, COPIES, DEFERRED, SERIAL.
- */
+/** The row that a loop of these findings falls under: CHEAP_COPIES, EVEN, GRAPH, INDEX, COPIES,
+ *  DEFERRED, SERIAL. */
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
 
 /** The row that decided last. */

@@ -24,6 +24,14 @@ static bool memory_allows(size_t bytes) {
     return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
 }
 
+/* How often an iteration touches other owners than the one before it, in all threads' shares. */
+static double count_runs(const struct execution *execution) {
+    size_t runs = 0;
+    for (int thread = 0; thread < execution->threads; thread++)
+        runs += execution->state->member[thread]->sweep.summary.span_count;
+    return (double)runs;
+}
+
 double redcc_largest_share(const struct execution *execution) {
     redcc_int most = 0;
     for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
@@ -38,16 +46,18 @@ double redcc_largest_share(const struct execution *execution) {
 enum rule redcc_find_way(struct execution *execution, double share, bool swept) {
     const redcc_loop *loop = execution->request.loop;
     const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
+    const size_t copied = redcc_copy_bytes(&execution->partition, execution->touched);
     const struct findings findings = {
         .trip = execution->request.trip,
         .threads = execution->threads,
         .share = share,
         .touches = execution->touches * (double)execution->request.trip,
         .swept = swept,
+        .runs = swept ? count_runs(execution) : 0,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
                   redcc_copies_possible(&execution->partition, execution->touched) &&
-                  memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
-                                (size_t)execution->threads),
+                  memory_allows(copied * (size_t)execution->threads),
+        .copied = (double)copied,
         .reusable = swept && redcc_plan_reusable(&execution->request, execution->sources),
         .by_graph = execution->by_graph,
         .budget = redcc_budget()};
@@ -61,6 +71,7 @@ const struct method *redcc_find_method(struct execution *execution) {
         return &redcc_method_localwrite;
     case RULE_GRAPH:
         return &redcc_method_graph_localwrite;
+    case RULE_CHEAP_COPIES:
     case RULE_COPIES:
         return &redcc_method_expansion;
     default:

@@ -93,10 +93,32 @@ static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
     all_shapes(false);
 }
 
+/* Shuffled, a few thousand elements: copies take less than iterations executed twice. Sorted, they
+ * take more. */
+static void auto_takes_copies_where_they_are_cheaper(void **unused) {
+    (void)unused;
+    const struct settings *settings = redcc_settings();
+    if (settings->method || settings->compensated || settings->order != REDCC_ORDER_ANY)
+        skip();
+    for (int number = 0; number < 2; number++) {
+        struct problem problem = problem_new(number, true);
+        struct described described;
+        long last;
+        problem_describe(&problem, &described);
+        assert_true(problem_run(&problem, &described, 2, &last));
+        const struct loop_state *state = described.loop.state;
+        assert_ptr_equal(state->plans[0]->method,
+                         number == 0 ? &redcc_method_localwrite : &redcc_method_expansion);
+        redcc_loop_forget(&described.loop);
+        problem_free(&problem);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_values_give_the_oracles_bits),
         cmocka_unit_test(methods_that_keep_the_order_give_the_oracles_bits),
+        cmocka_unit_test(auto_takes_copies_where_they_are_cheaper),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
