@@ -131,6 +131,19 @@ int scene_read(scene *s, const char *path) {
     return status;
 }
 
+int scene_read_text(scene *s, char *text, size_t size, const char *name) {
+    scene_source from = {name, 1, NULL};
+    *s = scene_defaults;
+    FILE *file = size > 0 ? fmemopen(text, size, "rb") : NULL;
+    if (!file)
+        return scene_complain(&from, NULL, "its scene cannot be read");
+    const int status = read_document(s, &from, file);
+    fclose(file);
+    if (status != 0)
+        scene_free(s);
+    return status;
+}
+
 void scene_free(scene *s) {
     free(s->pins);
     for (int n = 0; n < s->collider_count; n++)

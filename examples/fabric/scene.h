@@ -3,6 +3,8 @@
 #ifndef FABRIC_SCENE_H
 #define FABRIC_SCENE_H
 
+#include <stddef.h>
+
 #include "mesh.h"
 
 typedef enum collider_kind {
@@ -99,5 +101,15 @@ int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
 
 /** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);
+
+/** What scene_write would write, [*size], to be freed; NULL: out of memory. */
+char *scene_text(const scene *s, size_t *size);
+/** As scene_read, of a text in memory, which is not changed; `name` is said where a file's would
+ *  be. */
+int scene_read_text(scene *s, char *text, size_t size, const char *name);
+
+/** Whether two scenes differ in anything but the count of steps and the names of colliders' files;
+ *  then the first difference is in said[256]: "'material.bend' is 0.01, there 0". */
+int scene_differ(const scene *a, const scene *b, char *said);
 
 #endif

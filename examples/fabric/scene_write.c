@@ -3,9 +3,10 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "scene_keys.h"
+#include "scene_write.h"
 
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent);
@@ -18,9 +19,22 @@ static void write_text(FILE *file, const char *text) {
     fputc('\'', file);
 }
 
+/** As short as gives the same bits when read. */
+static void write_number(FILE *file, double value) {
+    char text[32];
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            break;
+    }
+    fputs(text, file);
+}
+
 static void write_vector(FILE *file, const double *value, int components) {
-    for (int k = 0; k < components; k++)
-        fprintf(file, "%s%.17g", k == 0 ? "[" : ", ", value[k]);
+    for (int k = 0; k < components; k++) {
+        fputs(k == 0 ? "[" : ", ", file);
+        write_number(file, value[k]);
+    }
     fputc(']', file);
 }
 
@@ -37,10 +51,8 @@ static void write_list(FILE *file, const scene_key *key, const char *source, int
     }
 }
 
-static void write_value(FILE *file, const scene_key *key, const char *source, int indent) {
+void scene_write_value(FILE *file, const scene_key *key, const char *source) {
     const void *field = source + key->offset;
-    if (key->kind != VALUE_SECTION && key->kind != VALUE_LIST)
-        fputc(' ', file);
     switch (key->kind) {
     case VALUE_TEXT:
     case VALUE_FILE:
@@ -53,7 +65,7 @@ static void write_value(FILE *file, const scene_key *key, const char *source, in
         fprintf(file, "%u", *(const unsigned *)field);
         break;
     case VALUE_NUMBER:
-        fprintf(file, "%.17g", *(const double *)field);
+        write_number(file, *(const double *)field);
         break;
     case VALUE_VECTOR:
     case VALUE_DIRECTION:
@@ -63,12 +75,20 @@ static void write_value(FILE *file, const scene_key *key, const char *source, in
         fputs(key->choices[*(const int *)field], file);
         break;
     case VALUE_SECTION:
+    case VALUE_LIST:
+        break;
+    }
+}
+
+static void write_key(FILE *file, const scene_key *key, const char *source, int indent) {
+    if (key->kind == VALUE_SECTION) {
         fputc('\n', file);
         write_mapping(file, key->keys, source, indent + 2, indent + 2);
-        break;
-    case VALUE_LIST:
+    } else if (key->kind == VALUE_LIST) {
         write_list(file, key, source, indent + 2);
-        break;
+    } else {
+        fputc(' ', file);
+        scene_write_value(file, key, source);
     }
 }
 
@@ -84,20 +104,36 @@ static void write_mapping(FILE *file, const scene_key *keys, const void *source,
         if (key != keys)
             fputc('\n', file);
         fprintf(file, "%*s%s:", key == keys ? first_indent : indent, "", key->name);
-        write_value(file, key, source, indent);
+        write_key(file, key, source, indent);
     }
+}
+
+static void write_scene(FILE *file, const scene *s) {
+    write_mapping(file, scene_keys, s, 0, 0);
+    fputc('\n', file);
 }
 
 int scene_write(const scene *s, const char *path) {
     FILE *file = fopen(path, "wb");
     if (!file)
         return -1;
-    write_mapping(file, scene_keys, s, 0, 0);
-    fputc('\n', file);
+    write_scene(file, s);
     const int failed = ferror(file), reason = errno;
     if (fclose(file) == 0 && !failed)
         return 0;
     if (failed)
         errno = reason;
     return -1;
+}
+
+char *scene_text(const scene *s, size_t *size) {
+    char *text = NULL;
+    FILE *file = open_memstream(&text, size);
+    if (!file)
+        return NULL;
+    write_scene(file, s);
+    if (fclose(file) == 0)
+        return text;
+    free(text);
+    return NULL;
 }

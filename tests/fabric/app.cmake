@@ -17,7 +17,7 @@ fabric_app_test(scene fabric_scene)
 if(TARGET fabric_app)
   fabric_app_test(state fabric_app)
   fabric_app_test(picture fabric_app)
-  foreach(script accuracy cli export run render)
+  foreach(script accuracy cli export resume run render)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
                      ${scenes_folder} ${app_folder}/${script})
@@ -30,6 +30,9 @@ if(TARGET fabric)
                    $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/same_bits)
   set_tests_properties(fabric.app.same_bits PROPERTIES LABELS threads)
   if(NOT REDCC_SANITIZE)
+    add_test(NAME fabric.app.resume_parallel
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_resume.sh $<TARGET_FILE:fabric-serial>
+                     ${scenes_folder} ${app_folder}/resume_parallel $<TARGET_FILE:fabric>)
     add_test(NAME fabric.app.gallery
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_gallery.sh $<TARGET_FILE:fabric-serial>
                      $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/gallery)

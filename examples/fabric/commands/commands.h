@@ -26,6 +26,9 @@ typedef struct setting_list {
 /** Takes one more. 0, or the exit status after a complaint that there are too many. */
 int add_setting(const command *self, setting_list *settings, const char *setting);
 
+/** Makes the settings. 0, or -1 after a message: then the scene is empty. */
+int make_settings(scene *s, const setting_list *settings);
+
 /** Finds and reads a scene and makes its settings. 0, or -1 after a message. */
 int read_scene(scene *s, const char *name, const setting_list *settings);
 

@@ -1,61 +1,53 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* fabric run: simulates a scene and writes what came of it. */
-#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
+#include <unistd.h>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
 #include "clock.h"
-#include "commands/commands.h"
-#include "files.h"
-#include "output/progress.h"
-#include "output/state.h"
-#include "output/summary.h"
-#include "simulation.h"
+#include "commands/run.h"
 
-enum { ERROR_SIZE = 256, EXIT_INTERRUPTED = 130, FRAMES = 25 };
+enum { ERROR_SIZE = 256, EXIT_INTERRUPTED = 130 };
 
-enum { OUTPUT, STEPS, THREADS, SET, PROGRESS, FRAME_COUNT };
-static const option run_options[] = {
+enum {
+    OUTPUT,
+    STEPS,
+    THREADS,
+    SET,
+    PROGRESS,
+    FRAME_COUNT,
+    CHECKPOINT_EVERY,
+    STOP_AFTER,
+    RESUME,
+    OPTION_COUNT
+};
+static const option run_options[OPTION_COUNT + 1] = {
     [OUTPUT] = {"-o", "DIR", "where results go (default: the scene's name and -run)"},
     [STEPS] = {"--steps", "N", "how many steps, instead of the scene's"},
     [THREADS] = {"--threads", "N", "threads, instead of OMP_NUM_THREADS"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0.01"},
     [PROGRESS] = {"--progress", "STYLE", "auto, bar, lines, json or none"},
     [FRAME_COUNT] = {"--frames", "N", "how many states to keep for pictures (default 25; 0: none)"},
-    {NULL, NULL, NULL}};
-
-/** What the command line asks for. */
-typedef struct request {
-    const char *scene_name;
-    const char *folder;
-    long steps; /* -1: the scene's */
-    long threads;
-    long frames;
-    progress_style progress;
-    setting_list settings;
-} request;
-
-/** All that a run has in hand. */
-typedef struct cloth_run {
-    scene of;
-    mesh cloth;
-    int *original; /* [vertices] number of each vertex in the mesh as generated */
-    simulation *sim;
-    char folder[FILE_PATH_SIZE];
-    char frames_folder[FILE_PATH_SIZE];
-    run_account account;
-} cloth_run;
+    [CHECKPOINT_EVERY] =
+        {"--checkpoint-every", "N",
+         "write DIR/checkpoint every N steps and after the last (default 0: none)"},
+    [STOP_AFTER] = {"--stop-after", "N", "end after step N with a checkpoint, as Ctrl-C does"},
+    [RESUME] = {"--resume", "DIR", "go on with the run in DIR, or from a checkpoint FILE"},
+    [OPTION_COUNT] = {NULL, NULL, NULL}};
 
 static volatile sig_atomic_t interrupted;
 
+/* A second signal ends the program at once. */
 static void note_interrupt(int signal_number) {
+    static const char said[] = "\nends after this step; at once with another Ctrl-C\n";
     (void)signal_number;
     interrupted = 1;
+    if (write(STDERR_FILENO, said, sizeof said - 1) < 0)
+        return; /* nobody listens */
 }
 
 static int threads_in_use(void) {
@@ -75,31 +67,58 @@ static void set_threads(long threads) {
 #endif
 }
 
+/** The number of an option. Exit status, or -1 to go on. */
+static int read_number(const options *o, int which, run_request *r) {
+    static const struct {
+        long low, high;
+    } ranges[OPTION_COUNT] = {[STEPS] = {0, 1000000000},
+                              [THREADS] = {1, 4096},
+                              [FRAME_COUNT] = {0, 1000000},
+                              [CHECKPOINT_EVERY] = {0, 1000000000},
+                              [STOP_AFTER] = {0, 1000000000}};
+    long *const numbers[OPTION_COUNT] = {[STEPS] = &r->steps,
+                                         [THREADS] = &r->threads,
+                                         [FRAME_COUNT] = &r->frames,
+                                         [CHECKPOINT_EVERY] = &r->every,
+                                         [STOP_AFTER] = &r->stop_after};
+    return options_whole(o, run_options[which].name, ranges[which].low, ranges[which].high,
+                         numbers[which]) == 0
+               ? -1
+               : EXIT_USAGE;
+}
+
+/** Options that go with others, or not. Exit status, or -1 to go on. */
+static int check_request(const command *self, const run_request *r) {
+    if (!r->scene_name && !r->resume)
+        return options_complain(self, "which scene? %s", self->synopsis);
+    if (r->resume && r->folder)
+        return options_complain(self, "-o is for a run that begins: --resume goes on in the folder "
+                                      "of the checkpoint");
+    if (r->resume && r->frames != NOT_GIVEN)
+        return options_complain(self, "--frames is for a run that begins: --resume keeps to what "
+                                      "it began with");
+    return -1;
+}
+
 /** Exit status, or -1 to go on. */
-static int read_request(const command *self, int argc, char **argv, request *r) {
+static int read_request(const command *self, int argc, char **argv, run_request *r) {
     options o = {self, argc, argv, 0, NULL, 0};
-    int wrong = 0, number;
-    for (int next; !wrong && (next = options_next(&o)) != OPTIONS_END;)
+    int wrong = -1, number;
+    for (int next; wrong < 0 && (next = options_next(&o)) != OPTIONS_END;)
         switch (next) {
         case OUTPUT:
             r->folder = o.value;
             break;
-        case STEPS:
-            wrong = options_whole(&o, "--steps", 0, 1000000000, &r->steps);
-            break;
-        case THREADS:
-            wrong = options_whole(&o, "--threads", 1, 4096, &r->threads);
+        case RESUME:
+            r->resume = o.value;
             break;
         case SET:
-            wrong = add_setting(self, &r->settings, o.value);
+            wrong = add_setting(self, &r->settings, o.value) == 0 ? -1 : EXIT_USAGE;
             break;
         case PROGRESS:
             number = options_choice(&o, "--progress", progress_styles);
-            wrong = number < 0;
+            wrong = number < 0 ? EXIT_USAGE : -1;
             r->progress = (progress_style)number;
-            break;
-        case FRAME_COUNT:
-            wrong = options_whole(&o, "--frames", 0, 1000000, &r->frames);
             break;
         case OPTIONS_WORD:
             if (r->scene_name)
@@ -108,12 +127,12 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
             break;
         case OPTIONS_HELP:
             return EXIT_SUCCESS;
-        default:
+        case OPTIONS_WRONG:
             return EXIT_USAGE;
+        default:
+            wrong = read_number(&o, next, r);
         }
-    if (wrong)
-        return EXIT_USAGE;
-    return r->scene_name ? -1 : options_complain(self, "which scene? %s", self->synopsis);
+    return wrong >= 0 ? wrong : check_request(self, r);
 }
 
 int add_setting(const command *self, setting_list *settings, const char *setting) {
@@ -123,10 +142,7 @@ int add_setting(const command *self, setting_list *settings, const char *setting
     return 0;
 }
 
-int read_scene(scene *s, const char *name, const setting_list *settings) {
-    char path[FILE_PATH_SIZE];
-    if (files_find_scene(name, path) != 0 || scene_read(s, path) != 0)
-        return -1;
+int make_settings(scene *s, const setting_list *settings) {
     for (int k = 0; k < settings->count; k++)
         if (scene_set(s, settings->setting[k]) != 0) {
             scene_free(s);
@@ -135,51 +151,24 @@ int read_scene(scene *s, const char *name, const setting_list *settings) {
     return 0;
 }
 
-/** Removes what an earlier run left, so that nothing of it passes for this run's. */
-static void remove_old_results(const cloth_run *run) {
-    static const char *const results[] = {"final.state", "summary.json"};
-    static const char *const suffixes[] = {".state", ".png"};
-    char path[FILE_PATH_SIZE], name[32];
-    for (int k = 0; k < 2; k++) {
-        long *numbers;
-        if (files_join(path, run->folder, results[k]) == 0)
-            remove(path);
-        const int count = files_numbered(run->frames_folder, suffixes[k], &numbers);
-        for (int i = 0; i < count; i++) {
-            snprintf(name, sizeof name, "%04ld%s", numbers[i], suffixes[k]);
-            if (files_join(path, run->frames_folder, name) == 0)
-                remove(path);
-        }
-        if (count > 0)
-            free(numbers);
-    }
-}
-
-/** The default folder: the scene's name without folders and .yaml, and "-run". */
-static int name_folder(cloth_run *run, const request *r) {
-    const char *slash = strrchr(r->scene_name, '/');
-    const char *name = slash ? slash + 1 : r->scene_name;
-    const size_t length = strlen(name);
-    const size_t stem = length > 5 && strcmp(name + length - 5, ".yaml") == 0 ? length - 5 : length;
-    const int written = r->folder
-                            ? snprintf(run->folder, FILE_PATH_SIZE, "%s", r->folder)
-                            : snprintf(run->folder, FILE_PATH_SIZE, "%.*s-run", (int)stem, name);
-    if (written < FILE_PATH_SIZE)
-        return files_join(run->frames_folder, run->folder, "frames");
-    fprintf(stderr, "%.100s...: path too long\n", run->folder);
-    return -1;
-}
-
-static int prepare_folder(cloth_run *run, const request *r) {
+int read_scene(scene *s, const char *name, const setting_list *settings) {
     char path[FILE_PATH_SIZE];
-    if (name_folder(run, r) != 0 || files_make_folder(run->frames_folder) != 0 ||
-        files_join(path, run->folder, "scene.yaml") != 0)
+    if (files_find_scene(name, path) != 0 || scene_read(s, path) != 0)
         return -1;
-    remove_old_results(run);
-    if (scene_write(&run->of, path) == 0)
-        return 0;
-    fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
-    return -1;
+    return make_settings(s, settings);
+}
+
+/** The scene and where the run stands: at its beginning, or at a checkpoint. */
+static int begin(cloth_run *run, const run_request *r) {
+    if (r->resume)
+        return run_resume(run, r);
+    run->record.frames = r->frames != NOT_GIVEN ? r->frames : FRAMES;
+    run->record.every = r->every != NOT_GIVEN ? r->every : 0;
+    if (read_scene(&run->of, r->scene_name, &r->settings) != 0)
+        return -1;
+    if (r->steps != NOT_GIVEN)
+        run->of.steps = (int)r->steps;
+    return 0;
 }
 
 static int make_mesh(cloth_run *run) {
@@ -201,73 +190,74 @@ static int make_mesh(cloth_run *run) {
     return -1;
 }
 
-static state state_of(const cloth_run *run, unsigned parts, long step) {
-    return (state){.vertex_count = run->cloth.vertex_count,
-                   .triangle_count = run->cloth.triangle_count,
-                   .time = simulation_time(run->sim),
-                   .step = step,
-                   .parts = parts,
-                   .position = &simulation_positions(run->sim)[0][0],
-                   .velocity = &simulation_velocities(run->sim)[0][0],
-                   .triangle = &run->cloth.triangle[0][0],
-                   .original = run->original};
-}
-
-/** A frame at step 0 and at the last, and in between as many as asked for, evenly. */
-static int write_frame(const cloth_run *run, long frames, long step) {
-    const long steps = run->of.steps, gaps = frames - 1;
-    char name[32], path[FILE_PATH_SIZE];
-    if (frames <= 0)
-        return 0;
-    if (step > 0 && step < steps && step * gaps / steps == (step - 1) * gaps / steps)
-        return 0;
-    /* The first frame has the triangles; the others share them. */
-    const state s = state_of(run, step == 0 ? STATE_SINGLE | STATE_TRIANGLES : STATE_SINGLE, step);
-    snprintf(name, sizeof name, "%04ld.state", step);
-    return files_join(path, run->frames_folder, name) == 0 ? state_write(&s, path) : -1;
-}
-
-static int take_steps(cloth_run *run, const request *r) {
+static int take_step(cloth_run *run) {
     char error[ERROR_SIZE] = "";
-    const long steps = run->of.steps;
-    int status = write_frame(run, r->frames, 0);
-    double seconds = 0.0;
-    for (long step = 1; status == 0 && step <= steps && !interrupted; step++) {
-        const double start = clock_seconds();
-        if (simulation_step(run->sim, error) != 0) {
-            fprintf(stderr, "%s: step %ld: %s\n", run->of.name, step, error);
-            status = -1;
-        } else {
-            seconds += clock_seconds() - start;
-            progress_tell(r->progress, step, steps, simulation_time(run->sim),
-                          simulation_iterations(run->sim), seconds);
-            status = write_frame(run, r->frames, step);
-        }
-    }
-    run->account.step_seconds = seconds;
-    run->account.interrupted = interrupted != 0;
-    return status;
-}
-
-static int write_results(const cloth_run *run, const request *r) {
-    char path[FILE_PATH_SIZE];
-    const state s = state_of(run, STATE_VELOCITIES | STATE_TRIANGLES | STATE_ORIGINAL,
-                             simulation_steps_taken(run->sim));
-    if (files_join(path, run->folder, "final.state") != 0 || state_write(&s, path) != 0 ||
-        files_join(path, run->folder, "summary.json") != 0 ||
-        summary_write(&run->account, path) != 0)
+    const double start = clock_seconds();
+    if (simulation_step(run->sim, error) != 0) {
+        fprintf(stderr, "%s: step %ld: %s\n", run->of.name, run->record.step + 1, error);
         return -1;
-    if (r->progress == PROGRESS_JSON || r->progress == PROGRESS_NONE)
-        return 0;
-    summary_print(&run->account);
-    printf("results are in %s\n", run->folder);
+    }
+    run->record.seconds += clock_seconds() - start;
+    run->record.step++;
     return 0;
 }
 
-static int simulate(cloth_run *run, const request *r) {
-    char error[ERROR_SIZE] = "";
-    if (prepare_folder(run, r) != 0 || make_mesh(run) != 0)
+/** What a step leaves behind: a frame, a checkpoint. `ends`: it is the last for now. */
+static int keep_step(cloth_run *run, int ends) {
+    const long every = run->record.every;
+    const int done = run->record.step == run->of.steps;
+    const int is_due = every > 0 && run->record.step > 0 && (run->record.step % every == 0 || done);
+    if (run_write_frame(run) != 0)
         return -1;
+    return is_due || (ends && !done) ? run_save(run) : 0;
+}
+
+/** All steps that there are to be taken now, told of. 0, or -1 after a message. */
+static int take_steps(cloth_run *run, const run_request *r) {
+    const long steps = run->of.steps;
+    const long last = r->stop_after != NOT_GIVEN && r->stop_after < steps ? r->stop_after : steps;
+    const double before = run->record.seconds;
+    progress told;
+    int ends = interrupted || run->record.step >= last;
+    int status = run->record.step == 0 || ends ? keep_step(run, ends) : 0;
+    progress_begin(&told, r->progress, run->record.step, steps);
+    while (status == 0 && !ends) {
+        status = take_step(run);
+        ends = interrupted || run->record.step >= last;
+        if (status == 0)
+            progress_tell(&told, run->record.step, simulation_time(run->sim),
+                          simulation_iterations(run->sim), run->record.seconds - before);
+        if (status == 0)
+            status = keep_step(run, ends);
+    }
+    progress_end(&told);
+    return status;
+}
+
+/** Tells what came of the run, and how to go on with one that has ended early. */
+static void tell_results(const cloth_run *run, const run_request *r) {
+    if (run->account.interrupted)
+        fprintf(stderr, "ended after step %ld of %d; to go on: %s run --resume %s\n",
+                run->record.step, run->of.steps, program_name, run->folder);
+    if (r->progress == PROGRESS_JSON || r->progress == PROGRESS_NONE)
+        return;
+    summary_print(&run->account);
+    printf("results are in %s\n", run->folder);
+}
+
+static int finish(cloth_run *run, const run_request *r) {
+    run->account.step_seconds = run->record.seconds;
+    run->account.interrupted = run->record.step < run->of.steps;
+    if (run_write_results(run) != 0)
+        return -1;
+    if (!run->account.interrupted && run->record.every == 0)
+        run_forget(run);
+    tell_results(run, r);
+    return 0;
+}
+
+static int make_simulation(cloth_run *run) {
+    char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
     run->sim = simulation_new(&run->cloth, &run->of, error);
     if (!run->sim) {
@@ -281,34 +271,47 @@ static int simulate(cloth_run *run, const request *r) {
                                  .threads = threads_in_use(),
                                  .mesh_seconds = run->account.mesh_seconds,
                                  .setup_seconds = clock_seconds() - start};
-    return take_steps(run, r) == 0 ? write_results(run, r) : -1;
+    return run->from.memory ? run_restore(run) : 0;
+}
+
+/** Nothing is removed or written before it is sure that there is a run to be had. */
+static int simulate(cloth_run *run, const run_request *r) {
+    return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run) == 0 &&
+                   run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0
+               ? finish(run, r)
+               : -1;
 }
 
 static int run(const command *self, int argc, char **argv) {
-    request r = {.steps = -1, .frames = FRAMES};
-    cloth_run all = {0};
+    run_request r = {
+        .steps = NOT_GIVEN, .stop_after = NOT_GIVEN, .frames = NOT_GIVEN, .every = NOT_GIVEN};
     const int wrong = read_request(self, argc, argv, &r);
     if (wrong >= 0)
         return wrong;
-    if (read_scene(&all.of, r.scene_name, &r.settings) != 0)
+    cloth_run *all = calloc(1, sizeof *all);
+    if (!all) {
+        fprintf(stderr, "out of memory\n");
         return EXIT_FAILURE;
-    if (r.steps >= 0)
-        all.of.steps = (int)r.steps;
+    }
     r.progress = progress_resolve(r.progress);
     set_threads(r.threads);
-    const struct sigaction noted = {.sa_handler = note_interrupt};
+    const struct sigaction noted = {.sa_handler = note_interrupt, .sa_flags = (int)SA_RESETHAND};
     sigaction(SIGINT, &noted, NULL);
     sigaction(SIGTERM, &noted, NULL);
-    const int status = simulate(&all, &r);
-    simulation_free(all.sim);
-    mesh_free(&all.cloth);
-    free(all.original);
-    scene_free(&all.of);
-    return status != 0 ? EXIT_FAILURE : interrupted ? EXIT_INTERRUPTED : EXIT_SUCCESS;
+    const int status = simulate(all, &r), ended_early = interrupted && all->account.interrupted;
+    simulation_free(all->sim);
+    mesh_free(&all->cloth);
+    free(all->original);
+    scene_free(&all->of);
+    checkpoint_free(&all->from);
+    free(all);
+    return status != 0 ? EXIT_FAILURE : ended_early ? EXIT_INTERRUPTED : EXIT_SUCCESS;
 }
 
 const command run_command = {"run", "SCENE [options]",
                              "Simulates a scene (a file, or a name in the scenes folder); writes "
                              "DIR/summary.json,\nDIR/final.state, DIR/scene.yaml and states for "
-                             "pictures in DIR/frames.",
+                             "pictures in DIR/frames.\nCtrl-C ends it after the step under way; "
+                             "with --resume DIR it goes on, with the same\nbits as if it had never "
+                             "stopped. No SCENE is needed then.",
                              run_options, run};

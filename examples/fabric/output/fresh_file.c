@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <string.h>
+#include <unistd.h>
 
 static int complain(const char *path) {
     fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
@@ -18,9 +19,21 @@ int fresh_file_open(fresh_file *f, const char *path) {
     return f->file ? 0 : complain(path);
 }
 
+int fresh_file_sync(fresh_file *f) {
+    /* EINVAL: what is no file on a disk */
+    if (!ferror(f->file) && fflush(f->file) == 0 &&
+        (fsync(fileno(f->file)) == 0 || errno == EINVAL))
+        return 0;
+    return complain(f->path);
+}
+
 int fresh_file_close(fresh_file *f, int status) {
-    int failed = ferror(f->file);
-    failed = fclose(f->file) != 0 || failed;
+    const int reason = errno, had_failed = ferror(f->file);
+    int failed = fclose(f->file) != 0;
+    if (had_failed) {
+        failed = 1;
+        errno = reason;
+    }
     if (status == 0 && (failed || rename(f->beside, f->path) != 0))
         status = complain(f->path);
     if (status != 0)

@@ -16,6 +16,10 @@ typedef struct fresh_file {
 /** Begins one. 0, or -1 after a message: then there is nothing to close. */
 int fresh_file_open(fresh_file *f, const char *path);
 
+/** Waits until what was written is on the disk. 0, or -1 after a message; fresh_file_close in
+ * either case. */
+int fresh_file_sync(fresh_file *f);
+
 /** Gives the file its name where `status`, what became of it so far, is 0; else removes it. Returns
  *  the status, or -1 after a message. */
 int fresh_file_close(fresh_file *f, int status);

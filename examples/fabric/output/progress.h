@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** How far a run is. */
+/** How far a run is, how long the rest will take, and that it is alive. */
 #ifndef FABRIC_OUTPUT_PROGRESS_H
 #define FABRIC_OUTPUT_PROGRESS_H
 
 typedef enum progress_style {
     PROGRESS_AUTO,  /* a bar on a terminal, else lines */
     PROGRESS_BAR,   /* one line on standard error that is written over */
-    PROGRESS_LINES, /* ten lines or so on standard error */
+    PROGRESS_LINES, /* ten lines or so on standard error, more where steps are long */
     PROGRESS_JSON,  /* one JSON object a step on standard output, and nothing else there */
     PROGRESS_NONE
 } progress_style;
@@ -17,8 +17,22 @@ extern const char *const progress_styles[];
 /** AUTO becomes what it stands for; the others stay. */
 progress_style progress_resolve(progress_style style);
 
-/** Tells that step `step` of `steps` is done. time: simulated, seconds: wall, both s. */
-void progress_tell(progress_style style, long step, long steps, double time, long iterations,
-                   double seconds);
+/** One at a time in a program: the sign of life is the process' alarm signal. */
+typedef struct progress {
+    progress_style style;
+    long first, steps; /* the run begins after step `first` and ends with `steps` */
+    double pace;       /* s a step takes, by the last ones */
+    double last;       /* s, when the last step ended */
+} progress;
+
+/** Begins to tell. With a bar or lines, a step that takes long shows signs of life (SIGALRM): a bar
+ *  counts its seconds, lines say every minute which step is under way. */
+void progress_begin(progress *p, progress_style style, long first, long steps);
+
+/** Tells that a step is done. time: simulated, seconds: wall, since progress_begin, both s. */
+void progress_tell(progress *p, long step, double time, long iterations, double seconds);
+
+/** No more signs of life; a bar's line is ended. */
+void progress_end(progress *p);
 
 #endif

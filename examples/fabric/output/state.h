@@ -2,19 +2,8 @@
 /**
  * A cloth's state in a file: final.state with every bit of it, frames with what a picture needs.
  *
- * The file is a header of 64 bytes and a payload, all numbers as the writing machine has them:
- *
- *   0  char[8]  "FABRICST"
- *   8  uint32   0x01020304, to tell the byte order
- *  12  uint32   version of this format: 1
- *  16  uint32   what the payload has: the bits of state_part
- *  20  int32    vertices
- *  24  int32    triangles
- *  28  uint32   0
- *  32  double   time, s
- *  40  int64    step
- *  48  uint64   bytes of payload
- *  56  uint64   checksum: FNV-1a, 64 bits, of header (with 0 here) and payload
+ * The file is a sealed one (sealed_file.h) of kind "FABRICST", version 1; its parts are the bits of
+ * state_part.
  *
  * Payload, in this order, each part where its bit is set (positions always): positions
  * [vertices][3] (m; float with STATE_SINGLE, else double), velocities [vertices][3] (double, m/s),

@@ -13,8 +13,8 @@ typedef struct run_account {
     int threads;          /* 1 without OpenMP */
     double mesh_seconds;  /* wall, to generate and order the mesh */
     double setup_seconds; /* wall, from mesh to simulation */
-    double step_seconds;  /* wall, all steps */
-    int interrupted;      /* ended by a signal before its last step */
+    double step_seconds;  /* wall, all steps, those before a checkpoint too */
+    int interrupted;      /* it has ended before its last step */
 } run_account;
 
 /** Writes the JSON object beside `path`, then renames. 0, or -1 after a message. */

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The parts of `fabric run`: its folder (run_folder.c) and its checkpoints (run_resume.c). */
+#ifndef FABRIC_COMMANDS_RUN_H
+#define FABRIC_COMMANDS_RUN_H
+
+#include "commands/commands.h"
+#include "files.h"
+#include "output/checkpoint.h"
+#include "output/progress.h"
+#include "output/summary.h"
+
+enum { FRAMES = 25, NOT_GIVEN = -1 };
+
+/** What the command line asks for. */
+typedef struct run_request {
+    const char *scene_name; /* NULL: that of the run to go on with */
+    const char *folder;     /* NULL: named after the scene */
+    const char *resume;     /* NULL: a new run */
+    long steps;             /* NOT_GIVEN: the scene's */
+    long stop_after;        /* NOT_GIVEN: the last step */
+    long threads;           /* 0: as OpenMP chooses */
+    long frames;            /* NOT_GIVEN: FRAMES, or the run's to go on with */
+    long every;             /* as frames; NOT_GIVEN of a new run: 0 */
+    progress_style progress;
+    setting_list settings;
+} run_request;
+
+/** All that a run has in hand. */
+typedef struct cloth_run {
+    scene of;
+    mesh cloth;
+    int *original; /* [vertices] number of each vertex in the mesh as generated */
+    simulation *sim;
+    run_record record;
+    checkpoint from; /* where it goes on from; empty: it begins */
+    char from_path[FILE_PATH_SIZE];
+    char folder[FILE_PATH_SIZE];
+    char frames_folder[FILE_PATH_SIZE];
+    run_account account;
+} cloth_run;
+
+/** Names the folder, makes it and removes what an older run left there after record.step (of a run
+ *  that begins: all), so that nothing of it passes for this run's. 0, or -1 after a message. */
+int run_prepare_folder(cloth_run *run, const run_request *r);
+
+/** Writes the state after record.step for pictures, where it is one of those asked for. 0, or -1
+ *  after a message. */
+int run_write_frame(const cloth_run *run);
+
+/** Writes what a run leaves: its last state and its account. 0, or -1 after a message. */
+int run_write_results(const cloth_run *run);
+
+/** Reads the scene and where the run stood from a checkpoint; what the command line says of the
+ *  scene must be what it was. 0, or -1 after a message. */
+int run_resume(cloth_run *run, const run_request *r);
+
+/** With the simulation made: brings it to where it was. 0, or -1 after a message. */
+int run_restore(cloth_run *run);
+
+/** Writes the checkpoint of record.step. 0, or -1 after a message: an older one is as it was. */
+int run_save(cloth_run *run);
+
+/** Removes the checkpoint of a run that is done: there is nothing to go on with. */
+void run_forget(const cloth_run *run);
+
+#endif

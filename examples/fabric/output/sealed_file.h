@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Files of a header, a payload and a checksum over both, all numbers as the writing machine has
+ * them: what is torn, damaged, of another kind, version or byte order is refused.
+ *
+ *   0  char[8]  which kind of file it is
+ *   8  uint32   0x01020304, to tell the byte order
+ *  12  uint32   version of the kind's format
+ *  16  uint32   which parts the payload has, as the kind defines them
+ *  20  int32    vertices
+ *  24  int32    triangles
+ *  28  uint32   0
+ *  32  double   time, s
+ *  40  int64    step
+ *  48  uint64   bytes of payload
+ *  56  uint64   checksum: FNV-1a, 64 bits, of header (with 0 here) and payload
+ */
+#ifndef FABRIC_OUTPUT_SEALED_FILE_H
+#define FABRIC_OUTPUT_SEALED_FILE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct sealed_header {
+    char magic[8];
+    uint32_t byte_order;
+    uint32_t version;
+    uint32_t parts;
+    int32_t vertex_count;
+    int32_t triangle_count;
+    uint32_t zero;
+    double time;
+    int64_t step;
+    uint64_t payload_size;
+    uint64_t checksum;
+} sealed_header;
+
+typedef struct sealed_kind {
+    char magic[9];    /* 8 characters */
+    uint32_t version; /* the one that this program writes and reads */
+    const char *name; /* "a state": what a file of this kind is, in messages */
+    int durable; /* it is on the disk before it gets its name, whatever happens to the machine */
+} sealed_kind;
+
+/** Writes beside `path`, then renames: a file of that name is always whole. The header needs parts,
+ * counts, time, step and payload_size; the rest is filled in. 0, or -1 after a message. */
+int sealed_file_write(const sealed_kind *kind, sealed_header *header, const void *payload,
+                      const char *path);
+
+/** Reads the header and checks what there is to check before the payload is there. 0, or -1 after a
+ *  message that says what is wrong with the file. */
+int sealed_file_read_header(const sealed_kind *kind, sealed_header *header, FILE *file,
+                            const char *path);
+
+/** Whether the file has no fewer bytes than the header claims, as far as a file of its sort can
+ *  tell: to be asked before memory is taken for them. 0, or -1 after a message. */
+int sealed_file_check_size(const sealed_header *header, FILE *file, const char *path);
+
+/** Reads the payload, [header->payload_size], and checks the sum. 0, or -1 after a message. */
+int sealed_file_read_payload(const sealed_header *header, void *payload, FILE *file,
+                             const char *path);
+
+/** "path: what" on standard error. Returns -1. */
+int sealed_file_complain(const char *path, const char *what);
+
+/** FNV-1a (Fowler, Noll, Vo), 64 bits: of the bytes, continued from `hash`; begin with
+ *  FNV_1A_BEGIN. */
+uint64_t fnv_1a(uint64_t hash, const void *bytes, size_t size);
+#define FNV_1A_BEGIN UINT64_C(0xcbf29ce484222325)
+
+#endif

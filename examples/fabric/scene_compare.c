@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The first key in which two scenes differ. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene.h"
+#include "scene_value.h"
+#include "scene_write.h"
+
+/** Two structs with the same keys, and where what differs is to be said. */
+typedef struct comparison {
+    const char *a, *b;
+    char *said; /* [256] */
+    int failed; /* out of memory */
+} comparison;
+
+static int compare_keys(comparison *of, const scene_key *keys, const char *path);
+
+/** A value as a scene file has it; to be freed. NULL: out of memory. */
+static char *value_text(const scene_key *key, const char *source) {
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        return NULL;
+    scene_write_value(file, key, source);
+    if (fclose(file) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+static int compare_values(comparison *of, const scene_key *key, const char *path) {
+    char *one = value_text(key, of->a), *other = value_text(key, of->b);
+    const int differ = !one || !other || strcmp(one, other) != 0;
+    of->failed |= !one || !other;
+    if (differ && !of->failed)
+        snprintf(of->said, 256, "'%.100s' is %.60s, there %.60s", path, one, other);
+    free(one);
+    free(other);
+    return differ;
+}
+
+static int compare_lists(comparison *of, const scene_key *key, const char *path) {
+    char item_path[PATH_SIZE];
+    const char *one, *other;
+    int count, other_count;
+    memcpy(&one, of->a + key->offset, sizeof one);
+    memcpy(&other, of->b + key->offset, sizeof other);
+    memcpy(&count, of->a + key->list->count_offset, sizeof count);
+    memcpy(&other_count, of->b + key->list->count_offset, sizeof other_count);
+    if (count != other_count) {
+        snprintf(of->said, 256, "'%.100s' has %d items, there %d", path, count, other_count);
+        return 1;
+    }
+    for (int k = 0; k < count; k++) {
+        const size_t offset = (size_t)k * key->list->item_size;
+        comparison items = {one + offset, other + offset, of->said, of->failed};
+        snprintf(item_path, sizeof item_path, "%.100s.%d", path, k);
+        if (compare_keys(&items, key->keys, item_path)) {
+            of->failed = items.failed;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/** Stops at the first difference: behind a collider's kind other keys would follow. */
+static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
+    const unsigned kind = strcmp(keys->name, "kind") == 0
+                              ? *(const unsigned *)(const void *)(of->a + keys->offset)
+                              : 0;
+    for (const scene_key *key = keys; key->name; key++) {
+        char name[PATH_SIZE];
+        int differ = 0;
+        snprintf(name, sizeof name, "%.80s%s%.40s", path, path[0] ? "." : "", key->name);
+        if (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0)
+            continue;
+        if (key->kind == VALUE_SECTION)
+            differ = compare_keys(of, key->keys, name);
+        else if (key->kind == VALUE_LIST)
+            differ = compare_lists(of, key, name);
+        else if (key->kind != VALUE_FILE && strcmp(name, "time.steps") != 0)
+            differ = compare_values(of, key, name);
+        if (differ)
+            return 1;
+    }
+    return 0;
+}
+
+int scene_differ(const scene *a, const scene *b, char *said) {
+    comparison whole = {(const char *)a, (const char *)b, said, 0};
+    const int differ = compare_keys(&whole, scene_keys, "");
+    if (whole.failed)
+        snprintf(said, 256, "out of memory");
+    return differ;
+}
