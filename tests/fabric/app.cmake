@@ -17,6 +17,11 @@ fabric_app_test(scene fabric_scene)
 if(TARGET fabric_app)
   fabric_app_test(state fabric_app)
   fabric_app_test(picture fabric_app)
+  fabric_app_test(checkpoint fabric_app)
+  fabric_app_test(progress fabric_app)
+  add_test(NAME fabric.app.docs
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_docs.sh $<TARGET_FILE:fabric-serial>
+                   ${scenes_folder} ${app_folder}/docs ${PROJECT_SOURCE_DIR}/docs/fabric-runs.md)
   foreach(script accuracy cli export resume run render)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>

@@ -7,7 +7,8 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* The pace is a mean over this many steps: contact makes later steps slower than the first. */
+/* With each step the pace forgets one part in so many of those before: contact makes later steps
+ * slower than the first. */
 enum { STEPS_REMEMBERED = 10 };
 /* Seconds between signs of life. */
 enum { BAR_BEAT = 1, LINES_BEAT = 60 };

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The commands of a document, as they stand there: each must do what it says, one that begins with
+# '!' must fail. And the manual page and the completion, which lie beside it, know the options of
+# `run`. Arguments: PROGRAM SCENES FOLDER DOCUMENT.
+source "$(dirname "$0")/app_common.sh"
+mkdir bin
+ln -s "$program" bin/fabric
+PATH=$PWD/bin:$PATH
+count=0
+while read -r line; do
+  count=$((count + 1))
+  bash -c "$line" >said 2>&1 || { holds "$line" false; cat said; }
+done < <(awk '/^```/ { inside = !inside; next } inside' "$4")
+holds "the document has commands" test "$count" -gt 3
+# What the document says that is said.
+while read -r text; do
+  holds "said: $text" grep -qF -- "$text" said
+done < <(sed -n 's/^says `\(.*\)`, and changes nothing\.$/\1/p' "$4")
+documents=$(dirname "$4")
+for option in $("$program" run --help | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$'); do
+  holds "the manual page has $option" grep -qF -- "${option//-/\\-}" "$documents/man/fabric.1"
+  holds "the completion has $option" grep -qE -- "(^|[' ])$option([' ]|\$)" "$documents/completions/fabric"
+done
+finish
