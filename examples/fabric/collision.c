@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "chunk_sum.h"
+#include "pin.h"
 #include "shape.h"
 #include "vector.h"
 
@@ -16,20 +17,18 @@ static int lasts(double from, double until, double time) {
     return time >= from && (until <= 0 || time < until);
 }
 
-/* The vertices that pins hold at `time`; a vertex without mass is held by the last, which stays. */
+/* The vertices that pins hold at `time`, the first of several pins; a vertex without mass is held
+ * by the last, which stays. */
 static void find_pins(collisions *c, double time) {
     const scene *s = c->scene;
     c->pinned = 0;
-    for (int i = 0; i < c->vertex_count; i++) {
-        const double *at = c->mesh->material[i];
+    for (int i = 0; i < c->vertex_count; i++)
         c->pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
-        for (int p = s->pin_count - 1; p >= 0; p--)
-            if (lasts(0, s->pins[p].until, time) && at[0] >= s->pins[p].low[0] &&
-                at[0] <= s->pins[p].high[0] && at[1] >= s->pins[p].low[1] &&
-                at[1] <= s->pins[p].high[1])
-                c->pin_of[i] = p;
+    for (int p = s->pin_count - 1; p >= 0; p--)
+        if (lasts(0, s->pins[p].until, time))
+            pin_find(&s->pins[p], c->mesh, p, c->pin_of);
+    for (int i = 0; i < c->vertex_count; i++)
         c->pinned += c->pin_of[i] >= 0;
-    }
 }
 
 void collisions_follow(collisions *c, double time) {

@@ -33,6 +33,7 @@ void mesh_free(mesh *m) {
     free(m->triangle);
     free(m->edge);
     free(m->hinge);
+    free(m->number);
     *m = (mesh){0};
 }
 

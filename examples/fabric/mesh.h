@@ -10,6 +10,8 @@ typedef struct mesh {
     int hinge_count;
     double (*position)[3]; /* [vertex_count] m, where the cloth starts */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
+    int rest_in_space;     /* the rest shape of each triangle is that of its positions instead */
+    int *number;           /* [vertex_count] of each vertex before mesh_reorder; NULL: not kept */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */
     int (*hinge)[4];    /* [hinge_count] the shared edge's two vertices, then the two wings' */

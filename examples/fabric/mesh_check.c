@@ -151,7 +151,7 @@ static void check_triangles(const mesh *m, mesh_problem *found, unsigned char *u
         const mesh_rest_kind kind = mesh_rest_triangle(m, v[0], v[1], v[2], uv);
         if (kind == MESH_REST_NONE)
             note(found, MESH_FLAT_TRIANGLE, t);
-        else if (kind == MESH_REST_POSITION)
+        else if (kind == MESH_REST_POSITION && !m->rest_in_space)
             note(found, MESH_NO_MATERIAL, t);
         used[v[0]] = used[v[1]] = used[v[2]] = 1;
     }

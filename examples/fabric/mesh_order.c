@@ -202,19 +202,25 @@ static void rename_vertices(int *records, int words, const int *new_of_old) {
 static int move_vertices(mesh *m, const int *new_of_old) {
     double(*position)[3] = malloc((size_t)m->vertex_count * sizeof *position);
     double(*material)[2] = malloc((size_t)m->vertex_count * sizeof *material);
-    if (!position || !material) {
+    int *number = m->number ? malloc((size_t)m->vertex_count * sizeof *number) : NULL;
+    if (!position || !material || (m->number && !number)) {
         free(position);
         free(material);
+        free(number);
         return -1;
     }
     for (int v = 0; v < m->vertex_count; v++) {
         memcpy(position[new_of_old[v]], m->position[v], sizeof *position);
         memcpy(material[new_of_old[v]], m->material[v], sizeof *material);
+        if (number)
+            number[new_of_old[v]] = m->number[v];
     }
     free(m->position);
     free(m->material);
+    free(m->number);
     m->position = position;
     m->material = material;
+    m->number = number;
     if (m->triangle_count > 0)
         rename_vertices(&m->triangle[0][0], 3 * m->triangle_count, new_of_old);
     if (m->edge_count > 0)

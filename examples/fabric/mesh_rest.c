@@ -47,7 +47,7 @@ mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[
     from_material(m, corner, uv);
     from_position(m, corner, space);
     const double(*flat)[2] = (const double(*)[2])uv, (*found)[2] = (const double(*)[2])space;
-    if (!is_flat(flat) && area_of(flat) > 1e-9 * area_of(found))
+    if (!m->rest_in_space && !is_flat(flat) && area_of(flat) > 1e-9 * area_of(found))
         return MESH_REST_MATERIAL;
     if (is_flat(found))
         return MESH_REST_NONE;
@@ -55,4 +55,15 @@ mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[
         for (int a = 0; a < 2; a++)
             uv[p][a] = space[p][a];
     return MESH_REST_POSITION;
+}
+
+double mesh_rest_area(const mesh *m) {
+    double sum = 0;
+    for (int t = 0; t < m->triangle_count; t++) {
+        const int *v = m->triangle[t];
+        double uv[3][2];
+        if (mesh_rest_triangle(m, v[0], v[1], v[2], uv) != MESH_REST_NONE)
+            sum += area_of((const double(*)[2])uv);
+    }
+    return sum;
 }

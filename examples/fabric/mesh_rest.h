@@ -11,13 +11,16 @@
 
 typedef enum mesh_rest_kind {
     MESH_REST_MATERIAL, /* from the material coordinates */
-    MESH_REST_POSITION, /* those have no area: from the positions where the cloth starts */
+    MESH_REST_POSITION, /* those have no area, or rest_in_space: from where the cloth starts */
     MESH_REST_NONE      /* nor have the positions: no rest shape */
 } mesh_rest_kind;
 
 /** The triangle i, j, k flat: uv[0] = (0, 0). Material coordinates that lie in a line, or have less
  *  than 1e-9 of the area that the positions have, are not used. */
 mesh_rest_kind mesh_rest_triangle(const mesh *m, int i, int j, int k, double uv[3][2]);
+
+/** The area of all rest shapes together, m^2. */
+double mesh_rest_area(const mesh *m);
 
 /** What is wrong with a mesh, with the number of the first triangle, edge or vertex of its kind. */
 enum {

@@ -2,11 +2,13 @@
 #include "scene.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "input/mesh_file.h"
+#include "scene_sheet.h"
 #include "scene_value.h"
 #include "surface.h"
 
@@ -34,6 +36,11 @@ static const yaml_node_t *node_at(const scene_source *from, const char *path) {
     return node;
 }
 
+/** The node at `path` for a message; NULL where there are no lines. */
+static const yaml_node_t *line_of(const scene_source *from, const char *path) {
+    return from->has_lines ? node_at(from, path) : NULL;
+}
+
 /** Reads the meshes of colliders that have none yet. */
 static int read_surfaces(const scene_source *from, scene *s) {
     for (int n = 0; n < s->collider_count; n++) {
@@ -47,31 +54,76 @@ static int read_surfaces(const scene_source *from, scene *s) {
         mesh_free(&m);
         snprintf(path, sizeof path, "colliders.%d.file", n);
         if (!c->surface)
-            return scene_complain(from, from->has_lines ? node_at(from, path) : NULL,
-                                  "'%s' is '%s': %s", path, c->file, error);
+            return scene_complain(from, line_of(from, path), "'%s' is '%s': %s", path, c->file,
+                                  error);
+    }
+    return 0;
+}
+
+/** Reads the cloth's mesh, if it is from a file and was not read yet. */
+static int read_sheet(const scene_source *from, scene *s) {
+    char error[256] = "it cannot be read";
+    if (s->sheet_from != SHEET_FILE)
+        return 0;
+    if (!s->sheet && !(s->sheet = scene_sheet_read(s->file, s->rest, error)))
+        return scene_complain(from, line_of(from, "mesh.file"), "'mesh.file' is '%s': %s", s->file,
+                              error);
+    s->vertices = s->sheet->vertex_count;
+    s->boundary = 0;
+    s->side = s->scale * sqrt(mesh_rest_area(s->sheet));
+    if (s->rest == REST_TEXTURE && !mesh_file_has_texture(s->file))
+        return scene_complain(from, line_of(from, "mesh.rest"),
+                              "'mesh.rest' is 'texture', expected 'mesh.file' to be an .obj file");
+    return 0;
+}
+
+static int check_pins(const scene_source *from, const scene *s) {
+    char path[PATH_SIZE];
+    for (int k = 0; k < s->pin_count; k++) {
+        const pin *p = &s->pins[k];
+        const int in_box = p->by == PIN_BOX;
+        const double *low = in_box ? p->box_low : p->low, *high = in_box ? p->box_high : p->high;
+        for (int a = 0; a < (in_box ? 3 : p->by == PIN_RECTANGLE ? 2 : 0); a++)
+            if (low[a] > high[a]) {
+                snprintf(path, sizeof path, "pins.%d.%slow", k, in_box ? "box_" : "");
+                return scene_complain(from, line_of(from, path),
+                                      "'%s' lies above '%shigh', expected a corner below it", path,
+                                      in_box ? "box_" : "");
+            }
+        for (int n = 0; n < p->vertex_count; n++)
+            if (p->vertices[n] > s->vertices) {
+                snprintf(path, sizeof path, "pins.%d.vertices", k);
+                return scene_complain(from, line_of(from, path),
+                                      "'%s' has the number %d, expected up to %d", path,
+                                      p->vertices[n], s->vertices);
+            }
     }
     return 0;
 }
 
 /** What no single key's range can say, of a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
-    char path[PATH_SIZE];
-    if (s->boundary >= s->vertices)
-        return scene_complain(from, from->has_lines ? node_at(from, "mesh.boundary") : NULL,
+    if (s->sheet_from == SHEET_GENERATED && s->boundary >= s->vertices)
+        return scene_complain(from, line_of(from, "mesh.boundary"),
                               "'mesh.boundary' is %d, expected less than 'mesh.vertices', %d",
                               s->boundary, s->vertices);
     if (s->strain_limit > 0 && !(s->stretch > 0))
-        return scene_complain(from, from->has_lines ? node_at(from, "material.strain_limit") : NULL,
+        return scene_complain(from, line_of(from, "material.strain_limit"),
                               "'material.strain_limit' limits a stretch that 'material.stretch' "
                               "sets to 0, expected more");
-    for (int k = 0; k < s->pin_count; k++) {
-        const pin *p = &s->pins[k];
-        snprintf(path, sizeof path, "pins.%d.low", k);
-        if (p->low[0] > p->high[0] || p->low[1] > p->high[1])
-            return scene_complain(from, from->has_lines ? node_at(from, path) : NULL,
-                                  "'%s' lies above 'high', expected a corner below it", path);
+    return read_sheet(from, s) == 0 && check_pins(from, s) == 0 ? read_surfaces(from, s) : -1;
+}
+
+/** Forgets what was read from files, to be read anew. */
+static void free_meshes(scene *s) {
+    for (int n = 0; n < s->collider_count; n++) {
+        surface_free(s->colliders[n].surface);
+        s->colliders[n].surface = NULL;
     }
-    return read_surfaces(from, s);
+    if (s->sheet)
+        mesh_free(s->sheet);
+    free(s->sheet);
+    s->sheet = NULL;
 }
 
 static int complain_syntax(const scene_source *from, const yaml_parser_t *parser) {
@@ -145,9 +197,10 @@ int scene_read_text(scene *s, char *text, size_t size, const char *name) {
 }
 
 void scene_free(scene *s) {
+    free_meshes(s);
+    for (int k = 0; k < s->pin_count; k++)
+        free(s->pins[k].vertices);
     free(s->pins);
-    for (int n = 0; n < s->collider_count; n++)
-        surface_free(s->colliders[n].surface);
     free(s->colliders);
     *s = (scene){0};
 }
@@ -191,8 +244,10 @@ static const scene_key *find_target(const scene_source *from, scene *s, char *pa
         snprintf(parent, sizeof parent, "%s", key->name);
         word = dot + 1;
         keys = key->keys;
-        if (key->kind != VALUE_LIST)
+        if (key->kind != VALUE_LIST) {
+            kind = scene_kind(keys, *target);
             continue;
+        }
         dot = strchr(word, '.');
         if (!dot) {
             scene_complain(from, NULL, "'%s.%s' is an item: set one of its keys", key->name, word);
@@ -202,8 +257,7 @@ static const scene_key *find_target(const scene_source *from, scene *s, char *pa
         if (!(*target = find_item(from, key, (char *)*target, word)))
             return NULL;
         snprintf(parent, sizeof parent, "%s.%.20s", key->name, word);
-        if (strcmp(keys->name, "kind") == 0)
-            kind = *(const int *)(const void *)((const char *)*target + keys->offset);
+        kind = scene_kind(keys, *target);
         word = dot + 1;
     }
 }
@@ -220,6 +274,8 @@ static int set_value(const scene_source *from, scene *s, char *path, const char 
         return scene_complain(from, NULL, "the kind of a collider cannot be set, only read");
     if (scene_read_value(from, value, key, target, value_path) != 0)
         return -1;
+    if (key->kind == VALUE_FILE)
+        free_meshes(s);
     return check_whole(from, s);
 }
 

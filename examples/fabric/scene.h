@@ -25,15 +25,22 @@ typedef struct collider {
     double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
     double friction;    /* Coulomb coefficient */
     double gap;         /* m, cloth rests at this distance */
-    char file[SCENE_FILE_SIZE]; /* mesh: an OBJ file, with its whole path */
+    char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
     double from, until;         /* s, it is there from then until then; until 0: for good */
 } collider;
 
-/** Pins hold the vertices whose material coordinates lie within [low, high]. */
+/** What tells which vertices a pin holds. */
+typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_kind;
+
 typedef struct pin {
-    double low[2];
-    double high[2];
+    int by;                       /* pin_kind */
+    double low[2], high[2];       /* m, rectangle of material coordinates */
+    double box_low[3];            /* m, box in space, */
+    double box_high[3];           /* where the cloth starts */
+    double nearest[3];            /* m, the vertex nearest to it where the cloth starts */
+    int vertex_count;             /* numbers in the mesh before it is reordered, */
+    int *vertices;                /* [vertex_count], from 1; the scene's */
     double velocity[3];           /* m/s; 0: held where they are */
     double move_from, move_until; /* s, it moves from then until then; until 0: for good */
     double until;                 /* s, it lets go then; 0: never */
@@ -47,11 +54,22 @@ typedef struct monitor_limits {
     double penetration; /* m, of a vertex into a collider */
 } monitor_limits;
 
+/** Where the cloth comes from, */
+typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
+
+/** and what the rest shape of one from a file is. */
+typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
+
 typedef struct scene {
     char name[64];
     /* mesh */
-    int vertices, boundary;
-    double side; /* m */
+    int sheet_from;             /* sheet_kind; from a file: */
+    char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
+    double scale;               /* m, of the file's unit */
+    int rest;                   /* sheet_rest */
+    struct mesh *sheet;         /* as the file has it; freed by scene_free */
+    int vertices, boundary;     /* from a file: as many as it has, and 0 */
+    double side;                /* m; from a file: the square root of its area */
     unsigned seed;
     mesh_order order;
     double origin[3]; /* m, where the sheet's centre is put */
@@ -94,7 +112,8 @@ int scene_read(scene *s, const char *path);
 int scene_set(scene *s, const char *assignment);
 void scene_free(scene *s);
 
-/** The scene's cloth: generated, placed by origin and normal, connected, numbered in its order.
+/** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
+ * in its order.
  *  new_of_old: as for mesh_reorder, [s->vertices] or NULL. 0, or -1 with a message in error[256].
  */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);

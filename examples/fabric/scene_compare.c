@@ -68,14 +68,16 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
 
 /** Stops at the first difference: behind a collider's kind other keys would follow. */
 static int compare_keys(comparison *of, const scene_key *keys, const char *path) {
-    const unsigned kind = strcmp(keys->name, "kind") == 0
-                              ? *(const unsigned *)(const void *)(of->a + keys->offset)
-                              : 0;
+    const int kind = scene_kind(keys, of->a);
+    if (keys->name[0] == '\0' && kind != scene_kind(keys, of->b)) {
+        snprintf(of->said, 256, "'%.100s' is given by other keys there", path);
+        return 1;
+    }
     for (const scene_key *key = keys; key->name; key++) {
         char name[PATH_SIZE];
         int differ = 0;
         snprintf(name, sizeof name, "%.80s%s%.40s", path, path[0] ? "." : "", key->name);
-        if (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0)
+        if (key->name[0] == '\0' || (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0))
             continue;
         if (key->kind == VALUE_SECTION)
             differ = compare_keys(of, key->keys, name);

@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene_keys.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "scene.h"
 #include "surface.h"
 
 _Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the scene's name");
 
 _Static_assert(sizeof((collider *)0)->file == FILE_SIZE, "a file fits the collider's");
+
+_Static_assert(sizeof((scene *)0)->file == FILE_SIZE, "a file fits the scene's");
 
 #define ANY -1e300, 1e300, 0
 #define POSITIVE 0.0, 1e300, 1
@@ -42,10 +47,23 @@ static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi",   
                                               "jacobi",       "incomplete-cholesky", NULL};
 static const char *const precisions[] = {"double", "float", "mixed", NULL};
 
+/* Before all others: which kind the keys that were read make of it. */
+#define KIND_BY_KEYS(struct_, field)                                                               \
+    { "", VALUE_WHOLE, offsetof(struct_, field), 0, 1, ANY, 0, NULL, NULL, NULL }
+
+#define GENERATED (1u << SHEET_GENERATED)
+#define FROM_FILE (1u << SHEET_FILE)
+static const char *const rests[] = {"positions", "texture", NULL};
 static const scene_key mesh_keys[] = {
-    WHOLE(scene, vertices, 1, BETWEEN(5, 2e7)),
-    WHOLE(scene, boundary, 1, BETWEEN(4, 1e7)),
-    NUMBER(scene, side, 1, POSITIVE),
+    KIND_BY_KEYS(scene, sheet_from),
+    {"vertices", VALUE_WHOLE, offsetof(scene, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED, NULL,
+     NULL, NULL},
+    {"boundary", VALUE_WHOLE, offsetof(scene, boundary), 1, 1, BETWEEN(4, 1e7), GENERATED, NULL,
+     NULL, NULL},
+    {"side", VALUE_NUMBER, offsetof(scene, side), 1, 1, POSITIVE, GENERATED, NULL, NULL, NULL},
+    {"file", VALUE_FILE, offsetof(scene, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
+    {"scale", VALUE_NUMBER, offsetof(scene, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL, NULL},
+    {"rest", VALUE_CHOICE, offsetof(scene, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
     {"seed", VALUE_SEED, offsetof(scene, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL, NULL},
     CHOICE(scene, order, 0, orders),
     VECTOR(scene, origin, 0, 3),
@@ -95,8 +113,18 @@ static const scene_key self_keys[] = {
      NULL},
     END};
 
-static const scene_key pin_keys[] = {VECTOR(pin, low, 1, 2),
-                                     VECTOR(pin, high, 1, 2),
+#define BY(kind) (1u << PIN_##kind)
+#define PLACE(field, components, kind)                                                             \
+    { #field, VALUE_VECTOR, offsetof(pin, field), 1, components, ANY, BY(kind), NULL, NULL, NULL }
+static const scene_list vertex_list = {offsetof(pin, vertex_count), sizeof(int), NULL, NULL};
+static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
+                                     PLACE(low, 2, RECTANGLE),
+                                     PLACE(high, 2, RECTANGLE),
+                                     PLACE(box_low, 3, BOX),
+                                     PLACE(box_high, 3, BOX),
+                                     PLACE(nearest, 3, NEAREST),
+                                     {"vertices", VALUE_NUMBERS, offsetof(pin, vertices), 1, 1,
+                                      BETWEEN(1, 2e9), BY(VERTICES), NULL, NULL, &vertex_list},
                                      VECTOR(pin, velocity, 0, 3),
                                      NUMBER(pin, move_from, 0, NOT_NEGATIVE),
                                      NUMBER(pin, move_until, 0, NOT_NEGATIVE),
@@ -129,7 +157,12 @@ static void release_collider(void *item) {
     surface_free(((collider *)item)->surface);
 }
 
-static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pin_defaults, NULL};
+static void release_pin(void *item) {
+    free(((pin *)item)->vertices);
+}
+
+static const scene_list pin_list = {offsetof(scene, pin_count), sizeof(pin), &pin_defaults,
+                                    release_pin};
 static const scene_list collider_list = {offsetof(scene, collider_count), sizeof(collider),
                                          &collider_defaults, release_collider};
 
@@ -146,7 +179,14 @@ const scene_key scene_keys[] = {
     SECTION("monitor", 0, monitor_keys),
     END};
 
+int scene_kind(const scene_key *keys, const void *struct_) {
+    if (keys->name[0] != '\0' && strcmp(keys->name, "kind") != 0)
+        return -1;
+    return *(const int *)(const void *)((const char *)struct_ + keys->offset);
+}
+
 const scene scene_defaults = {
+    .scale = 1.0,
     .seed = 1,
     .order = MESH_ORDER_SORTED,
     .normal = {0.0, 0.0, 1.0},

@@ -15,6 +15,7 @@ typedef enum value_kind {
     VALUE_DIRECTION, /* double[3], made a unit vector when read */
     VALUE_CHOICE,    /* enum, or int: the number of the word in choices */
     VALUE_SECTION,   /* keys of its own, in the same struct */
+    VALUE_NUMBERS,   /* int[], allocated; list: counts and frees them */
     VALUE_LIST       /* items with keys of their own, in an allocated array */
 } value_kind;
 
@@ -31,18 +32,22 @@ typedef struct scene_list {
 } scene_list;
 
 struct scene_key {
-    const char *name;
+    const char *name; /* "": not in files; the int at offset tells of_kinds what was read */
     value_kind kind;
     size_t offset; /* in the struct of the scene, or of the list's item */
     int required;
-    int components;             /* of a vector */
-    double low, high;           /* least and greatest value */
-    int above;                  /* low itself is out of range */
-    unsigned of_kinds;          /* items: bits of the `kind`s that have this key; 0: all */
+    int components;    /* of a vector */
+    double low, high;  /* least and greatest value */
+    int above;         /* low itself is out of range */
+    unsigned of_kinds; /* bits of the kinds of item or section that have this key; 0: all */
     const char *const *choices; /* NULL after the last */
     const scene_key *keys;      /* of a section or of a list's items; no name after the last */
     const scene_list *list;
 };
+
+/** Which of its kinds, by which `of_kinds` goes, the section or item in `struct_` is of; -1: it has
+ *  no kinds. The first key tells: `kind`, or one that is not in files. */
+int scene_kind(const scene_key *keys, const void *struct_);
 
 /** A file's outermost keys; no name after the last. */
 extern const scene_key scene_keys[];

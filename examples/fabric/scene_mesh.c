@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The cloth of a scene: generated, put where the scene wants it, numbered as it wants. */
-#include "scene.h"
-
+/* The cloth of a scene: generated or from a file, put where the scene wants it, numbered as it
+ * wants. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "scene_sheet.h"
+
+enum { ERROR_SIZE = 256 };
 
 /** Unit vectors of the sheet's plane: `right` horizontal, `up` as far up as the plane allows; in a
  *  horizontal plane `right` is x. right x up = normal. */
@@ -26,12 +31,51 @@ static void place(const scene *s, mesh *m) {
                 s->origin[k] + m->material[v][0] * right[k] + m->material[v][1] * up[k];
 }
 
+/** As above, for a cloth that need not be flat: its z along the normal. */
+static void place_in_space(const scene *s, mesh *m) {
+    double right[3], up[3];
+    plane_axes(s->normal, right, up);
+    for (int v = 0; v < m->vertex_count; v++) {
+        const double p[3] = {m->position[v][0], m->position[v][1], m->position[v][2]};
+        for (int k = 0; k < 3; k++)
+            m->position[v][k] = s->origin[k] + p[0] * right[k] + p[1] * up[k] + p[2] * s->normal[k];
+    }
+}
+
+static int make_sheet(const scene *s, mesh *m, char *error) {
+    if (s->sheet_from == SHEET_GENERATED) {
+        if (mesh_generate(m, s->vertices, s->boundary, s->side, s->seed, error) != 0)
+            return -1;
+        place(s, m);
+        return 0;
+    }
+    if (scene_sheet_copy(s, m) == 0) {
+        place_in_space(s, m);
+        return 0;
+    }
+    snprintf(error, ERROR_SIZE, "out of memory");
+    return -1;
+}
+
+/** Numbers for the pins that go by them. */
+static int keep_numbers(const scene *s, mesh *m) {
+    int wanted = 0;
+    for (int k = 0; k < s->pin_count; k++)
+        wanted += s->pins[k].by == PIN_VERTICES || s->pins[k].by == PIN_NEAREST;
+    if (wanted == 0)
+        return 0;
+    m->number = malloc((size_t)m->vertex_count * sizeof *m->number);
+    for (int v = 0; m->number && v < m->vertex_count; v++)
+        m->number[v] = v;
+    return m->number ? 0 : -1;
+}
+
 int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error) {
     int non_manifold;
-    if (mesh_generate(m, s->vertices, s->boundary, s->side, s->seed, error) != 0)
+    if (make_sheet(s, m, error) != 0)
         return -1;
-    place(s, m);
-    if (mesh_connect(m, &non_manifold, error) == 0 &&
+    snprintf(error, ERROR_SIZE, "out of memory");
+    if (keep_numbers(s, m) == 0 && mesh_connect(m, &non_manifold, error) == 0 &&
         mesh_reorder(m, s->order, s->seed, new_of_old, error) == 0)
         return 0;
     mesh_free(m);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene_value.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -58,10 +59,13 @@ static int wrong_type(const scene_source *from, const yaml_node_t *node, const c
                           node->type == YAML_SEQUENCE_NODE ? "list" : "section", expected);
 }
 
+static int is_whole(const scene_key *key) {
+    return key->kind == VALUE_WHOLE || key->kind == VALUE_SEED || key->kind == VALUE_NUMBERS;
+}
+
 /** The range in words: "a number greater than 0". */
 static void describe_range(char text[MESSAGE_SIZE], const scene_key *key) {
-    const char *noun =
-        key->kind == VALUE_WHOLE || key->kind == VALUE_SEED ? "a whole number" : "a number";
+    const char *noun = is_whole(key) ? "a whole number" : "a number";
     if (key->low <= -1e300)
         snprintf(text, MESSAGE_SIZE, "%s", noun);
     else if (key->high >= 1e300)
@@ -89,12 +93,15 @@ static void describe(char text[MESSAGE_SIZE], const scene_key *key) {
                : key->kind == VALUE_FILE    ? "the name of a file"
                : key->kind == VALUE_SECTION ? "a section of keys"
                                             : "a list");
-    else if (key->components == 1)
+    else if (key->components == 1 && key->kind != VALUE_NUMBERS)
         describe_range(text, key);
     else {
         describe_range(text, key);
         snprintf(range, sizeof range, "%.*s", (int)sizeof range - 1, text);
-        snprintf(text, MESSAGE_SIZE, "a list of %d, each %s", key->components, range);
+        if (key->kind == VALUE_NUMBERS)
+            snprintf(text, MESSAGE_SIZE, "a list, each %s", range);
+        else
+            snprintf(text, MESSAGE_SIZE, "a list of %d, each %s", key->components, range);
     }
 }
 
@@ -108,9 +115,8 @@ static int read_number(const scene_source *from, const yaml_node_t *node, const 
     const char *text = scalar(node);
     char expected[MESSAGE_SIZE], *end = NULL;
     *value = text ? strtod(text, &end) : 0.0;
-    const int whole = key->kind == VALUE_WHOLE || key->kind == VALUE_SEED;
     if (text && end != text && *end == '\0' && in_range(key, *value) &&
-        (!whole || *value == floor(*value)))
+        (!is_whole(key) || *value == floor(*value)))
         return 0;
     describe_range(expected, key);
     return wrong_type(from, node, path, expected);
@@ -198,6 +204,38 @@ static void free_items(const scene_list *list, char *items, long count) {
     free(items);
 }
 
+/** Whole numbers, in memory of their own that takes the place of what was there. */
+static int read_numbers(const scene_source *from, const yaml_node_t *node, const scene_key *key,
+                        char *target, const char *path) {
+    char expected[MESSAGE_SIZE];
+    if (node->type != YAML_SEQUENCE_NODE) {
+        describe(expected, key);
+        return wrong_type(from, node, path, expected);
+    }
+    const long count = node->data.sequence.items.top - node->data.sequence.items.start;
+    int *numbers = malloc((size_t)count * sizeof *numbers + 1), *old;
+    if (!numbers || count > INT_MAX) {
+        free(numbers);
+        return scene_complain(from, node, "out of memory");
+    }
+    for (long k = 0; k < count; k++) {
+        double number;
+        if (read_number(from,
+                        yaml_document_get_node(from->document, node->data.sequence.items.start[k]),
+                        key, &number, path) != 0) {
+            free(numbers);
+            return -1;
+        }
+        numbers[k] = (int)number;
+    }
+    memcpy(&old, target + key->offset, sizeof old);
+    free(old);
+    const int number_count = (int)count;
+    memcpy(target + key->offset, &numbers, sizeof numbers);
+    memcpy(target + key->list->count_offset, &number_count, sizeof number_count);
+    return 0;
+}
+
 static int read_list(const scene_source *from, const yaml_node_t *node, const scene_key *key,
                      char *target, const char *path) {
     const scene_list *list = key->list;
@@ -260,6 +298,8 @@ int scene_read_value(const scene_source *from, const yaml_node_t *node, const sc
         return read_choice(from, node, key, (int *)(void *)field, path);
     case VALUE_SECTION:
         return scene_read_mapping(from, node, key->keys, target, path);
+    case VALUE_NUMBERS:
+        return read_numbers(from, node, key, target, path);
     case VALUE_LIST:
         return read_list(from, node, key, target, path);
     }
@@ -277,7 +317,7 @@ const scene_key *scene_find_key(const scene_source *from, const yaml_node_t *nod
     char expected[MESSAGE_SIZE] = "";
     int count = 0;
     for (; keys->name; keys++) {
-        if (!has_key(keys, kind))
+        if (keys->name[0] == '\0' || !has_key(keys, kind))
             continue;
         if (strcmp(keys->name, name) == 0)
             return keys;
@@ -306,10 +346,26 @@ static int check_required(const scene_source *from, const yaml_node_t *node, con
     return 0;
 }
 
+/** The first kind that has the first of the keys that not all kinds have; 0 where there is none. */
+static int kind_by_keys(const scene_source *from, const yaml_node_t *node, const scene_key *keys) {
+    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
+         pair < node->data.mapping.pairs.top; pair++) {
+        const char *name = scalar(yaml_document_get_node(from->document, pair->key));
+        for (const scene_key *key = keys; name && key->name; key++)
+            if (key->of_kinds != 0 && strcmp(key->name, name) == 0)
+                for (int kind = 0;; kind++)
+                    if ((key->of_kinds >> kind & 1u) != 0)
+                        return kind;
+    }
+    return 0;
+}
+
 /** The item's kind, on which its other keys depend; -1 where keys have no kind. -2: after a
  *  message. */
 static int read_kind(const scene_source *from, const yaml_node_t *node, const scene_key *keys,
                      const char *path) {
+    if (keys->name[0] == '\0')
+        return kind_by_keys(from, node, keys);
     if (strcmp(keys->name, "kind") != 0)
         return -1;
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
@@ -337,6 +393,8 @@ int scene_read_mapping(const scene_source *from, const yaml_node_t *node, const 
     const int kind = read_kind(from, node, keys, path);
     if (kind == -2)
         return -1;
+    if (keys->name[0] == '\0')
+        memcpy((char *)target + keys->offset, &kind, sizeof kind);
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start;
          pair < node->data.mapping.pairs.top; pair++) {
         const yaml_node_t *key_node = yaml_document_get_node(from->document, pair->key);

@@ -38,6 +38,16 @@ static void write_vector(FILE *file, const double *value, int components) {
     fputc(']', file);
 }
 
+static void write_numbers(FILE *file, const scene_key *key, const char *source) {
+    const int *numbers;
+    int count;
+    memcpy(&numbers, source + key->offset, sizeof numbers);
+    memcpy(&count, source + key->list->count_offset, sizeof count);
+    for (int k = 0; k < count; k++)
+        fprintf(file, "%s%d", k == 0 ? "[" : ", ", numbers[k]);
+    fputs(count == 0 ? "[]" : "]", file);
+}
+
 static void write_list(FILE *file, const scene_key *key, const char *source, int indent) {
     const char *items;
     int count;
@@ -74,6 +84,9 @@ void scene_write_value(FILE *file, const scene_key *key, const char *source) {
     case VALUE_CHOICE:
         fputs(key->choices[*(const int *)field], file);
         break;
+    case VALUE_NUMBERS:
+        write_numbers(file, key, source);
+        break;
     case VALUE_SECTION:
     case VALUE_LIST:
         break;
@@ -95,16 +108,16 @@ static void write_key(FILE *file, const scene_key *key, const char *source, int 
 /** Key by key, a line each; the last line is left open. */
 static void write_mapping(FILE *file, const scene_key *keys, const void *source, int indent,
                           int first_indent) {
-    const int kind = strcmp(keys->name, "kind") == 0
-                         ? *(const int *)(const void *)((const char *)source + keys->offset)
-                         : 0;
+    const int kind = scene_kind(keys, source);
+    int written = 0;
     for (const scene_key *key = keys; key->name; key++) {
-        if (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0)
+        if (key->name[0] == '\0' || (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0))
             continue;
-        if (key != keys)
+        if (written)
             fputc('\n', file);
-        fprintf(file, "%*s%s:", key == keys ? first_indent : indent, "", key->name);
+        fprintf(file, "%*s%s:", written ? indent : first_indent, "", key->name);
         write_key(file, key, source, indent);
+        written = 1;
     }
 }
 

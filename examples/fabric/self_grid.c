@@ -137,13 +137,23 @@ static int add_pair(self_collision *s, const self_pair *added) {
     return 0;
 }
 
+/* The square of two vertices' distance in the rest shape. */
+static double rest_square(const mesh *m, int i, int j) {
+    if (m->rest_in_space) {
+        double apart[3];
+        vector_subtract(m->position[i], m->position[j], apart);
+        return vector_dot(apart, apart);
+    }
+    const double u = m->material[i][0] - m->material[j][0];
+    const double v = m->material[i][1] - m->material[j][1];
+    return u * u + v * v;
+}
+
 /* Is a corner of the first feature within two gaps of one of the second in the flat cloth? */
 static int near_at_rest(const self_collision *s, const int vertex[4], int firsts) {
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++) {
-            const double *a = s->mesh->material[vertex[p]], *b = s->mesh->material[vertex[q]];
-            const double u = a[0] - b[0], v = a[1] - b[1];
-            if (u * u + v * v < 4 * s->gap * s->gap)
+            if (rest_square(s->mesh, vertex[p], vertex[q]) < 4 * s->gap * s->gap)
                 return 1;
         }
     return 0;

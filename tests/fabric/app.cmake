@@ -22,7 +22,7 @@ if(TARGET fabric_app)
   add_test(NAME fabric.app.docs
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_docs.sh $<TARGET_FILE:fabric-serial>
                    ${scenes_folder} ${app_folder}/docs ${PROJECT_SOURCE_DIR}/docs/fabric-runs.md)
-  foreach(script accuracy cli export resume run render)
+  foreach(script accuracy cli export resume run render sheet)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
                      ${scenes_folder} ${app_folder}/${script})

@@ -169,9 +169,16 @@ static int give_advice(const request *r) {
 }
 
 static int run_experiments(study *of, int name) {
+    static const char *const refined = "mesh";
     for (int k = 0; k < EXPERIMENTS; k++)
-        if ((name == k || name == ALL) &&
-            (experiments[k](of) != 0 || study_plot(of, names[k]) != 0))
+        if (of->base.sheet_from == SHEET_FILE && strcmp(names[k], refined) == 0) {
+            if (name == k || name == ALL)
+                fprintf(stderr, "%s: its mesh is a file, which cannot be refined: no '%s'\n",
+                        of->base.name, refined);
+            if (name == k)
+                return -1;
+        } else if ((name == k || name == ALL) &&
+                   (experiments[k](of) != 0 || study_plot(of, names[k]) != 0))
             return -1;
     return 0;
 }

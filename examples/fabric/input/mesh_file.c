@@ -35,6 +35,11 @@ static const format *format_of(const char *path) {
     return NULL;
 }
 
+int mesh_file_has_texture(const char *path) {
+    const format *f = format_of(path);
+    return f && f->read == obj_read;
+}
+
 /** 0 where the file begins as one of its format does or cannot be read, -1 after a message. */
 static int check_beginning(const format *f, const char *path) {
     char begins[8] = "";

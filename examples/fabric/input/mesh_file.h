@@ -16,6 +16,9 @@
  */
 int mesh_file_read(mesh *m, const char *path);
 
+/** Whether files of this name may have material coordinates of their own (an OBJ file's vt). */
+int mesh_file_has_texture(const char *path);
+
 /** What is wrong with a mesh is removed where it cannot stay, and counted: mesh_clean, mesh_connect
  *  and mesh_check in one. Says what was found on standard error, a line a kind, each after `name`.
  *  0, or -1 with a message in error[256]. */

@@ -81,7 +81,7 @@ int obj_frame_write(const cloth_frames *frames, const state *s, const char *path
     if (fresh_file_open(&f, path) != 0)
         return -1;
     for (int v = 0; v < frames->vertex_count; v++)
-        fprintf(f.file, "v %.9g %.9g %.9g\n", s->position[3 * v], s->position[3 * v + 1],
+        fprintf(f.file, "v %.17g %.17g %.17g\n", s->position[3 * v], s->position[3 * v + 1],
                 s->position[3 * v + 2]);
     for (int t = 0; t < frames->triangle_count; t++)
         fprintf(f.file, "f %d %d %d\n", frames->triangle[3 * t] + 1,

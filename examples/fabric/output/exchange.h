@@ -31,7 +31,8 @@ int mdd_write(const cloth_frames *frames, const char *path);
 /** A frame as Stanford PLY, ASCII: vertices with 9 digits, which give each float back. */
 int ply_write(const cloth_frames *frames, const state *s, const char *path);
 
-/** A frame as Wavefront OBJ, vertices and triangles. */
+/** A frame as Wavefront OBJ, vertices with 17 digits, which give each number back to readers that
+ *  keep doubles, and triangles. */
 int obj_frame_write(const cloth_frames *frames, const state *s, const char *path);
 
 /** A frame as an unstructured grid of VTK's XML, ASCII. */
