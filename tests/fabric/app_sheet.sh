@@ -21,6 +21,9 @@ equal generated sheet
 run sheet/scene.yaml -o again # what a run leaves is the same scene, from anywhere
 equal generated again
 expect 0 "200" "$program" plan sheet.yaml
+expect 0 "" "$program" run sheet.yaml --steps 12 --frames 2 --progress none --stop-after 5 -o resumed
+expect 0 "" "$program" run --resume resumed --progress none
+equal generated resumed
 mkdir -p elsewhere && cp sheet.obj elsewhere && sheet sheet.obj >elsewhere/sheet.yaml
 run elsewhere/sheet.yaml -o fromelsewhere # a relative name starts from the scene's folder
 equal generated fromelsewhere
