@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Statements that look like those of a loop that may be translated, and mostly forbid it. */
+#include <string.h>
+
 #include "fuzz/kernel.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
@@ -45,9 +47,16 @@ static void read_through_pointer(kernel *k) {
 static void read_by_callee(kernel *k) {
     const array *a = any_reduction(k);
     const char *function = new_name(k, "function");
-    put(k, &k->globals, "static %s %s(const %s *p, int k) {\n    return p[k];\n}\n", spelling(a),
-        function, spelling(a));
     const char *first = place(k, a, "0");
+    const char *member = "";
+    const char *type = spelling(a);
+    if (a->shape == SHAPE_RECORDS) { /* beyond the member there is another, of another type */
+        member = strrchr(first, '.');
+        first = text(k, "%.*s", (int)(member - first), first);
+        type = a->record;
+    }
+    put(k, &k->globals, "static %s %s(const %s *p, int k) {\n    return p[k]%s;\n}\n", spelling(a),
+        function, type, member);
     take(k, a, text(k, "%s(&%s, (int)(%s))", function, first, subscript(k)));
 }
 
