@@ -90,18 +90,38 @@ seconds_of() { awk '{s += $1 + $2} END {printf "%.2f\n", s}' "$PACKAGES_FOLDER/b
 # Loops of the build's report, files compiled twice counted once.
 loops() { jq -rs '[.[] | {file} + .loops[]] | unique | .[] | '"$1" "$PACKAGES_FOLDER/builds/$package/loops.jsonl"; }
 
-# How much longer the build takes: the builds made for the tests, and further ones beside each other.
+# One build by each compiler, one after the other: processor seconds with redcc-cc and without.
+build_round() {
+  build_with timed-plain "$real_compiler"
+  build_with timed-redcc "$PREFIX/bin/redcc-cc"
+  echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
+}
+
+# How much longer the build takes: the builds made for the tests, and further ones.
 build_ratio() {
   local round folder=$PACKAGES_FOLDER/builds/$package
   {
     echo "$(seconds_of redcc) $(seconds_of plain)"
-    for round in $(seq 2 "${build_rounds:-3}"); do
-      build_with timed-plain "$real_compiler"
-      build_with timed-redcc "$PREFIX/bin/redcc-cc"
-      echo "$(seconds_of timed-redcc) $(seconds_of timed-plain)"
-    done
+    for round in $(seq 2 "${build_rounds:-3}"); do build_round; done
   } >"$folder/build-rounds"
   awk '{print $1 / $2}' "$folder/build-rounds" | median
+}
+
+# The builds alone, $ROUNDS times (5): least seconds of each, and the ratio's median and bounds.
+time_builds() { # NAME
+  local round rounds
+  package=$1
+  . "${BASH_SOURCE[0]%/*}/$package.sh"
+  fetch
+  rounds=$(for round in $(seq "${ROUNDS:-5}"); do build_round; done) || exit 1
+  awk '{print $1 / $2}' <<<"$rounds" | sort -g | awk -v name="$package" \
+    -v redcc="$(cut -d ' ' -f 1 <<<"$rounds" | sort -g | head -n 1)" \
+    -v plain="$(cut -d ' ' -f 2 <<<"$rounds" | sort -g | head -n 1)" '
+    { v[NR] = $1 }
+    END {
+      printf "%s: %s s by the compiler, %s s by redcc-cc (least of %d); ", name, plain, redcc, NR
+      printf "%.2f times as long (%.2f to %.2f)\n", v[int((NR + 1) / 2)], v[1], v[NR]
+    }'
 }
 
 # Plain over redcc-cc at two threads; "-" where the package names no work.
