@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 #include "output/fresh_file.h"
 
@@ -59,10 +60,17 @@ static json_t *rejections_of(const simulation *sim) {
     return list;
 }
 
+/** That the process has held at any time, bytes. */
+static json_int_t most_memory(void) {
+    struct rusage used;
+    getrusage(RUSAGE_SELF, &used); /* cannot fail with these arguments */
+    return (json_int_t)used.ru_maxrss * 1024;
+}
+
 static json_t *summary_of(const run_account *run) {
     const mesh *m = run->cloth;
     return json_pack(
-        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, "
+        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, s:I, "
         "s:o, s:o, s:o, s:o}",
         "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
         run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
@@ -71,9 +79,9 @@ static json_t *summary_of(const run_account *run) {
         (json_int_t)simulation_steps_rejected(run->sim), "cg_iterations",
         (json_int_t)simulation_iterations(run->sim), "matrix_blocks",
         (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
-        "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "phases",
-        phases_of(run->sim), "effects", effects_of(run->sim, 1), "inactive_effects",
-        effects_of(run->sim, 0), "rejections", rejections_of(run->sim));
+        "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "most_memory_bytes",
+        most_memory(), "phases", phases_of(run->sim), "effects", effects_of(run->sim, 1),
+        "inactive_effects", effects_of(run->sim, 0), "rejections", rejections_of(run->sim));
 }
 
 int summary_write(const run_account *run, const char *path) {

@@ -1,0 +1,40 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# The paper's large mesh (218272 vertices) by each preconditioner and by the direct solution, in steps
+# of several lengths, at two tolerances: what makes it step. One core, seconds a step (stepping only,
+# the mesh is made before), iterations a step, steps taken again at half the length, most memory.
+# A run that takes longer than LIMIT seconds is given up; its line has no figures.
+#   STEPS=2 LIMIT=400 STEP_LENGTHS="0.001 0.01 0.033" TOLERANCES="1e-2 1e-6"
+. bench/common.sh
+steps=${STEPS:-2}
+limit=${LIMIT:-400}
+read -r -a lengths <<<"${STEP_LENGTHS:-0.001 0.01 0.033}"
+read -r -a tolerances <<<"${TOLERANCES:-1e-2 1e-6}"
+export FABRIC_SCENES=$PWD/examples/fabric/scenes
+csv=$results/fabric-large.csv
+load_note
+
+# run LENGTH TOLERANCE NAME SETTING...: one line of the table
+run() {
+  local length=$1 tolerance=$2 name=$3 figures=',,,'
+  shift 3
+  if timeout "$limit" "$build/examples/fabric/fabric-serial" run sheet218k --steps "$steps" \
+    --set time.step="$length" --set solution.tolerance="$tolerance" "$@" \
+    -o "$work/run" --frames 0 --progress none >"$work/log" 2>&1; then
+    figures=$(jq -r '.steps as $s | [.step_seconds / $s.taken, .cg_iterations / $s.taken, $s.rejected,
+      (.most_memory_bytes / 1048576 | floor)] | join(",")' "$work/run/summary.json")
+  fi
+  echo "$length,$tolerance,$name,$figures" >>"$csv"
+}
+
+echo "step,tolerance,solution,seconds_a_step,iterations_a_step,rejected,most_memory_MiB" >"$csv"
+for length in "${lengths[@]}"; do
+  for tolerance in "${tolerances[@]}"; do
+    for name in none jacobi block-jacobi gauss-seidel incomplete-cholesky; do
+      run "$length" "$tolerance" "$name" --set solution.preconditioner=$name
+    done
+  done
+  run "$length" 0 direct --set solution.method=direct
+done
+sed 's/,,/, ,/g; s/,,/, ,/g' "$csv" | column -s, -t
+echo "kept: $csv"
