@@ -17,16 +17,18 @@ fabric_app_test(scene fabric_scene)
 if(TARGET fabric_app)
   fabric_app_test(state fabric_app)
   fabric_app_test(picture fabric_app)
+  fabric_app_test(gltf fabric_app PkgConfig::JANSSON)
   fabric_app_test(checkpoint fabric_app)
   fabric_app_test(progress fabric_app)
   add_test(NAME fabric.app.docs
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_docs.sh $<TARGET_FILE:fabric-serial>
                    ${scenes_folder} ${app_folder}/docs ${PROJECT_SOURCE_DIR}/docs/fabric-runs.md)
-  foreach(script accuracy cli export resume run render sheet)
+  foreach(script accuracy cli export resume run render sheet video)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
                      ${scenes_folder} ${app_folder}/${script})
   endforeach()
+  set_tests_properties(fabric.app.video PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 if(TARGET fabric)
   # The parallel program gives the bits of the serial one; label threads: for the thread sanitizer.

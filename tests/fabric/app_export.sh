@@ -50,11 +50,27 @@ holds "VTU: their types" test "$(grep -c '^5$' run/vtu/0004.vtu)" = "$triangles"
 holds "PVD: the frames" test "$(grep -o 'file="[0-9]*.vtu"' run/vtu/cloth.pvd | tr -d '\n')" = \
   'file="0000.vtu"file="0002.vtu"file="0004.vtu"'
 
+for format in gltf glb; do
+  expect 0 "3 frames of $vertices vertices in run/cloth.$format" "$program" export run --format $format
+done
+# Read back as a mesh it is the cloth of the first frame.
+if ! "$program" mesh info run/cloth.glb 2>&1 | grep -q "built without assimp"; then
+  expect 0 "" "$program" run patch --steps 0 -o bare --frames 1 --progress none --set 'colliders=[]'
+  expect 0 "" "$program" export bare --format glb
+  expect 0 "" "$program" export bare --format ply
+  for format in glb ply; do
+    file=bare/cloth.glb
+    [ $format = glb ] || file=bare/ply/0000.ply
+    expect 0 "" "$program" mesh reorder $file -o $format.obj
+  done
+  holds "the floats of glTF are those of PLY" cmp glb.obj ply.obj
+fi
+
 expect 0 "in elsewhere.pc2" "$program" export run -o elsewhere.pc2
 holds "the path given" cmp run/cloth.pc2 elsewhere.pc2
 expect 1 "no/where.mdd.partial" "$program" export run --format mdd -o no/where.mdd.partial
 expect 1 "cannot be written" "$program" export run --format mdd -o no/where.mdd
-expect 2 "--format is 'pc3', expected one of 'pc2', 'mdd', 'obj', 'ply', 'vtu'; did you mean 'pc2'?" \
+expect 2 "--format is 'pc3', expected one of 'pc2', 'mdd', 'obj', 'ply', 'vtu', 'gltf', 'glb', 'mp4'; did you mean 'pc2'?" \
   "$program" export run --format pc3
 expect 2 "which folder?" "$program" export
 expect 2 "one folder at a time, not 'b' as well" "$program" export run b

@@ -7,17 +7,23 @@
 #include "files.h"
 #include "output/exchange.h"
 #include "output/frames.h"
+#include "output/gltf.h"
+#include "output/picture.h"
+#include "output/video.h"
 
-enum { FORMAT, OUTPUT };
+enum { FORMAT, OUTPUT, WIDTH, HEIGHT };
 static const option export_options[] = {
-    [FORMAT] = {"--format", "FORMAT", "pc2, mdd, obj, ply or vtu (default pc2)"},
+    [FORMAT] = {"--format", "FORMAT", "pc2, mdd, obj, ply, vtu, gltf, glb or mp4 (default pc2)"},
     [OUTPUT] = {"-o", "PATH",
-                "where to: a file for pc2 and mdd (default DIR/cloth.FORMAT), a "
-                "folder for the others (default DIR/FORMAT)"},
+                "where to: a folder for obj, ply and vtu (default DIR/FORMAT), a file "
+                "for the others (default DIR/cloth.FORMAT)"},
+    [WIDTH] = {"--width", "N", "mp4: of the pictures, in pixels, even (default 960)"},
+    [HEIGHT] = {"--height", "N", "mp4: of the pictures, in pixels, even (default 720)"},
     {NULL, NULL, NULL}};
 
-typedef enum format { PC2, MDD, OBJ, PLY, VTU } format;
-static const char *const formats[] = {"pc2", "mdd", "obj", "ply", "vtu", NULL};
+typedef enum format { PC2, MDD, OBJ, PLY, VTU, GLTF, GLB, MP4 } format;
+static const char *const formats[] = {"pc2",  "mdd", "obj", "ply", "vtu",
+                                      "gltf", "glb", "mp4", NULL};
 
 /** A run's folder being exported. */
 typedef struct job {
@@ -27,6 +33,7 @@ typedef struct job {
     double *time;     /* [frames.count] s */
     char (*name)[32]; /* [frames.count] of files of one frame */
     cloth_frames of;
+    long width, height; /* of pictures */
 } job;
 
 static int read_frame(void *context, int number, state *s) {
@@ -94,8 +101,23 @@ static int write_files(job *j, format as) {
     return files_join(path, j->path, "cloth.pvd") == 0 ? pvd_write(&j->of, j->name, path) : -1;
 }
 
+static int write_gltf(job *j, int binary) {
+    char path[FILE_PATH_SIZE];
+    scene of;
+    if (files_join(path, j->folder, "scene.yaml") != 0 || scene_read(&of, path) != 0)
+        return -1;
+    const int status = gltf_write(&j->of, &of, binary, j->path);
+    scene_free(&of);
+    return status;
+}
+
 static int write_all(job *j, format as) {
     switch (as) {
+    case GLTF:
+    case GLB:
+        return write_gltf(j, as == GLB);
+    case MP4:
+        return video_write(j->folder, (int)(j->width / 2 * 2), (int)(j->height / 2 * 2), j->path);
     case PC2:
         return pc2_write(&j->of, j->path);
     case MDD:
@@ -107,7 +129,8 @@ static int write_all(job *j, format as) {
 
 static int choose_path(job *j, format as, const char *given) {
     char name[32];
-    snprintf(name, sizeof name, as == PC2 || as == MDD ? "cloth.%s" : "%s", formats[as]);
+    const int is_folder = as == OBJ || as == PLY || as == VTU;
+    snprintf(name, sizeof name, is_folder ? "%s" : "cloth.%s", formats[as]);
     if (!given)
         return files_join(j->path, j->folder, name);
     if (snprintf(j->path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
@@ -118,7 +141,7 @@ static int choose_path(job *j, format as, const char *given) {
 
 static int run(const command *self, int argc, char **argv) {
     options o = {self, argc, argv, 0, NULL, 0};
-    job j = {0};
+    job j = {.width = PICTURE_WIDTH, .height = PICTURE_HEIGHT};
     const char *path = NULL;
     int as = PC2;
     for (int next; (next = options_next(&o)) != OPTIONS_END;)
@@ -129,6 +152,14 @@ static int run(const command *self, int argc, char **argv) {
             break;
         case OUTPUT:
             path = o.value;
+            break;
+        case WIDTH:
+            if (options_whole(&o, "--width", 32, 4096, &j.width) != 0)
+                return EXIT_USAGE;
+            break;
+        case HEIGHT:
+            if (options_whole(&o, "--height", 32, 4096, &j.height) != 0)
+                return EXIT_USAGE;
             break;
         case OPTIONS_WORD:
             if (j.folder)
@@ -151,9 +182,10 @@ static int run(const command *self, int argc, char **argv) {
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-const command export_command = {
-    "export", "DIR [options]",
-    "Writes the frames of a run for other programs: point caches (pc2, "
-    "mdd: Blender's\nmesh cache), or a file for each frame (obj, ply; vtu "
-    "with a collection, for ParaView).",
-    export_options, run};
+const command export_command = {"export", "DIR [options]",
+                                "Writes the frames of a run for other programs: point caches (pc2, "
+                                "mdd: Blender's\nmesh cache), "
+                                "one animated file with the colliders (gltf, glb), a film (mp4, by "
+                                "ffmpeg),\nor a file for each "
+                                "frame (obj, ply; vtu with a collection, for ParaView).",
+                                export_options, run};

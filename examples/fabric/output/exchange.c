@@ -1,34 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/exchange.h"
 
-#include <stdint.h>
-#include <string.h>
-
+#include "output/byte_sink.h"
 #include "output/fresh_file.h"
 
-typedef enum byte_order { LITTLE, BIG } byte_order;
-
-static void put_word(FILE *file, uint32_t word, byte_order order) {
-    unsigned char bytes[4];
-    for (int k = 0; k < 4; k++)
-        bytes[k] = (unsigned char)(word >> (order == BIG ? 24 - 8 * k : 8 * k));
-    fwrite(bytes, 1, sizeof bytes, file);
-}
-
-static void put_float(FILE *file, double number, byte_order order) {
-    const float single = (float)number;
-    uint32_t word;
-    memcpy(&word, &single, sizeof word);
-    put_word(file, word, order);
-}
-
-static int put_positions(const cloth_frames *frames, FILE *file, byte_order order) {
+static int put_positions(const cloth_frames *frames, byte_sink *to) {
     for (int number = 0; number < frames->count; number++) {
         state s;
         if (frames->read(frames->context, number, &s) != 0)
             return -1;
         for (size_t k = 0; k < 3 * (size_t)frames->vertex_count; k++)
-            put_float(file, s.position[k], order);
+            byte_sink_float(to, s.position[k]);
         state_free(&s);
     }
     return 0;
@@ -38,24 +20,26 @@ int pc2_write(const cloth_frames *frames, const char *path) {
     fresh_file f;
     if (fresh_file_open(&f, path) != 0)
         return -1;
+    byte_sink to = {f.file, LITTLE, 0, {0}, 0};
     fwrite("POINTCACHE2", 1, 12, f.file); /* with its 0 */
-    put_word(f.file, 1, LITTLE);
-    put_word(f.file, (uint32_t)frames->vertex_count, LITTLE);
-    put_float(f.file, 0, LITTLE); /* the first frame */
-    put_float(f.file, 1, LITTLE); /* frames a sample */
-    put_word(f.file, (uint32_t)frames->count, LITTLE);
-    return fresh_file_close(&f, put_positions(frames, f.file, LITTLE));
+    byte_sink_word(&to, 1);
+    byte_sink_word(&to, (uint32_t)frames->vertex_count);
+    byte_sink_float(&to, 0); /* the first frame */
+    byte_sink_float(&to, 1); /* frames a sample */
+    byte_sink_word(&to, (uint32_t)frames->count);
+    return fresh_file_close(&f, put_positions(frames, &to));
 }
 
 int mdd_write(const cloth_frames *frames, const char *path) {
     fresh_file f;
     if (fresh_file_open(&f, path) != 0)
         return -1;
-    put_word(f.file, (uint32_t)frames->count, BIG);
-    put_word(f.file, (uint32_t)frames->vertex_count, BIG);
+    byte_sink to = {f.file, BIG, 0, {0}, 0};
+    byte_sink_word(&to, (uint32_t)frames->count);
+    byte_sink_word(&to, (uint32_t)frames->vertex_count);
     for (int number = 0; number < frames->count; number++)
-        put_float(f.file, frames->time[number], BIG);
-    return fresh_file_close(&f, put_positions(frames, f.file, BIG));
+        byte_sink_float(&to, frames->time[number]);
+    return fresh_file_close(&f, put_positions(frames, &to));
 }
 
 int ply_write(const cloth_frames *frames, const state *s, const char *path) {

@@ -3,6 +3,9 @@
 #ifndef FABRIC_OUTPUT_PICTURE_H
 #define FABRIC_OUTPUT_PICTURE_H
 
+/* Of a frame, unless another size is asked for. */
+enum { PICTURE_WIDTH = 960, PICTURE_HEIGHT = 720 };
+
 typedef struct picture {
     int width, height;
     unsigned char *rgb; /* [height][width][3], top row first */

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the files that write glTF share; not for users of gltf.h. */
+#ifndef FABRIC_OUTPUT_GLTF_PARTS_H
+#define FABRIC_OUTPUT_GLTF_PARTS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "output/exchange.h"
+#include "scene.h"
+#include "vector.h"
+
+/** Least and greatest coordinates of a list of points, in glTF's axes, as floats. */
+typedef struct bounds {
+    float low[3], high[3];
+} bounds;
+
+/** A collider as it goes into the file. */
+typedef struct solid {
+    const collider *of;
+    mesh surface;
+    bounds box;
+} solid;
+
+/** What is known before anything is written. */
+typedef struct gltf {
+    const cloth_frames *frames;
+    state first;
+    bounds *frame; /* [frames->count]: of the first frame, then of the differences from it */
+    int solid_count;
+    solid *solids;
+    uint64_t bytes; /* of all numbers */
+} gltf;
+
+/* The buffer's parts, each a bufferView, in this order in the file; accessors are in it too. */
+enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, PARTS };
+
+/** From z up to y up. */
+static inline void gltf_turn(const double p[3], double turned[3]) {
+    turned[0] = p[0];
+    turned[1] = p[2];
+    turned[2] = 0 - p[1]; /* without -0 */
+}
+
+/** Where the collider is at a time, in the file. */
+static inline void gltf_place(const collider *c, double time, double turned[3]) {
+    double p[3];
+    vector_add_scaled(c->position, time, c->velocity, p);
+    gltf_turn(p, turned);
+}
+
+static inline int gltf_is_moving(const collider *c) {
+    return vector_dot(c->velocity, c->velocity) > 0;
+}
+
+/** Bytes of each part. */
+void gltf_measure(const gltf *g, uint64_t size[PARTS]);
+
+/** The JSON, but for its end: the last thing is the buffer's length. To be freed; NULL: out of
+ *  memory. */
+char *gltf_json(const gltf *g, size_t *length);
+
+#endif
