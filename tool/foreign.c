@@ -40,7 +40,7 @@ static const foreign_function *find(const foreign_functions *all, const ir_funct
 /* Whatever its declaration here says of attributes, an asm label may make it another function. */
 static const foreign_function *find_usable(const foreign_functions *all,
                                            const ir_function *function) {
-    return function->has_other_attributes ? NULL : find(all, function);
+    return function->has_other_attributes || function->is_renamed ? NULL : find(all, function);
 }
 
 const analysis_options *foreign_apply(arena *a, const foreign_functions *all, ir_unit *unit,

@@ -92,7 +92,10 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
     bool has_transformed = false;
     for (unsigned i = 0; i < judged.verdict_count; i++)
         has_transformed |= judged.verdicts[i].kind == VERDICT_TRANSFORM;
-    if (!has_transformed || knows_compiler || compilers_agree(a, file, flags, unit))
+    const char *word = unit->unseen_word;
+    if (!word && has_transformed && !knows_compiler && !compilers_agree(a, file, flags, unit))
+        word = unit->compiler_word;
+    if (!word || !has_transformed)
         return judged;
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged.verdict_count);
     for (unsigned i = 0; i < judged.verdict_count; i++) {
@@ -100,8 +103,7 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
         if (verdicts[i].kind != VERDICT_TRANSFORM)
             continue;
         verdicts[i].kind = VERDICT_REFUSE;
-        verdicts[i].why =
-            reason_make(a, REASON_COMPILER, unit->compiler_word, verdicts[i].loop->range);
+        verdicts[i].why = reason_make(a, REASON_COMPILER, word, verdicts[i].loop->range);
     }
     return (analysis_result){judged.verdict_count, verdicts};
 }

@@ -338,6 +338,8 @@ static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
 
 static bool walk_memory_call(access_walk *w, const ir_node *call) {
     const char *name = call->children[0]->function->name;
+    if (call->children[0]->function->is_renamed)
+        return false;
     if (strncmp(name, "__builtin_", 10) == 0)
         name += 10;
     bool is_copy = strcmp(name, "memcpy") == 0 || strcmp(name, "memmove") == 0;
@@ -399,7 +401,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     }
     const ir_function *function = callee->function;
     bool by_user = is_named_pure(w->all, function);
-    const library_function *library = library_find(function->name);
+    const library_function *library = function->is_renamed ? NULL : library_find(function->name);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call, function->name);
     } else if (function->body && !function->is_weak) {

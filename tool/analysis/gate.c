@@ -71,9 +71,9 @@ static bool judge_text_before(judgement *j) {
 
 static bool judge_directives(judgement *j) {
     const ir_unit *unit = j->an->unit;
-    const ir_directive *fenv_access = unit_text_fenv_access(j->an->text);
+    const char *fenv_access = unit_text_fenv_access(j->an->text);
     if (fenv_access)
-        return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access->text);
+        return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access);
     const unsigned first = unit_text_first_directive(j->an->text, j->loop->range.begin);
     const char *above = openmp_above(j, first);
     if (above)

@@ -84,12 +84,20 @@ static bool can_be_spelled(const judgement *j, const ir_node *row) {
     return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
+/* A bit-field has no address: the object that it is a member of does, which holds more bytes than
+ * are read. */
+static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
+    if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
+        return row;
+    return of_contents || row->flags & IR_ARROW ? NULL : row->children[0];
+}
+
 source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
     source_plan plan = {0};
     if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
         return plan;
-    const ir_node *row = access_extent(read->access.lvalue);
-    if (!can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
+    const ir_node *row = extent_of_bit_field(access_extent(read->access.lvalue), of_contents);
+    if (!row || !can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
         return plan;
     const ir_node *base = read->where.base;
     bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);

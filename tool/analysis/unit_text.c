@@ -8,7 +8,7 @@
 struct unit_text {
     arena *memory;
     const ir_unit *unit;
-    const ir_directive *fenv_access;
+    const char *fenv_access;
     bool has_own_options;
     VECTOR(uint32_t) counters; /* where __COUNTER__ is written, in order */
     /* the function that was searched last: loops are judged function by function */
@@ -46,6 +46,9 @@ static bool find_own_options(const ir_unit *unit) {
     static const char *const attributes[] = {"optimize(", "optimize (", "optimize__"};
     if (unit->source && has_word(unit->source->text, attributes, 3))
         return true;
+    for (unsigned i = 0; i < unit->header_pragma_count; i++)
+        if (has_word(unit->header_pragmas[i], pragmas, 6))
+            return true;
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
         if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && has_word(d->text, pragmas, 6))
@@ -54,15 +57,23 @@ static bool find_own_options(const ir_unit *unit) {
     return false;
 }
 
+static const char *find_fenv_access(const ir_unit *unit) {
+    const unsigned count = unit->directive_count + unit->header_pragma_count;
+    for (unsigned i = 0; i < count; i++) {
+        const char *words = i < unit->directive_count
+                                ? unit->directives[i].text
+                                : unit->header_pragmas[i - unit->directive_count];
+        if (words && strstr(words, "FENV_ACCESS") && strstr(words, "ON"))
+            return words;
+    }
+    return NULL;
+}
+
 unit_text *unit_text_new(arena *a, const ir_unit *unit) {
     unit_text *text = ARENA_NEW(a, unit_text);
     text->memory = a;
     text->unit = unit;
-    for (unsigned i = 0; i < unit->directive_count && !text->fenv_access; i++) {
-        const char *words = unit->directives[i].text;
-        if (words && strstr(words, "FENV_ACCESS") && strstr(words, "ON"))
-            text->fenv_access = &unit->directives[i];
-    }
+    text->fenv_access = find_fenv_access(unit);
     text->has_own_options = find_own_options(unit);
     find_counters(text);
     return text;
@@ -72,7 +83,7 @@ bool unit_text_has_own_options(const unit_text *text) {
     return text->has_own_options;
 }
 
-const ir_directive *unit_text_fenv_access(const unit_text *text) {
+const char *unit_text_fenv_access(const unit_text *text) {
     return text->fenv_access;
 }
 

@@ -11,8 +11,8 @@ typedef struct unit_text unit_text;
 /** Lives in the arena, and borrows the unit. */
 unit_text *unit_text_new(arena *a, const ir_unit *unit);
 
-/** A directive that switches FENV_ACCESS on, or NULL. */
-const ir_directive *unit_text_fenv_access(const unit_text *text);
+/** A directive, of the file or of a header, that switches FENV_ACCESS on, or NULL. */
+const char *unit_text_fenv_access(const unit_text *text);
 
 /** May pieces of the file be compiled otherwise than the macros of its beginning say? clang knows
  *  nothing of the attribute `optimize`, so it is looked for in the text. */

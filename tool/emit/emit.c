@@ -71,6 +71,9 @@ static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
                             "the macro '%s', defined before the file begins, would change the "
                             "runtime's header",
                             macro);
+    const char *name = taken_name(unit);
+    if (name)
+        return arena_format(a, "the file uses the name '%s' for something of its own", name);
     return NULL;
 }
 

@@ -92,6 +92,41 @@ const char *macro_name_in_head(const ir_unit *unit) {
     return NULL;
 }
 
+/** Does the text hold the word, as a whole? */
+static bool has_name(const source *s, const char *name) {
+    const size_t length = strlen(name);
+    const char *end = s->text + s->length;
+    for (const char *at = s->text; (at = strstr(at, name)) != NULL; at += length)
+        if ((at == s->text || !is_name_byte(at[-1])) &&
+            (at + length >= end || !is_name_byte(at[length])))
+            return true;
+    return false;
+}
+
+static bool is_own(const ir_unit *unit, const char *name) {
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *function = unit->functions[i];
+        if ((function->body || function->is_static) && strcmp(function->name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
+const char *taken_name(const ir_unit *unit) {
+    const bool mentions_runtime = strstr(unit->source->text, "redcc_") != NULL;
+    for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
+        const char *word = words_of_header[i];
+        if (strncmp(word, "redcc_", 6) == 0 && mentions_runtime && has_name(unit->source, word))
+            return word;
+        if (strncmp(word, "omp_", 4) == 0 && is_own(unit, word))
+            return word;
+    }
+    return NULL;
+}
+
 static void check_piece(loop_text *loop, const char *text, size_t begin, size_t end) {
     const char *name = macro_name_in(loop->arena, loop->unit, text + begin, end - begin);
     if (name)

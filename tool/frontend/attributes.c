@@ -92,11 +92,18 @@ static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientDa
     return CXChildVisit_Continue;
 }
 
+static bool is_called_otherwise(CXCursor declaration) {
+    static const char *const words[] = {"alias", "__alias__", "weakref", "__weakref__"};
+    return (clang_getCursorLinkage(declaration) == CXLinkage_External && is_renamed(declaration)) ||
+           has_attribute(declaration, words, 4);
+}
+
 void read_attributes(CXCursor declaration, ir_function *function) {
     static const char *const replaceable[] = {"weak", "__weak__", "ifunc", "__ifunc__"};
     static const char *const not_returning[] = {"noreturn", "__noreturn__", "_Noreturn"};
     function->is_weak |= has_attribute(declaration, replaceable, 4);
     function->is_noreturn |= has_attribute(declaration, not_returning, 3);
+    function->is_renamed |= is_called_otherwise(declaration);
     clang_visitChildren(declaration, visit, function);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);
@@ -134,9 +141,8 @@ static bool follows_pragma(const char *text, const char *word) {
 }
 
 /* Marks what is named between `word` and the end of its line, where a pragma stands before it. */
-static void mark_names_after(converter *c, const char *word,
+static void mark_names_after(converter *c, const char *text, const char *word,
                              void (*mark)(converter *c, const char *name, size_t length)) {
-    const char *text = c->unit->source->text;
     for (const char *at = strstr(text, word); at != NULL; at = strstr(at, word)) {
         const bool is_pragma = follows_pragma(text, at);
         at += strlen(word);
@@ -151,7 +157,13 @@ static void mark_names_after(converter *c, const char *word,
     }
 }
 
+static void mark_names_in(converter *c, const char *text) {
+    mark_names_after(c, text, "weak", mark_weak);
+    mark_names_after(c, text, "threadprivate", mark_thread_local);
+}
+
 void mark_names_in_pragmas(converter *c) {
-    mark_names_after(c, "weak", mark_weak);
-    mark_names_after(c, "threadprivate", mark_thread_local);
+    mark_names_in(c, c->unit->source->text);
+    for (unsigned i = 0; i < c->unit->header_pragma_count; i++)
+        mark_names_in(c, c->unit->header_pragmas[i]);
 }

@@ -6,6 +6,10 @@
 
 #include "frontend/convert.h"
 
+/* An attribute, and a pragma, of gcc's: the bytes of numbers in memory the other way round. clang
+ * passes over it. */
+static const char storage_order[] = "scalar_storage_order";
+
 static const char *word_in(file_text file) {
     static const char *const words[] = {"__clang",     "__llvm__", "__GNUC",
                                         "__VERSION__", "__has_",   "__GCC"};
@@ -25,9 +29,13 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     (void)stack;
     (void)depth;
     converter *c = data;
-    if (c->unit->compiler_word == NULL &&
-        !clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
-        c->unit->compiler_word = word_in(text_of_file(c, file));
+    if (clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+        return;
+    const file_text text = text_of_file(c, file);
+    if (c->unit->compiler_word == NULL)
+        c->unit->compiler_word = word_in(text);
+    if (memmem(text.text, text.length, storage_order, sizeof storage_order - 1) != NULL)
+        c->unit->unseen_word = storage_order;
 }
 
 void find_compiler_words(converter *c) {

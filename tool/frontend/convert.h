@@ -51,7 +51,8 @@ typedef struct converter {
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
     VECTOR(function_body) pending; /* bodies to convert */
-    ir_function *function;         /* being converted */
+    VECTOR(const char *) header_pragmas;
+    ir_function *function; /* being converted */
     unsigned depth;
     cursor_list collected; /* a stack: children of the cursors on the way down */
     extent_memory extents[EXTENTS_KEPT];
@@ -116,9 +117,11 @@ bool is_missing_header(CXDiagnostic diagnostic);
 /** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
 void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
-/** Sets the unit's compiler_word. */
+/** Sets the unit's compiler_word and unseen_word. */
 void find_compiler_words(converter *c);
 
+/** Sets the unit's header_pragmas. */
+void find_header_pragmas(converter *c);
 /** Sets the unit's includes_itself. */
 void find_own_inclusion(converter *c);
 /** Sets is_skipped of the unit's directives. */

@@ -208,10 +208,14 @@ static void scan(scanner *s) {
     }
 }
 
-void find_directives(arena *a, ir_unit *unit) {
-    const char *text = unit->source->text;
-    scanner s = {.arena = a, .begin = text, .at = text, .end = text + unit->source->length};
+ir_directive *directives_in(arena *a, const char *text, size_t length, unsigned *count) {
+    scanner s = {.arena = a, .begin = text, .at = text, .end = text + length};
     scan(&s);
-    unit->directives = s.found.items;
-    unit->directive_count = s.found.count;
+    *count = s.found.count;
+    return s.found.items;
+}
+
+void find_directives(arena *a, ir_unit *unit) {
+    unit->directives =
+        directives_in(a, unit->source->text, unit->source->length, &unit->directive_count);
 }

@@ -157,6 +157,11 @@ void remove_machine_flags(parse_flags *flags) {
     flags->items.count = kept;
 }
 
+/* The runtime's own structures and numbers would be others than the library's. */
+static bool changes_layout(const char *flag) {
+    return starts_with(flag, "-fpack-struct") || strcmp(flag, "-mlong-double-128") == 0;
+}
+
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
     parse_flags chosen = {.strict_aliasing = true, .has_headers = true};
     bool has_openmp = false;
@@ -170,6 +175,8 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
             chosen.strict_aliasing = false;
         else if (strcmp(flag, "-fstrict-aliasing") == 0)
             chosen.strict_aliasing = true;
+        if (changes_layout(flag))
+            chosen.unseen = flag;
         chosen.has_headers = chosen.has_headers && strcmp(flag, "-nostdinc") != 0;
         i = take(a, &chosen, i, count, flags);
     }

@@ -12,6 +12,7 @@ typedef struct parse_flags {
     VECTOR(const char *) items;
     bool strict_aliasing; /* no -fno-strict-aliasing */
     bool has_headers;     /* no -nostdinc */
+    const char *unseen;   /* a flag that lays memory out as the parser does not; NULL: none */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);

@@ -203,6 +203,7 @@ static void convert_unit(converter *c) {
     mark_skipped_directives(c);
     find_compiler_words(c);
     find_own_inclusion(c);
+    find_header_pragmas(c);
     mark_names_in_pragmas(c);
     finish_unit(c);
 }
@@ -283,6 +284,8 @@ static void run(void *data) {
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
         t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
+        if (chosen.unseen != NULL)
+            t->result.unit->unseen_word = chosen.unseen;
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);

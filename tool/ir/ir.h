@@ -117,7 +117,8 @@ struct ir_function {
     ir_range range;
     bool is_static, is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
-    bool is_weak;              /* what runs may be another definition than the one in this unit */
+    bool is_weak;    /* what runs may be another definition than the one in this unit */
+    bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: judge nothing in it */
@@ -261,6 +262,10 @@ typedef struct ir_unit {
     bool includes_itself; /* its text may be compiled several times. Not in the text form */
     const char *compiler_word; /* a name in the program's own text by which it may ask for the
                                   compiler: "__clang"; NULL: none. Not in the text form */
+    const char *unseen_word;   /* of what the parser does not know and a compiler may: the tree is
+                                  not what that compiles. NULL: none. Not in the text form */
+    unsigned header_pragma_count; /* of the program's own headers, as text; not in the text form */
+    const char **header_pragmas;
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
                     those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
                     their own name, as far as that was looked for. NULL: none. Not in the text form

@@ -235,6 +235,7 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
                  {f->is_attribute_const, "const"},
                  {f->has_other_attributes, "attributes"},
                  {f->is_weak, "weak"},
+                 {f->is_renamed, "renamed"},
                  {f->has_errors, "errors"},
                  {!f->is_in_main_file, "header"}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)

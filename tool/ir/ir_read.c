@@ -239,6 +239,7 @@ static bool read_function_flag(ir_reader *r, const sexp *item, ir_function *f) {
                  {"!const", &f->is_attribute_const},
                  {"!attributes", &f->has_other_attributes},
                  {"!weak", &f->is_weak},
+                 {"!renamed", &f->is_renamed},
                  {"!errors", &f->has_errors}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (is_word(item, flags[i].word)) {

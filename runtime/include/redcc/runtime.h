@@ -87,12 +87,13 @@ typedef enum redcc_order {
 
 /** One reduction array of a loop. */
 typedef struct redcc_array {
-    const char *name; /**< as the user wrote it: "b", "A->value" */
-    redcc_operator operation;
-    redcc_type type;
-    redcc_u32 element; /**< bytes of a scalar element */
-    redcc_u32 unit;    /**< bytes of what one touch covers at least, and owners are cut at: a row
-                            b[i], or the element where there are no rows */
+    const char *name;    /**< as the user wrote it: "b", "A->value" */
+    redcc_u32 operation; /**< a redcc_operator; here and below the size of an int, whatever
+                              -fshort-enums makes of enumerations */
+    redcc_u32 type;      /**< a redcc_type */
+    redcc_u32 element;   /**< bytes of a scalar element */
+    redcc_u32 unit;      /**< bytes of what one touch covers at least, and owners are cut at: a row
+                              b[i], or the element where there are no rows */
 } redcc_array;
 
 /** One thing a loop reads that, should it overlap a reduction array, forbids running in parallel.
@@ -102,6 +103,10 @@ typedef struct redcc_source {
     int is_subscript; /**< what it holds decides which elements are touched: a plan may be used
                            again only while it is unchanged */
 } redcc_source;
+
+/** Structures that a compiler option packs (-fpack-struct) are not those of the library. */
+typedef char redcc_structures_are_packed[sizeof(redcc_source) == 2 * sizeof(void *) ? 1 : -1]
+    __attribute__((__unused__));
 
 enum {
     /** The subscripts depend on nothing but the key, the trip count and the sources marked
@@ -121,7 +126,7 @@ typedef struct redcc_loop {
     const char *file;
     int line;
     const char *function;
-    redcc_order order; /**< asked for at translation; REDCC_ORDER overrides it */
+    redcc_u32 order; /**< a redcc_order, asked for at translation; REDCC_ORDER overrides it */
     unsigned flags;
     unsigned array_count;
     const redcc_array *arrays;

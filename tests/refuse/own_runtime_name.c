@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// A type of a name that the runtime's header declares.
+// covers: row 68
+typedef short redcc_int;
+
+void kernel(int n, const redcc_int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
+        h[s[t]] += 1;
+}
