@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "input/mesh_file.h"
+#include "input/surface_file.h"
 #include "scene_sheet.h"
 #include "scene_value.h"
-#include "surface.h"
 
 /** The node at `path` (names and item numbers with dots between), or the nearest above it. */
 static const yaml_node_t *node_at(const scene_source *from, const char *path) {
@@ -45,13 +45,10 @@ static const yaml_node_t *line_of(const scene_source *from, const char *path) {
 static int read_surfaces(const scene_source *from, scene *s) {
     for (int n = 0; n < s->collider_count; n++) {
         collider *c = &s->colliders[n];
-        char path[PATH_SIZE], error[256] = "it cannot be read";
-        mesh m = {0};
+        char path[PATH_SIZE], error[256] = "";
         if (c->kind != COLLIDER_MESH || c->surface)
             continue;
-        if (mesh_file_read(&m, c->file) == 0)
-            c->surface = surface_new(&m, error);
-        mesh_free(&m);
+        c->surface = surface_read(c->file, error);
         snprintf(path, sizeof path, "colliders.%d.file", n);
         if (!c->surface)
             return scene_complain(from, line_of(from, path), "'%s' is '%s': %s", path, c->file,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Checkpoint files: torn at every length, a bit flipped in every byte, and nonsense under a good
+/* Checkpoint files: torn at many lengths, a bit flipped in every byte, and nonsense under a good
  * checksum. All of it is refused, or at least harmless. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -121,7 +121,7 @@ static void test_torn(void **unused) {
     const int kept = hush();
     size_t taken = 0;
     (void)unused;
-    for (size_t length = 0; length < size; length++) {
+    for (size_t length = 0; length < size; length += length < 300 ? 1 : 7) {
         write_wrong(bytes, length);
         taken += resume(WRONG, sim) == 0;
     }
@@ -172,7 +172,7 @@ static void test_sealed_nonsense(void **unused) {
     const int kept = hush();
     int refused = 0;
     (void)unused;
-    for (int n = 0; n < 600; n++) {
+    for (int n = 0; n < 250; n++) {
         char error[256];
         memcpy(changed, bytes, size);
         for (int k = 0; k <= n % 3; k++) {
@@ -190,7 +190,7 @@ static void test_sealed_nonsense(void **unused) {
         simulation_free(other);
     }
     speak(kept);
-    assert_true(refused > 100);
+    assert_true(refused > 50);
 }
 
 /* Another cloth than the scene's: the same counts, another seed. */

@@ -249,6 +249,46 @@ static void test_mesh_collider(void **unused) {
                 ":17: 'colliders.0.file' is 'none.obj': no such file");
 }
 
+/* Writes bad.obj: a tetrahedron's vertices after a comment, then these faces, from line 6 on. The
+ * scene that has it for a collider must be refused at the file's line with `expected`; NULL: taken.
+ */
+static void check_solid(const char *faces, const char *expected) {
+    static const char text[] = "  - kind: mesh\n    file: bad.obj\n  - kind: sphere";
+    char path[4096], message[8192];
+    FILE *file = fopen("bad.obj", "w");
+    assert_non_null(file);
+    fprintf(file, "# by hand\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n%s", faces);
+    fclose(file);
+    if (!expected) {
+        scene s;
+        assert_int_equal(read_with(16, text, &s), 0);
+        scene_free(&s);
+        return;
+    }
+    assert_non_null(realpath("bad.obj", path));
+    snprintf(message, sizeof message, ":17: 'colliders.0.file' is '%s': %s", path, expected);
+    check_wrong(16, text, message);
+}
+
+/* What is no surface of a solid would push the cloth the wrong way. */
+static void test_bad_solids(void **unused) {
+    (void)unused;
+    check_solid("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", NULL);
+    check_solid("f 1 3 2\nf 1 2 4\n", NULL); /* not closed */
+    check_solid("f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n",
+                "all triangles face inwards, expected counter-clockwise seen from outside");
+    check_solid("f 1 3 2\nf 1 2 4\nf 1 3 4\nf 2 3 4\n",
+                "triangle 3 (line 8) faces the other way than its neighbour, expected all "
+                "counter-clockwise from outside; the other is triangle 1 (line 6)");
+    check_solid("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nv 3 3 3\nf 1 2 5\n",
+                "triangle 5 (line 11) is the third at an edge, expected two at most; the other is "
+                "triangle 1 (line 6)");
+    check_solid("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n\nf 2 1 3\n",
+                "triangle 5 (line 11) has the three vertices of another, expected each once; the "
+                "other is triangle 1 (line 6)");
+    check_solid("v 2 0 0\nv 3 0 0\nf 1 2 5\n", "no triangle has an area");
+}
+
 /* Every scene that is shipped can be read, written and read again as the same. */
 static void test_shipped_scenes(void **unused) {
     static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch",
@@ -333,12 +373,19 @@ static void test_nearest_word(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read),           cmocka_unit_test(test_unknown_keys),
-        cmocka_unit_test(test_missing_keys),   cmocka_unit_test(test_wrong_values),
-        cmocka_unit_test(test_not_scenes),     cmocka_unit_test(test_set),
-        cmocka_unit_test(test_set_wrong),      cmocka_unit_test(test_mesh_collider),
-        cmocka_unit_test(test_shipped_scenes), cmocka_unit_test(test_scenes_of_the_paper),
-        cmocka_unit_test(test_placement),      cmocka_unit_test(test_nearest_word),
+        cmocka_unit_test(test_read),
+        cmocka_unit_test(test_unknown_keys),
+        cmocka_unit_test(test_missing_keys),
+        cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_not_scenes),
+        cmocka_unit_test(test_set),
+        cmocka_unit_test(test_set_wrong),
+        cmocka_unit_test(test_mesh_collider),
+        cmocka_unit_test(test_bad_solids),
+        cmocka_unit_test(test_shipped_scenes),
+        cmocka_unit_test(test_scenes_of_the_paper),
+        cmocka_unit_test(test_placement),
+        cmocka_unit_test(test_nearest_word),
     };
     saved_error = dup(STDERR_FILENO);
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -151,7 +151,6 @@ static void test_obj(void **unused) {
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\n",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n",
     };
     mesh m;
     (void)unused;
@@ -161,6 +160,10 @@ static void test_obj(void **unused) {
         read_obj("# by hand\nv 0 0 7\nv 1 0 7\nv 0 1 7\nvn 0 0 1\nf -3//1 -2//1 -1//1\n", &m), 0);
     assert_memory_equal(m.triangle[0], ((int[3]){0, 1, 2}), sizeof(int[3]));
     assert_true(m.material[1][0] == 1.0 && m.position[2][2] == 7.0);
+    mesh_free(&m);
+    assert_int_equal(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n", &m), 0);
+    assert_int_equal(m.triangle_count, 2); /* a fan around the first corner */
+    assert_memory_equal(m.triangle[1], ((int[3]){0, 3, 2}), sizeof(int[3]));
     mesh_free(&m);
 }
 

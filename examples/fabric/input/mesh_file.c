@@ -40,6 +40,11 @@ int mesh_file_has_texture(const char *path) {
     return f && f->read == obj_read;
 }
 
+long mesh_file_line(const char *path, int triangle) {
+    const format *f = format_of(path);
+    return f && f->read == obj_read ? obj_triangle_line(path, triangle) : 0;
+}
+
 /** 0 where the file begins as one of its format does or cannot be read, -1 after a message. */
 static int check_beginning(const format *f, const char *path) {
     char begins[8] = "";

@@ -19,6 +19,10 @@ int mesh_file_read(mesh *m, const char *path);
 /** Whether files of this name may have material coordinates of their own (an OBJ file's vt). */
 int mesh_file_has_texture(const char *path);
 
+/** The line on which triangle 0 <= triangle of the file stands; 0 where the format has no lines of
+ *  triangles. */
+long mesh_file_line(const char *path, int triangle);
+
 /** What is wrong with a mesh is removed where it cannot stay, and counted: mesh_clean, mesh_connect
  *  and mesh_check in one. Says what was found on standard error, a line a kind, each after `name`.
  *  0, or -1 with a message in error[256]. */

@@ -36,6 +36,8 @@ typedef struct obj_reader {
     int vertices, materials, triangles;
     double (*material)[2]; /* [materials] of the vt lines */
     mesh *into;            /* NULL: only count */
+    int wanted;            /* a triangle, */
+    long wanted_line;      /* and the line on which it was; 0: not met */
 } obj_reader;
 
 static int complain(const obj_reader *r, const char *format, ...)
@@ -100,6 +102,8 @@ static int add_triangle(obj_reader *r, const int corner[3], const int material[3
             if (material[k] >= 0)
                 memcpy(r->into->material[corner[k]], r->material[material[k]], sizeof *r->material);
         }
+    if (r->triangles == r->wanted)
+        r->wanted_line = r->line;
     r->triangles++;
     return 0;
 }
@@ -187,4 +191,14 @@ int obj_read(mesh *m, const char *path) {
     const int status = read_file(&r, m, file);
     fclose(file);
     return status;
+}
+
+long obj_triangle_line(const char *path, int triangle) {
+    obj_reader r = {.path = path, .wanted = triangle};
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return 0;
+    const int status = read_lines(&r, file);
+    fclose(file);
+    return status == 0 ? r.wanted_line : 0;
 }

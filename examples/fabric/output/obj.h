@@ -16,4 +16,7 @@ int obj_write(const mesh *m, const char *path);
  */
 int obj_read(mesh *m, const char *path);
 
+/** The line on which triangle 0 <= triangle of such a file stands; 0: it cannot be read again. */
+long obj_triangle_line(const char *path, int triangle);
+
 #endif
