@@ -201,7 +201,7 @@ void redcc_choose_levels(struct chooser *chooser, redcc_int trip) {
 /* A thread's share of a copy's cost is the whole of one copy: it fills its own, and brings in its
  * part of all. */
 static bool copies_are_cheaper(const struct findings *findings) {
-    if (!findings->copies || !findings->swept)
+    if (!findings->copies)
         return false;
     const double again = findings->share - 1.0 / findings->threads;
     const double by_owners =
@@ -242,14 +242,18 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
     struct trial *trial = trial_of(chooser, findings->trip);
     const double sweep_seconds = findings->touches * sweep_touch;
     if (findings->share * findings->threads <= even_share) {
-        if (findings->swept)
+        const bool copies = copies_are_cheaper(findings);
+        if (findings->swept || copies)
             trial->graph = GRAPH_UNTRIED;
         trial->graph_seconds = 0;
-        return trial->rule = copies_are_cheaper(findings) ? RULE_CHEAP_COPIES : RULE_EVEN;
+        return trial->rule = copies ? RULE_CHEAP_COPIES : RULE_EVEN;
     }
-    if (findings->reusable && trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
+    if (!findings->reusable)
+        trial->graph_seconds = 0;
+    else if (trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
         trial->graph_seconds = findings->touches * redcc_graph_touch;
-    if (findings->by_graph && trial->graph != GRAPH_LOST && !cut_in_vain(trial, findings->trip)) {
+    if (findings->by_graph && findings->reusable && trial->graph != GRAPH_LOST &&
+        !cut_in_vain(trial, findings->trip)) {
         if (findings->budget >= trial->graph_seconds)
             return trial->rule = RULE_GRAPH;
         trial->graph = GRAPH_UNTRIED; /* when the budget allows it */

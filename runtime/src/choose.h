@@ -84,10 +84,10 @@ struct findings {
     double share;   /* of the iterations, by the thread that would execute most by LOCALWRITE */
     double touches; /* of all iterations, about */
     bool swept;     /* the share is exact; else by a sample */
-    double runs;    /* stretches of iterations alike, of all threads; where swept */
+    double runs;    /* stretches of iterations alike, of all threads; else no more than these */
     bool copies;    /* private copies may and can be had */
     double copied;  /* bytes of one of them */
-    bool reusable;  /* the plan will be kept */
+    bool reusable;  /* the plan will be kept; by a sample: may be */
     bool by_graph;  /* the choice was by_graph */
     double budget;
 };

@@ -9,16 +9,35 @@ struct part {
     uint32_t last;
 };
 
-static void count_parts(const struct partition *partition, const struct sample *sample,
-                        uint32_t first, struct part *part) {
+/* The owners that an iteration touches, as far as it matters here. */
+struct span_of_owners {
+    uint32_t low;
+    uint32_t high;
+};
+
+/* A thread's sample: who takes part, and how often one iteration differs from the one before. */
+static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
+                            uint32_t first, struct part *part) {
+    const struct span_of_owners none = {UINT32_MAX, 0};
+    struct span_of_owners before = none, now = none;
+    uint32_t changes = 0;
     for (size_t i = 0; i < sample->count; i++) {
         const struct sampled *item = &sample->item[i];
         const uint32_t group = partition->group_of[item->array];
-        struct part *owner = &part[redcc_owner_of(partition, group, item->address)];
+        const uint32_t owner = redcc_owner_of(partition, group, item->address);
         const uint32_t iteration = first + item->iteration;
-        owner->iterations += owner->last != iteration;
-        owner->last = iteration;
+        if (i > 0 && item->iteration != sample->item[i - 1].iteration) {
+            changes +=
+                before.low <= before.high && (now.low != before.low || now.high != before.high);
+            before = now;
+            now = none;
+        }
+        now.low = owner < now.low ? owner : now.low;
+        now.high = owner > now.high ? owner : now.high;
+        part[owner].iterations += part[owner].last != iteration;
+        part[owner].last = iteration;
     }
+    return changes;
 }
 
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
@@ -26,16 +45,17 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
     struct part *part = redcc_memory_take_zeroed(partition->owners, sizeof *part);
     if (!part)
         return false;
-    uint32_t iterations = 1, most = 0;
+    uint32_t iterations = 1, most = 0, changes = 0;
     double touches = 0;
     for (int thread = 0; thread < threads; thread++) {
-        count_parts(partition, sample[thread], iterations, part);
+        changes += count_parts(partition, sample[thread], iterations, part);
         iterations += sample[thread]->iterations + 1;
         touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
     }
     for (uint32_t owner = 0; owner < partition->owners; owner++)
         most = part[owner].iterations > most ? part[owner].iterations : most;
-    *estimate = (struct estimate){(double)most / iterations, touches / iterations};
+    *estimate = (struct estimate){(double)most / iterations, touches / iterations,
+                                  (double)changes / iterations};
     redcc_memory_give(part);
     return true;
 }

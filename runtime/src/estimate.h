@@ -8,6 +8,8 @@
 struct estimate {
     double share;   /* of the iterations: what the owner that takes part in most of them has */
     double touches; /* of an iteration */
+    double changes; /* of the iterations: those that touch other owners than the one sampled before.
+                       Those in between may be alike: no more than these begin a run, about */
 };
 
 /** What the samples of `threads` threads say of a partition that is cut. Where not all of an

@@ -43,29 +43,46 @@ double redcc_largest_share(const struct execution *execution) {
     return (double)most / (double)execution->request.trip;
 }
 
-enum rule redcc_find_way(struct execution *execution, double share, bool swept) {
+bool redcc_copies_allowed(const struct execution *execution) {
+    return redcc_copies_possible(&execution->partition, execution->touched) &&
+           memory_allows(redcc_copy_bytes(&execution->partition, execution->touched) *
+                         (size_t)execution->threads);
+}
+
+/* What is known by the sample and by all iterations alike. */
+static struct findings begin_findings(const struct execution *execution) {
     const redcc_loop *loop = execution->request.loop;
     const bool free_order = execution->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
-    const size_t copied = redcc_copy_bytes(&execution->partition, execution->touched);
-    const struct findings findings = {
+    return (struct findings){
         .trip = execution->request.trip,
         .threads = execution->threads,
-        .share = share,
         .touches = execution->touches * (double)execution->request.trip,
-        .swept = swept,
-        .runs = swept ? count_runs(execution) : 0,
-        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) &&
-                  redcc_copies_possible(&execution->partition, execution->touched) &&
-                  memory_allows(copied * (size_t)execution->threads),
-        .copied = (double)copied,
-        .reusable = swept && redcc_plan_reusable(&execution->request, execution->sources),
+        .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !execution->no_copies &&
+                  redcc_copies_allowed(execution),
+        .copied = (double)redcc_copy_bytes(&execution->partition, execution->touched),
         .by_graph = execution->by_graph,
         .budget = redcc_budget()};
+}
+
+enum rule redcc_find_way(struct execution *execution, const struct estimate *estimate) {
+    struct findings findings = begin_findings(execution);
+    findings.share = estimate->share;
+    findings.runs = estimate->changes * (double)findings.trip;
+    findings.reusable = (execution->request.loop->flags & REDCC_VERIFIABLE) != 0;
+    return redcc_choose_way(&execution->state->chooser, &findings);
+}
+
+static enum rule find_way_swept(struct execution *execution) {
+    struct findings findings = begin_findings(execution);
+    findings.swept = true;
+    findings.share = redcc_largest_share(execution);
+    findings.runs = count_runs(execution);
+    findings.reusable = redcc_plan_reusable(&execution->request, execution->sources);
     return redcc_choose_way(&execution->state->chooser, &findings);
 }
 
 const struct method *redcc_find_method(struct execution *execution) {
-    switch (redcc_find_way(execution, redcc_largest_share(execution), true)) {
+    switch (find_way_swept(execution)) {
     case RULE_EVEN:
     case RULE_INDEX:
         return &redcc_method_localwrite;

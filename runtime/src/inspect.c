@@ -8,7 +8,6 @@
 #include "inspect.h"
 
 #include "cuts.h"
-#include "estimate.h"
 #include "guard.h"
 #include "memory.h"
 
@@ -47,6 +46,7 @@ static void begin_inspection(struct execution *execution) {
     const uint32_t owners = method && method->owners
                                 ? method->owners(execution->threads, execution->parameter)
                                 : (uint32_t)execution->threads;
+    execution->for_copies = execution->no_copies = false;
     execution->samples = redcc_memory_take(threads * sizeof *execution->samples);
     execution->summaries = redcc_memory_take(threads * sizeof *execution->summaries);
     execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
@@ -184,13 +184,33 @@ static void regroup_seen(struct execution *execution) {
     }
 }
 
+/* auto, by the sample: is it worth going on, and by copies? Then it need not be told apart who
+ * touches what: only where and how far, for the guard and the copies. */
+static void look_ahead(struct execution *execution, const struct estimate *estimate) {
+    switch (redcc_find_way(execution, estimate)) {
+    case RULE_DEFERRED:
+        redcc_refuse(execution, REASON_REPLICATION);
+        break;
+    case RULE_COPIES:
+    case RULE_CHEAP_COPIES:
+        execution->for_copies = true;
+        redcc_partition_in_one(&execution->partition);
+        break;
+    default:
+        break;
+    }
+}
+
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
+    if (execution->for_copies)
+        execution->partition.owners = (uint32_t)execution->threads;
+    execution->for_copies = false;
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
-    struct estimate estimate = {0, 0};
+    struct estimate estimate = {0, 0, 0};
     if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads) ||
         (!execution->method && !redcc_estimate(&execution->partition, execution->samples,
                                                execution->threads, &estimate))) {
@@ -198,9 +218,8 @@ static void cut_and_sweep(struct execution *execution) {
         return;
     }
     execution->touches = estimate.touches;
-    if (!execution->method && execution->course == COURSE_PARALLEL &&
-        redcc_find_way(execution, estimate.share, false) == RULE_DEFERRED)
-        redcc_refuse(execution, REASON_REPLICATION);
+    if (!execution->method && execution->course == COURSE_PARALLEL)
+        look_ahead(execution, &estimate);
 }
 
 /* One item stands for as many touches in all samples, and all have touches_to_keep at most. */
@@ -324,9 +343,19 @@ static void go_alone(struct execution *execution) {
     execution->next = PHASE_RUN;
 }
 
+static const struct method *method_to_use(struct execution *execution) {
+    if (execution->for_copies)
+        return &redcc_method_expansion;
+    return execution->method ? execution->method : redcc_find_method(execution);
+}
+
 void redcc_choose_and_go_on(struct execution *execution) {
-    const struct method *method =
-        execution->method ? execution->method : redcc_find_method(execution);
+    if (execution->for_copies && !redcc_copies_allowed(execution)) {
+        execution->no_copies = true; /* the sample had not seen all that is touched */
+        cut_and_sweep(execution);
+        return;
+    }
+    const struct method *method = method_to_use(execution);
     execution->chosen = method;
     execution->divided = false;
     if (!method) {

@@ -3,6 +3,7 @@
 #ifndef REDCC_INSPECT_H
 #define REDCC_INSPECT_H
 
+#include "estimate.h"
 #include "loop.h"
 
 /** The iterations that a member inspects: a consecutive share, [begin, end). */
@@ -21,12 +22,14 @@ void redcc_refuse(struct execution *execution, enum reason reason);
  *  counted them (member.executed). */
 double redcc_largest_share(const struct execution *execution);
 
-/** The row of auto's table for a loop of which one thread would execute `share` of the iterations
- * by LOCALWRITE: by all iterations (swept), or by the sample. */
-enum rule redcc_find_way(struct execution *execution, double share, bool swept);
+/** The row of auto's table by the sample. */
+enum rule redcc_find_way(struct execution *execution, const struct estimate *estimate);
 
 /** The method that follows when all iterations are told. NULL: one thread executes all. */
 const struct method *redcc_find_method(struct execution *execution);
+
+/** Do memory and what is touched allow private copies? */
+bool redcc_copies_allowed(const struct execution *execution);
 
 /** To be called by one thread, when all iterations are told: the method named or chosen by what was
  *  found, and on to its plan. */

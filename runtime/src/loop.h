@@ -97,10 +97,12 @@ struct execution {
     const struct method *chosen; /* of this inspection */
     struct divide divide;
     struct levels levels;
-    bool divided;          /* it is done, and the plan's owners are to be those */
-    bool by_graph;         /* auto: by a plan of that kind */
-    double touches;        /* of an iteration, about */
-    bool planless;         /* COURSE_SOLO, and there is no plan */
+    bool divided;    /* it is done, and the plan's owners are to be those */
+    bool by_graph;   /* auto: by a plan of that kind */
+    bool for_copies; /* auto: by the sample it will be copies; the partition is in one piece */
+    bool no_copies;  /* ... but by all iterations they cannot be had */
+    double touches;  /* of an iteration, about */
+    bool planless;   /* COURSE_SOLO, and there is no plan */
     struct range *touched; /* [array_count] by all threads */
     struct range *sources; /* [source_count] where they lie */
     const struct sample **samples;

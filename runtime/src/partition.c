@@ -19,6 +19,14 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
     return true;
 }
 
+void redcc_partition_in_one(struct partition *partition) {
+    partition->owners = 1;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        redcc_cuts(partition, group)[0] = 0;
+        redcc_cuts(partition, group)[1] = UINTPTR_MAX;
+    }
+}
+
 void redcc_partition_end(struct partition *partition) {
     redcc_memory_give(partition->base);
     redcc_memory_give(partition->group_of);

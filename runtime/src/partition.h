@@ -50,6 +50,10 @@ struct partition {
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
 
+/** Cuts nothing: one owner of all. It can be cut again for as many owners as it was begun for,
+ * after partition->owners has been set to that. */
+void redcc_partition_in_one(struct partition *partition);
+
 /** Gives back its memory. */
 void redcc_partition_end(struct partition *partition);
 

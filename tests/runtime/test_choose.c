@@ -167,9 +167,6 @@ static void copies_come_first_where_they_are_cheaper(void **unused) {
     assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_CHEAP_COPIES);
     findings.runs = 2;
     assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_EVEN);
-    findings.share = 0.9;
-    findings.swept = false; /* by a sample the runs are not known */
-    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_COPIES);
     findings = shuffled; /* the access graph's turn comes all the same */
     findings.copies = findings.by_graph = true;
     findings.budget = 1;

@@ -114,11 +114,43 @@ static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     }
 }
 
+/* An iteration that is not sampled touches an element far away: copies would pass the limit. */
+static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
+    (void)unused;
+    const size_t limit = redcc_settings()->memory_limit;
+    if (limit == 0)
+        skip();
+    struct problem problem = problem_new(1, true);
+    struct described described;
+    long last;
+    free(problem.first);
+    problem.rows = (int)(limit / sizeof(double));
+    problem.doubles = problem.rows;
+    problem.row[problem.start[1]] = problem.rows - 1;
+    problem.first = malloc((size_t)problem.doubles * sizeof(double));
+    double *expected = malloc((size_t)problem.doubles * sizeof(double));
+    problem_describe(&problem, &described);
+    problem_reset(&problem);
+    problem_oracle(&problem);
+    memcpy(expected, problem.first, (size_t)problem.doubles * sizeof(double));
+    problem_reset(&problem);
+    assert_true(problem_run(&problem, &described, 2, &last));
+    assert_memory_equal(expected, problem.first, (size_t)problem.doubles * sizeof(double));
+    const struct loop_state *state = described.loop.state;
+    assert_ptr_equal(state->plans[0]->method, &redcc_method_localwrite);
+    assert_int_equal(state->plans[0]->owners, 2);
+    redcc_loop_forget(&described.loop);
+    problem_free(&problem);
+    free(expected);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_values_give_the_oracles_bits),
         cmocka_unit_test(methods_that_keep_the_order_give_the_oracles_bits),
         cmocka_unit_test(auto_takes_copies_where_they_are_cheaper),
+        cmocka_unit_test(copies_that_turn_out_too_large_are_not_taken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

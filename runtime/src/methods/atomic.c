@@ -6,5 +6,8 @@
  */
 #include "shares.h"
 
-const struct method redcc_method_atomic = {
-    .name = "atomic", .keeps = REDCC_ORDER_ANY, .locks = true, .prepare = redcc_shares_prepare};
+const struct method redcc_method_atomic = {.name = "atomic",
+                                           .keeps = REDCC_ORDER_ANY,
+                                           .locks = true,
+                                           .owners = redcc_one_owner,
+                                           .prepare = redcc_shares_prepare};

@@ -18,4 +18,5 @@ const struct method redcc_method_expansion = {.name = "expansion",
                                               .copies = COPY_WHOLE,
                                               .parse = parse,
                                               .usual = 'b',
+                                              .owners = redcc_one_owner,
                                               .prepare = redcc_shares_prepare};

@@ -4,7 +4,7 @@
  * shares, each has a copy of the whole array, and the copies are brought in in their order. The
  * same bits at every thread count; no more than N threads are busy.
  */
-#include "plan.h"
+#include "shares.h"
 
 #include <stdlib.h>
 
@@ -36,4 +36,5 @@ const struct method redcc_method_expansion_fixed = {.name = "expansion-fixed",
                                                     .copies = COPY_SHARE,
                                                     .parse = parse,
                                                     .usual = USUAL,
+                                                    .owners = redcc_one_owner,
                                                     .prepare = prepare};

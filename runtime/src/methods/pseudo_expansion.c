@@ -8,4 +8,5 @@
 const struct method redcc_method_pseudo_expansion = {.name = "pseudo-expansion",
                                                      .keeps = REDCC_ORDER_ANY,
                                                      .copies = COPY_TOUCHED,
+                                                     .owners = redcc_one_owner,
                                                      .prepare = redcc_shares_prepare};

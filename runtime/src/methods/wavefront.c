@@ -6,13 +6,7 @@
  * one thread in the order of the loop. So each element gets its contributions in that order.
  */
 #include "graph/levels.h"
-#include "plan.h"
-
-static uint32_t one_owner(int threads, int parameter) {
-    (void)threads;
-    (void)parameter;
-    return 1;
-}
+#include "shares.h"
 
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     const struct levels *levels = evidence->levels;
@@ -32,5 +26,5 @@ const struct method redcc_method_wavefront = {.name = "wavefront",
                                               .keeps = REDCC_ORDER_SERIAL,
                                               .by_graph = true,
                                               .in_levels = true,
-                                              .owners = one_owner,
+                                              .owners = redcc_one_owner,
                                               .prepare = prepare};
