@@ -4,6 +4,7 @@
 /* Measured or reckoned; docs/methods.md says how. */
 enum { SMALL_TRIP = 4096, GRAPH_REST = 1024 };
 static const double least_seconds = 10e-6; /* a region and its barriers take 2 to 10 microseconds */
+static const double least_alone = 100e-6;  /* of one thread: half of it is saved by a second */
 static const double even_share = 1.1;      /* of an equal share of the iterations */
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double slack = 1.05;
@@ -261,4 +262,9 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
     trial->rule = plain_way(findings, sweep_seconds);
     trial->sweep_seconds = trial->rule == RULE_DEFERRED ? sweep_seconds : 0;
     return trial->rule;
+}
+
+int redcc_worth_threads(redcc_int trip, int threads, double seconds, redcc_int iterations) {
+    const double each = iterations > 0 ? seconds / (double)iterations : 0;
+    return trip < SMALL_TRIP && each * (double)trip < least_alone ? 1 : threads;
 }

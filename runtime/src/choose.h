@@ -106,4 +106,9 @@ void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip);
  *  that decided. */
 void redcc_choose_levels(struct chooser *chooser, redcc_int trip);
 
+/** How many of `threads` are worth waking for a loop of `trip` iterations that no sequential loop
+ * can be timed against, since none gives its sums. seconds: what `iterations` of it have taken so
+ * far. */
+int redcc_worth_threads(redcc_int trip, int threads, double seconds, redcc_int iterations);
+
 #endif

@@ -231,6 +231,12 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
+/* The bits are the same at any number of threads. */
+static int threads_for_compensated(const struct statistics *statistics, redcc_int trip,
+                                   int threads) {
+    return redcc_worth_threads(trip, threads, statistics->execute_seconds, statistics->in_loops);
+}
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
@@ -255,6 +261,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
     threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
+    if (settings->compensated && !settings->method)
+        threads = threads_for_compensated(&held->reported.statistics, trip, threads);
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
         let_go(held);

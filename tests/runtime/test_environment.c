@@ -244,6 +244,23 @@ static void compensated_sums(void **unused) {
     json_decref(report);
 }
 
+static int threads_of(const char *variables, const char *arguments) {
+    json_t *report = report_of(variables, arguments);
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    const int threads = (int)number(loop, "threads");
+    json_decref(report);
+    return threads;
+}
+
+/* Few iterations are not worth waking threads for; a method that is named does as it is told. */
+static void compensated_sums_of_few_iterations(void **unused) {
+    (void)unused;
+    assert_int_equal(threads_of("REDCC_SUM=compensated OMP_NUM_THREADS=2", "20 9"), 1);
+    assert_int_equal(threads_of("REDCC_SUM=compensated OMP_NUM_THREADS=2", "5000 9"), 2);
+    assert_int_equal(
+        threads_of("REDCC_SUM=compensated REDCC_METHOD=localwrite OMP_NUM_THREADS=2", "20 9"), 2);
+}
+
 static void expect_fallback(const char *variables, const char *reason, long count) {
     json_t *report = report_of(variables, "2000 5");
     const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
@@ -303,6 +320,7 @@ int main(int count, char **arguments) {
         cmocka_unit_test(validation_is_failed),
         cmocka_unit_test(what_is_traced),
         cmocka_unit_test(compensated_sums),
+        cmocka_unit_test(compensated_sums_of_few_iterations),
         cmocka_unit_test(an_order_and_a_method_that_cannot_keep_it),
         cmocka_unit_test(the_report_says_what_was_done),
         cmocka_unit_test(the_report_says_what_binds_the_threads),
