@@ -51,7 +51,7 @@ void integrator_free(integrator_memory *memory);
 int integrator_move(simulation *sim);
 
 /** The step ends at x_next and v_next: remembers the state it started from, where that is needed.
- *  To be called before x and v are changed. */
+ *  To be called before x, v and the step's contacts are changed. */
 void integrator_accept(simulation *sim);
 
 #endif

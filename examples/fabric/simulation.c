@@ -67,9 +67,9 @@ monitored_step simulation_monitored(simulation *sim) {
 
 static void accept(simulation *sim) {
     const size_t count = (size_t)sim->mesh->vertex_count;
+    integrator_accept(sim);
     collisions_accept(&sim->collisions, sim->stage_h, sim->mass, read_only(sim->v_next),
                       read_only(sim->solver.residual));
-    integrator_accept(sim);
     memcpy(sim->x, sim->x_next, sizeof *sim->x * count);
     memcpy(sim->v, sim->v_next, sizeof *sim->v * count);
     memcpy(sim->guess, sim->dv, sizeof *sim->guess * count);

@@ -138,12 +138,42 @@ static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
     stage_end(&on);
 }
 
+/* Contact breaks the smoothness that BDF2 lives on: after a step with contact it begins anew, from
+ * that step's end, and after one without it looks back. */
+static void test_bdf2_forgets_at_contact(void **state) {
+    (void)state;
+    collider floor = {.kind = COLLIDER_PLANE,
+                      .position = {0, 0, -0.05},
+                      .axis = {0, 0, 1},
+                      .friction = 0.3,
+                      .gap = 0.005};
+    stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.3, 2), cloth_scene());
+    int with = 0, without = 0;
+    on.s.integrator = INTEGRATOR_BDF2;
+    on.s.newton_tolerance = 1e-6;
+    on.s.newton_iterations = 50;
+    on.s.colliders = &floor;
+    on.s.collider_count = 1;
+    stage_begin(&on);
+    for (int n = 0; n < 20; n++) {
+        long contacts;
+        stage_run(&on, 1);
+        collisions_count(&on.sim->collisions, &contacts, NULL);
+        assert_int_equal(on.sim->integrator.h_before > 0, contacts == 0);
+        with += contacts > 0;
+        without += contacts == 0;
+    }
+    assert_true(with > 2 && without > 2);
+    stage_end(&on);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S27_cloth_rests_on_a_table),
         cmocka_unit_test(S27_cloth_rests_on_a_ball),
         cmocka_unit_test(S28_nothing_falls_through_a_thin_table),
         cmocka_unit_test(S28_nothing_is_run_through_by_a_fast_rod),
+        cmocka_unit_test(test_bdf2_forgets_at_contact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
