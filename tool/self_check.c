@@ -39,7 +39,7 @@ const char *self_check(arena *a, const source *input, const string_list *flags, 
     const char *error = first_error(&first);
     if (error && !is_missing_header(error))
         return error;
-    const char *const sequential_flags[] = {"-U_OPENMP", NULL};
+    const char *const sequential_flags[] = {"-fno-openmp", "-U_OPENMP", NULL};
     const string_list sequential = with_flags(a, flags, sequential_flags);
     const frontend_result second = parse(a, output, &sequential);
     error = first_error(&second);

@@ -111,3 +111,15 @@ void base_chosen(int n, const int *k, double *a, double *b) {
         h = k[t] & 1 ? a : b;
     }
 }
+
+struct watched {
+    volatile int state;
+    int weight;
+};
+
+void copied_with_volatile_member(int n, const int *k, const struct watched *w, int *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse volatile
+        struct watched copy = w[t];
+        h[k[t]] += copy.weight;
+    }
+}

@@ -15,7 +15,7 @@ def location:
   (.physicalLocation | only(["address", "artifactLocation", "region", "contextRegion", "properties"]),
     needs(["artifactLocation"]),
     (.artifactLocation | only(["uri", "uriBaseId", "index", "description", "properties"]), (.uri | uri)),
-    (.region | region)),
+    (select(.region) | .region | region)),
   (select(.message) | .message | message);
 def rule:
   only(["id", "name", "shortDescription", "fullDescription", "help", "helpUri", "properties"]),

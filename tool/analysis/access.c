@@ -19,14 +19,25 @@ static bool is_array(const ir_node *node) {
     return node->type && node->type->kind == IR_ARRAY;
 }
 
+/* Is the object, or a part of it, one that must be accessed as written? */
+static bool has_volatile_part(const ir_type *type) {
+    type = ir_type_innermost(type);
+    if (type->is_volatile || type->is_atomic)
+        return true;
+    const ir_record *record = type->kind == IR_RECORD ? type->record : NULL;
+    for (unsigned i = 0; record && i < record->field_count; i++)
+        if (has_volatile_part(record->fields[i].type))
+            return true;
+    return false;
+}
+
 /* Volatile objects, bit-fields and the like show in the types along the way. */
 static void check_type(access_walk *w, const ir_node *lvalue) {
-    const ir_type *type = lvalue->type ? ir_type_innermost(lvalue->type) : NULL;
     const ir_variable *root = ir_root_variable(lvalue);
     const char *name = root ? root->name : "?";
     if (lvalue->kind == IR_VARIABLE && lvalue->variable->storage == IR_THREAD_LOCAL)
         access_problem_add(w, REASON_THREAD_LOCAL, lvalue, name);
-    if (type && (type->is_volatile || type->is_atomic))
+    if (lvalue->type && has_volatile_part(lvalue->type))
         access_problem_add(w, REASON_VOLATILE, lvalue, name);
     if (lvalue->kind == IR_MEMBER) {
         const ir_type *owner = lvalue->children[0]->type;
@@ -168,7 +179,7 @@ static void walk_statement(access_walk *w, const ir_node *node) {
         return;
     case IR_DECLARATOR:
         walk_children(w, node);
-        if (node->variable->type->is_volatile || node->variable->type->is_atomic)
+        if (has_volatile_part(node->variable->type))
             access_problem_add(w, REASON_VOLATILE, node, node->variable->name);
         return;
     default:

@@ -31,16 +31,36 @@ static const char *with_crlf(arena *a, const char *text) {
     return result;
 }
 
+static bool mentions(const source *s, const char *word) {
+    const size_t length = strlen(word);
+    const char *end = s->text + s->length, *at = s->text;
+    for (; (size_t)(end - at) >= length && (at = memchr(at, word[0], (size_t)(end - at))); at++)
+        if ((size_t)(end - at) >= length && memcmp(at, word, length) == 0)
+            return true;
+    return false;
+}
+
+/** May functions be compiled for processors that the file's head knows nothing of? */
+static bool may_name_targets(const ir_unit *unit) {
+    bool is_found = mentions(unit->source, "target");
+    for (unsigned i = 0; i < unit->header_pragma_count; i++)
+        is_found |= strstr(unit->header_pragmas[i], "target") != NULL;
+    return is_found;
+}
+
 /** The head of the file. The serial and the parallel form of a loop give the same bits only where
  *  neither contracts a multiplication and an addition into one rounding; nor do inspector and
  *  executor. Free order without floating-point work in an inspector needs none of it. */
 static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
-    const char *contraction = may_contract ? ""
-                                           : "#if defined(__clang__)\n"
-                                             "#pragma clang fp contract(off)\n"
-                                             "#elif defined(__FP_FAST_FMA)\n"
-                                             "#pragma GCC optimize(\"fp-contract=off\")\n"
-                                             "#endif\n";
+    const char *contraction =
+        may_contract ? ""
+                     : arena_format(a,
+                                    "#if defined(__clang__)\n"
+                                    "#pragma clang fp contract(off)\n"
+                                    "#elif defined(%s)\n"
+                                    "#pragma GCC optimize(\"fp-contract=off\")\n"
+                                    "#endif\n",
+                                    may_name_targets(unit) ? "__GNUC__" : "__FP_FAST_FMA");
     return arena_format(a,
                         "#ifdef _OPENMP\n"
                         "#include <redcc/runtime.h>\n"
@@ -49,15 +69,6 @@ static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
                         "%s"
                         "#line 1 %s\n",
                         contraction, text_quoted(a, ir_position_of(unit, 0).file));
-}
-
-static bool mentions(const source *s, const char *word) {
-    const size_t length = strlen(word);
-    const char *end = s->text + s->length, *at = s->text;
-    for (; (size_t)(end - at) >= length && (at = memchr(at, word[0], (size_t)(end - at))); at++)
-        if ((size_t)(end - at) >= length && memcmp(at, word, length) == 0)
-            return true;
-    return false;
 }
 
 /** Why no loop of the file can be written; NULL: nothing forbids it. */

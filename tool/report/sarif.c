@@ -31,12 +31,14 @@ static json_t *message(const char *text) {
 static json_t *location(ir_position at) {
     json_t *artifact = json_object();
     json_object_set_new(artifact, "uri", uri(at.file));
-    json_t *region = json_object();
-    json_object_set_new(region, "startLine", json_integer(at.line));
-    json_object_set_new(region, "startColumn", json_integer(at.column));
     json_t *physical = json_object();
     json_object_set_new(physical, "artifactLocation", artifact);
-    json_object_set_new(physical, "region", region);
+    if (at.line > 0) { /* regions begin at line 1 (3.30.5); `#line 0` makes a line before it */
+        json_t *region = json_object();
+        json_object_set_new(region, "startLine", json_integer(at.line));
+        json_object_set_new(region, "startColumn", json_integer(at.column));
+        json_object_set_new(physical, "region", region);
+    }
     json_t *object = json_object();
     json_object_set_new(object, "physicalLocation", physical);
     return object;
