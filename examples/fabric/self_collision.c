@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh_sides.h"
 #include "vector.h"
 
 /* Impulses are given in this many rounds, the pairs of each in order. */
@@ -13,42 +14,23 @@ static const double drawing_apart = 0.25;
 /* What would pass is kept this part of its distance, or of the gap, away. */
 static const double kept_away = 0.1;
 
-/** An edge of a triangle, for finding its owner. */
-typedef struct owned_edge {
-    int low, high, triangle, number;
-} owned_edge;
-
-static int compare(const void *left, const void *right) {
-    const owned_edge *a = left, *b = right;
-    if (a->low != b->low)
-        return a->low < b->low ? -1 : 1;
-    if (a->high != b->high)
-        return a->high < b->high ? -1 : 1;
-    return a->triangle < b->triangle ? -1 : 1;
-}
-
 /* Each vertex and edge is owned by the first of its triangles. */
 static int share_out(self_collision *s) {
     const mesh *m = s->mesh;
+    const int count = 3 * m->triangle_count;
     unsigned char *seen = calloc((size_t)m->vertex_count + 1, 1);
-    owned_edge *edge = calloc((size_t)m->triangle_count * 3 + 1, sizeof *edge);
-    int count = 0;
-    for (int t = 0; seen && edge && t < m->triangle_count; t++)
+    mesh_side *sides = mesh_sides_new(m);
+    const int status = seen && sides ? 0 : -1;
+    for (int t = 0; status == 0 && t < m->triangle_count; t++)
         for (int p = 0; p < 3; p++) {
-            const int a = m->triangle[t][p], b = m->triangle[t][(p + 1) % 3];
-            if (!seen[a])
+            if (!seen[m->triangle[t][p]])
                 s->grid.owned[t] |= 1 << p;
-            seen[a] = 1;
-            edge[count++] = (owned_edge){a < b ? a : b, a < b ? b : a, t, p};
+            seen[m->triangle[t][p]] = 1;
         }
-    if (edge)
-        qsort(edge, (size_t)count, sizeof *edge, compare);
-    for (int k = 0; k < count; k++)
-        if (k == 0 || edge[k].low != edge[k - 1].low || edge[k].high != edge[k - 1].high)
-            s->grid.owned[edge[k].triangle] |= 1 << (3 + edge[k].number);
-    const int status = seen && edge ? 0 : -1;
+    for (int k = 0; status == 0 && k < count; k += mesh_sides_together(&sides[k], count - k))
+        s->grid.owned[sides[k].triangle] |= 1 << (3 + sides[k].number);
     free(seen);
-    free(edge);
+    free(sides);
     return status;
 }
 

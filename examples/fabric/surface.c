@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mesh_sides.h"
 #include "vector.h"
 
 enum { ERROR_SIZE = 256, LEAF_SIZE = 4, DEEPEST = 64 };
@@ -92,39 +93,18 @@ static void find_vertex_normals(surface *s) {
     }
 }
 
-/** A side of a triangle, by its vertices ascending. */
-typedef struct side {
-    int low, high, triangle, number;
-} side;
-
-static int compare_sides(const void *left, const void *right) {
-    const side *a = left, *b = right;
-    if (a->low != b->low)
-        return a->low < b->low ? -1 : 1;
-    if (a->high != b->high)
-        return a->high < b->high ? -1 : 1;
-    return a->triangle != b->triangle ? (a->triangle < b->triangle ? -1 : 1)
-                                      : a->number - b->number;
-}
-
+/* A triangle without area has no face, and adds nothing. */
 static int find_edge_normals(surface *s) {
-    side *sides = calloc((size_t)s->count * 3 + 1, sizeof *sides);
-    int count = 0;
+    const int count = 3 * s->mesh->triangle_count;
+    mesh_side *sides = mesh_sides_new(s->mesh);
     if (!sides)
         return -1;
-    for (int n = 0; n < s->count; n++)
-        for (int p = 0; p < 3; p++) {
-            const int *v = s->mesh->triangle[s->order[n]], a = v[p], b = v[(p + 1) % 3];
-            sides[count++] = (side){a < b ? a : b, a < b ? b : a, s->order[n], p};
-        }
-    qsort(sides, (size_t)count, sizeof *sides, compare_sides);
-    for (int i = 0, next; i < count; i = next) {
+    for (int i = 0, together; i < count; i += together) {
         double sum[3] = {0, 0, 0};
-        for (next = i;
-             next < count && sides[next].low == sides[i].low && sides[next].high == sides[i].high;
-             next++)
-            vector_add_scaled(sum, 1, s->face[sides[next].triangle], sum);
-        for (int k = i; k < next; k++)
+        together = mesh_sides_together(&sides[i], count - i);
+        for (int k = i; k < i + together; k++)
+            vector_add_scaled(sum, 1, s->face[sides[k].triangle], sum);
+        for (int k = i; k < i + together; k++)
             memcpy(s->edge[sides[k].triangle][sides[k].number], sum, sizeof sum);
     }
     free(sides);

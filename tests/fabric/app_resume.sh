@@ -42,7 +42,7 @@ if [ -n "$parallel" ]; then
   exit
 fi
 
-# Every scene of the gallery, stopped twice.
+# Every scene of the gallery.
 for scene in tablecloth hanging flag ball curtain ring patch flap; do
   run=(run $scene "${quietly[@]}" "${small[@]}" --steps 12)
   case $scene in
@@ -56,20 +56,19 @@ for scene in tablecloth hanging flag ball curtain ring patch flap; do
   expect 0 "ended after step 3 of 12; to go on: $(basename "$program") run --resume $scene" \
     "$program" "${run[@]}" -o $scene --stop-after 3
   holds "$scene: it says that it has ended early" jq -e .interrupted $scene/summary.json >/dev/null
-  expect 0 "to go on" "$program" run --resume $scene --stop-after 8 --progress none
   expect 0 "" "$program" run --resume $scene/checkpoint --progress none
   same_results $scene $scene-whole
   holds "$scene: nothing is left to go on with" test ! -e $scene/checkpoint
 done
 
-# By each integrator, from every step.
+# By each integrator, stopped three times. (fabric.hard.resume goes on from every step.)
 for integrator in linear-euler euler bdf2 midpoint; do
   run=(run patch "${quietly[@]}" "${small[@]}" --steps 7 --set time.integrator=$integrator)
   run+=(--set mesh.origin="[0, 0, 0.35]" --set material.strain_limit=0.02)
   run+=(--set self_collision.gap=0.002)
   expect 0 "" "$program" "${run[@]}" -o $integrator-whole
   expect 0 "" "$program" "${run[@]}" -o $integrator --stop-after 0
-  for step in 1 2 3 4 5 6; do
+  for step in 3 5; do
     expect 0 "ended after step $step of 7" \
       "$program" run --resume $integrator --stop-after $step --progress none
   done
