@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The commands of a document, as they stand there: each must do what it says, one that begins with
 # '!' must fail. And the manual page and the completion, which lie beside it, know the options of
-# `run`. Arguments: PROGRAM SCENES FOLDER DOCUMENT.
+# some commands. Arguments: PROGRAM SCENES FOLDER DOCUMENT.
 source "$(dirname "$0")/app_common.sh"
 mkdir bin
 ln -s "$program" bin/fabric
@@ -18,7 +18,7 @@ while read -r text; do
   holds "said: $text" grep -qF -- "$text" said
 done < <(sed -n 's/^says `\(.*\)`, and changes nothing\.$/\1/p' "$4")
 documents=$(dirname "$4")
-for option in $("$program" run --help | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$'); do
+for option in $(for command in run render export mesh; do "$program" $command --help; done | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$'); do
   holds "the manual page has $option" grep -qF -- "${option//-/\\-}" "$documents/man/fabric.1"
   holds "the completion has $option" grep -qE -- "(^|[' ])$option([' ]|\$)" "$documents/completions/fabric"
 done

@@ -7,7 +7,7 @@ serial=$1 parallel=$2
 shift
 source "$(dirname "$0")/app_common.sh"
 
-for scene in tablecloth hanging flag ball curtain ring; do
+for scene in tablecloth hanging flag ball curtain ring scarf; do
   run=(run $scene --steps 8 --frames 0 --progress none --set mesh.boundary=40
     --set mesh.vertices=150)
   case $scene in
@@ -15,6 +15,8 @@ for scene in tablecloth hanging flag ball curtain ring; do
     tablecloth) run+=(--set mesh.origin="[0, 0, 0.9]") ;; # contact from the start
     ball) run+=(--set mesh.origin="[0, 0, 0.75]") ;;
     ring) run+=(--set mesh.origin="[0, 0, 0.6]") ;;
+    # A mesh from a file is as large as it is.
+    scarf) run=(run scarf --steps 24 --frames 0 --progress none) ;;
     curtain) run+=(--set pins.1.move_from=0) ;;
   esac
   expect 0 "" "$serial" "${run[@]}" -o serial-$scene
@@ -26,6 +28,9 @@ holds "the ball is met" jq -e '[.effects[] | select(.name == "contact")][0].visi
   serial-ball/summary.json >/dev/null
 holds "the flag is blown" jq -e '[.effects[] | select(.name == "wind")][0].visited > 0' \
   serial-flag/summary.json >/dev/null
+holds "the scarf is looked through" \
+  jq -e '[.effects[] | select(.name == "self-collision")][0].visited > 0' \
+  serial-scarf/summary.json >/dev/null
 holds "the curtain is looked through" \
   jq -e '[.effects[] | select(.name == "self-collision")][0].visited > 0' \
   serial-curtain/summary.json >/dev/null

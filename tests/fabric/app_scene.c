@@ -291,8 +291,8 @@ static void test_bad_solids(void **unused) {
 
 /* Every scene that is shipped can be read, written and read again as the same. */
 static void test_shipped_scenes(void **unused) {
-    static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch",
-                                        "flag",       "ball",    "curtain",   "ring"};
+    static const char *const names[] = {"tablecloth", "hanging", "sheet218k", "patch", "flag",
+                                        "ball",       "curtain", "ring",      "scarf"};
     (void)unused;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char path[4096];
@@ -314,8 +314,13 @@ static void test_shipped_scenes(void **unused) {
             assert_memory_equal(&first.pins[p], &second.pins[p], sizeof(pin));
         for (int c = 0; c < second.collider_count; c++)
             surface_free(second.colliders[c].surface);
+        assert_int_equal(second.sheet != NULL, first.sheet != NULL);
+        if (second.sheet)
+            mesh_free(second.sheet);
+        free(second.sheet);
         free(second.colliders);
         free(second.pins);
+        second.sheet = first.sheet;
         second.colliders = first.colliders;
         second.pins = first.pins;
         assert_memory_equal(&first, &second, sizeof first);
