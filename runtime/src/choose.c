@@ -9,6 +9,9 @@ static const double even_share = 1.1;      /* of an equal share of the iteration
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
+static const double frequent = 0.25;     /* runs, of the iterations */
+static const double least_costly = 1e-3; /* seconds; what takes less is not put off */
+static const double much = 0.5;          /* of the sequential loop's time */
 /* Seconds: a touch that is executed once more, a run, a byte of a copy that is filled and brought
  * in, and one that the system has to find a page for as well. */
 static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
@@ -181,7 +184,7 @@ void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason r
     struct trial *trial = trial_of(chooser, trip);
     if (reason == REASON_NO_MEMORY && trial->graph == GRAPH_TRIED) {
         lose_graph(trial); /* what there was before may do with less */
-    } else if (reason == REASON_REPLICATION) {
+    } else if (reason == REASON_REPLICATION || reason == REASON_COSTLY) {
         rest(trial, reason, 16, 4, 1 << 20);
     } else { /* may be otherwise for the next call's arrays */
         rest(trial, reason, 2, 2, 64);
@@ -210,10 +213,36 @@ static bool copies_are_cheaper(const struct findings *findings) {
     return by_owners > findings->copied * (findings->reusable ? byte_copied : new_byte_copied);
 }
 
-/* Without the graph. */
-static enum rule plain_way(const struct findings *findings, double sweep_seconds) {
+/* To tell owners apart is dear where every iteration has another one than the last: is it put off?
+ * RULE_NONE: it is not. */
+static enum rule put_off(const struct trial *trial, const struct findings *findings,
+                         double sweep_seconds) {
+    const double trip = (double)findings->trip;
+    if (findings->swept || findings->runs < frequent * trip || sweep_seconds < least_costly ||
+        findings->budget >= sweep_seconds)
+        return RULE_NONE;
+    if (trial->serial_best == 0)
+        return RULE_TIMED;
+    return sweep_seconds > much * trial->serial_best * trip ? RULE_COSTLY : RULE_NONE;
+}
+
+/* The index cut leaves every thread an equal share. */
+static enum rule even_way(const struct trial *trial, const struct findings *findings,
+                          double sweep_seconds) {
     if (copies_are_cheaper(findings))
         return RULE_CHEAP_COPIES;
+    const enum rule later = put_off(trial, findings, sweep_seconds);
+    return later == RULE_NONE ? RULE_EVEN : later;
+}
+
+/* Without the graph. */
+static enum rule plain_way(const struct trial *trial, const struct findings *findings,
+                           double sweep_seconds) {
+    if (copies_are_cheaper(findings))
+        return RULE_CHEAP_COPIES;
+    const enum rule later = put_off(trial, findings, sweep_seconds);
+    if (later != RULE_NONE)
+        return later;
     if (findings->share <= most_share)
         return RULE_INDEX;
     if (findings->copies)
@@ -243,11 +272,12 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
     struct trial *trial = trial_of(chooser, findings->trip);
     const double sweep_seconds = findings->touches * sweep_touch;
     if (findings->share * findings->threads <= even_share) {
-        const bool copies = copies_are_cheaper(findings);
-        if (findings->swept || copies)
+        trial->rule = even_way(trial, findings, sweep_seconds);
+        if (findings->swept || trial->rule == RULE_CHEAP_COPIES)
             trial->graph = GRAPH_UNTRIED;
         trial->graph_seconds = 0;
-        return trial->rule = copies ? RULE_CHEAP_COPIES : RULE_EVEN;
+        trial->sweep_seconds = trial->rule == RULE_COSTLY ? sweep_seconds : 0;
+        return trial->rule;
     }
     if (!findings->reusable)
         trial->graph_seconds = 0;
@@ -259,8 +289,9 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
             return trial->rule = RULE_GRAPH;
         trial->graph = GRAPH_UNTRIED; /* when the budget allows it */
     }
-    trial->rule = plain_way(findings, sweep_seconds);
-    trial->sweep_seconds = trial->rule == RULE_DEFERRED ? sweep_seconds : 0;
+    trial->rule = plain_way(trial, findings, sweep_seconds);
+    const bool deferred = trial->rule == RULE_DEFERRED || trial->rule == RULE_COSTLY;
+    trial->sweep_seconds = deferred ? sweep_seconds : 0;
     return trial->rule;
 }
 

@@ -92,8 +92,8 @@ struct findings {
     double budget;
 };
 
-/** The row that a loop of these findings falls under: CHEAP_COPIES, EVEN, GRAPH, INDEX, COPIES,
- *  DEFERRED, SERIAL. */
+/** The row that a loop of these findings falls under: CHEAP_COPIES, TIMED, COSTLY, EVEN, GRAPH,
+ * INDEX, COPIES, DEFERRED, SERIAL. */
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
 
 /** The row that decided last. */

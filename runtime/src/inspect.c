@@ -46,7 +46,7 @@ static void begin_inspection(struct execution *execution) {
     const uint32_t owners = method && method->owners
                                 ? method->owners(execution->threads, execution->parameter)
                                 : (uint32_t)execution->threads;
-    execution->for_copies = execution->no_copies = false;
+    execution->for_copies = execution->no_copies = execution->only_timed = false;
     execution->samples = redcc_memory_take(threads * sizeof *execution->samples);
     execution->summaries = redcc_memory_take(threads * sizeof *execution->summaries);
     execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
@@ -184,12 +184,27 @@ static void regroup_seen(struct execution *execution) {
     }
 }
 
+/* Nothing but the original loop is left, or nothing is known of it: one thread executes it, so that
+ * it is known how long that takes. */
+static void go_alone(struct execution *execution) {
+    execution->course = COURSE_SOLO;
+    execution->planless = true;
+    execution->next = PHASE_RUN;
+}
+
 /* auto, by the sample: is it worth going on, and by copies? Then it need not be told apart who
  * touches what: only where and how far, for the guard and the copies. */
 static void look_ahead(struct execution *execution, const struct estimate *estimate) {
     switch (redcc_find_way(execution, estimate)) {
     case RULE_DEFERRED:
         redcc_refuse(execution, REASON_REPLICATION);
+        break;
+    case RULE_COSTLY:
+        redcc_refuse(execution, REASON_COSTLY);
+        break;
+    case RULE_TIMED:
+        execution->only_timed = true;
+        go_alone(execution);
         break;
     case RULE_COPIES:
     case RULE_CHEAP_COPIES:
@@ -333,14 +348,6 @@ void redcc_make_plan(struct execution *execution) {
     }
     if (!execution->plan)
         redcc_refuse(execution, REASON_NO_MEMORY);
-}
-
-/* All has been inspected, and nothing but the original loop is left: one thread executes it, so
- * that it is known how long that takes. */
-static void go_alone(struct execution *execution) {
-    execution->course = COURSE_SOLO;
-    execution->planless = true;
-    execution->next = PHASE_RUN;
 }
 
 static const struct method *method_to_use(struct execution *execution) {

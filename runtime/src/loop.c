@@ -341,7 +341,8 @@ static void count_planless(struct execution *execution, double now) {
     struct statistics *statistics = &state->reported.statistics;
     const redcc_int trip = execution->request.trip;
     const double inspecting = execution->ready - execution->entered;
-    serially(state, REASON_REPLICATION);
+    const enum reason reason = execution->only_timed ? REASON_COSTLY : REASON_REPLICATION;
+    serially(state, reason);
     statistics->method = &redcc_method_serial;
     statistics->threads = 1;
     statistics->inspect_seconds += inspecting;
@@ -351,8 +352,9 @@ static void count_planless(struct execution *execution, double now) {
     statistics->trip = statistics->length = trip;
     redcc_choose_learn(&state->chooser, trip, COURSE_SOLO, false, execution->solo_seconds);
     redcc_budget_gain(-inspecting);
-    redcc_choose_refused(&state->chooser, trip, REASON_REPLICATION);
-    note_rule(statistics, RULE_SERIAL);
+    if (!execution->only_timed)
+        redcc_choose_refused(&state->chooser, trip, reason);
+    note_rule(statistics, redcc_choose_rule(&state->chooser, trip));
 }
 
 static void trace_execution(const struct execution *execution, double now) {

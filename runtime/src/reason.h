@@ -13,6 +13,7 @@
     X(REASON_LITTLE_WORK, "too little work")                                                       \
     X(REASON_SERIAL_FASTER, "the sequential loop was measured to be faster")                       \
     X(REASON_REPLICATION, "too many iterations would be executed by several threads")              \
+    X(REASON_COSTLY, "an inspection would take long beside the loop, and is put off")              \
     X(REASON_NO_MEMORY, "out of memory, or past REDCC_MEMORY_LIMIT")                               \
     X(REASON_ORDER_NEEDED, "an update needs an order that the method named does not keep")         \
     X(REASON_NO_COPIES, "no private copies can be made of a reduction array")                      \

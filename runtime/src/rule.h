@@ -18,6 +18,12 @@
       "`localwrite` executes once more and 3 ns a run are more than 0.15 ns a byte of a copy "     \
       "(0.6 where plans cannot be kept)",                                                          \
       "`expansion`")                                                                               \
+    X(RULE_TIMED,                                                                                  \
+      "by a sample more than every fourth iteration begins a run; inspecting is reckoned "         \
+      "at more than 1 ms, which is not within the budget; nothing is timed yet",                   \
+      "one thread executes all within the region, timed")                                          \
+    X(RULE_COSTLY, "the same; it is timed, and inspecting is reckoned at more than half of that",  \
+      "the original loop")                                                                         \
     X(RULE_EVEN,                                                                                   \
       "by `localwrite`, no thread executes more than 1.1 times an equal share of the iterations",  \
       "`localwrite`")                                                                              \

@@ -173,6 +173,37 @@ static void copies_come_first_where_they_are_cheaper(void **unused) {
     assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_GRAPH);
 }
 
+/* A light loop whose iterations all have other owners than the last: inspecting it takes longer
+ * than the loop, so that waits for the budget. */
+static void a_costly_inspection_is_put_off(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    struct findings findings = shuffled;
+    findings.trip = 1000000; /* 20 ms to inspect */
+    findings.touches = 2e6;
+    findings.runs = 5e5;
+    findings.swept = false;
+    course_of(&chooser, findings.trip);
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_TIMED);
+    redcc_choose_learn(&chooser, findings.trip, COURSE_SOLO, false, 5e-3);
+    assert_int_equal(course_of(&chooser, findings.trip), COURSE_PARALLEL);
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_COSTLY);
+    redcc_choose_refused(&chooser, findings.trip, REASON_COSTLY);
+    for (int call = 0; call < 15; call++)
+        assert_int_equal(course_of(&chooser, findings.trip), COURSE_SERIAL);
+    assert_int_equal(redcc_choose_course(&chooser, findings.trip, 2, 0.03).course, COURSE_PARALLEL);
+    findings.budget = 0.03;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_INDEX);
+    findings.budget = 0;
+    findings.share = 0.5;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_COSTLY);
+    findings.runs = 1e5; /* long runs: quickly inspected */
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_EVEN);
+    findings.runs = 5e5; /* a heavy loop */
+    chooser.trial[19].serial_best = 1e-6;
+    assert_int_equal(redcc_choose_way(&chooser, &findings), RULE_EVEN);
+}
+
 /* docs/methods.md shows the decision table as the runtime has it. */
 static void the_decision_table_is_documented(void **unused) {
     (void)unused;
@@ -199,6 +230,7 @@ int main(void) {
         cmocka_unit_test(graphs_cut_in_vain_become_rare),
         cmocka_unit_test(the_rows_of_the_decision_table),
         cmocka_unit_test(copies_come_first_where_they_are_cheaper),
+        cmocka_unit_test(a_costly_inspection_is_put_off),
         cmocka_unit_test(the_decision_table_is_documented),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
