@@ -121,6 +121,10 @@ expect 0 "" "$program" run --resume signalled --progress none
 expect 0 "" "$program" "${run[@]}" -o unsignalled --steps 300
 same_results signalled unsignalled
 
+# A folder's name that a shell would take apart is quoted.
+expect 0 "to go on: $(basename "$program") run --resume 'two words'" \
+  "$program" "${run[@]}" -o "two words" --stop-after 1
+
 # What is not this run's is refused, with what differs, and nothing is changed.
 expect 0 "" "$program" "${run[@]}" -o refused --steps 9 --stop-after 5
 cp -r refused before

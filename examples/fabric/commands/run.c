@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 #ifdef _OPENMP
 #include <omp.h>
@@ -236,9 +237,10 @@ static int take_steps(cloth_run *run, const run_request *r) {
 
 /** Tells what came of the run, and how to go on with one that has ended early. */
 static void tell_results(const cloth_run *run, const run_request *r) {
+    const char *quote = strpbrk(run->folder, " \t!\"#$&()*;<>?[\\]`{|}~") ? "'" : "";
     if (run->account.interrupted)
-        fprintf(stderr, "ended after step %ld of %d; to go on: %s run --resume %s\n",
-                run->record.step, run->of.steps, program_name, run->folder);
+        fprintf(stderr, "ended after step %ld of %d; to go on: %s run --resume %s%s%s\n",
+                run->record.step, run->of.steps, program_name, quote, run->folder, quote);
     if (r->progress == PROGRESS_JSON || r->progress == PROGRESS_NONE)
         return;
     summary_print(&run->account);

@@ -2,6 +2,7 @@
 #include "output/progress.h"
 
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/time.h>
@@ -57,10 +58,12 @@ static void set_alarm(int seconds) {
 /* From now on the step after `step` is under way; text: what a sign of life begins with. */
 static void start_beating(const progress *p, const char *text) {
     beat_ready = 0;
+    atomic_signal_fence(memory_order_seq_cst); /* the handler sees these in this order */
     beats = 0;
     snprintf(beat_begin, sizeof beat_begin, "%s", text);
     beat_seconds = p->style == PROGRESS_BAR ? BAR_BEAT : LINES_BEAT;
     set_alarm(beat_seconds);
+    atomic_signal_fence(memory_order_seq_cst);
     beat_ready = 1;
 }
 

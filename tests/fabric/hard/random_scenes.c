@@ -21,9 +21,25 @@
 #include "vector.h"
 
 enum { PATIENCE = 60 /* s of CPU time */ };
-enum { FINISHED, REFUSED, NOT_FINITE, TOO_MUCH_ENERGY, SILENT, CRASHED, HUNG, OUTCOME_COUNT };
-static const char *const outcomes[OUTCOME_COUNT] = {
-    "finished", "refused", "not finite", "energy", "refused without a word", "crashed", "hung"};
+enum {
+    FINISHED,
+    REFUSED,
+    NOT_FINITE,
+    TOO_MUCH_ENERGY,
+    NOT_THE_SAME,
+    SILENT,
+    CRASHED,
+    HUNG,
+    OUTCOME_COUNT
+};
+static const char *const outcomes[OUTCOME_COUNT] = {"finished",
+                                                    "refused",
+                                                    "not finite",
+                                                    "energy",
+                                                    "resumed to other bits",
+                                                    "refused without a word",
+                                                    "crashed",
+                                                    "hung"};
 
 static double between(unsigned *seed, double low, double high) {
     return low + (high - low) * (random_number(seed) + 1) / 2;
@@ -154,6 +170,57 @@ static int has_too_much(const simulation *sim, double first, double highest, dou
     return now > 3 * allowed + 1e-9 * sim->total_mass;
 }
 
+/* What simulation_save gives, but for the seconds; to be freed. NULL: out of memory. */
+static unsigned char *saved(simulation *sim, size_t *size) {
+    *size = simulation_saved_size(sim);
+    unsigned char *bytes = malloc(*size);
+    for (int k = 0; k < PHASE_COUNT; k++)
+        sim->phases[k].seconds = 0;
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        sim->effects[k].seconds = 0;
+    if (bytes)
+        simulation_save(sim, bytes, *size);
+    return bytes;
+}
+
+/* Two more steps from what was saved; what is saved then. NULL: a step failed, out of memory. */
+static unsigned char *saved_later(const mesh *m, const scene *s, unsigned char *from, size_t size,
+                                  size_t *later) {
+    char error[256];
+    simulation *sim = simulation_new(m, s, error);
+    unsigned char *bytes = NULL;
+    int status = sim ? simulation_restore(sim, from, size) : -1;
+    for (int n = 0; n < 2 && status == 0; n++)
+        status = simulation_step(sim, error);
+    if (status == 0)
+        bytes = saved(sim, later);
+    simulation_free(sim);
+    return bytes;
+}
+
+/* What is saved after one step, restored into another simulation, leads to what three steps in a
+ * row lead to. */
+static int goes_on(const mesh *m, const scene *s) {
+    char error[256];
+    size_t size = 0, whole_size = 0, later_size = 0;
+    simulation *sim = simulation_new(m, s, error);
+    int status = sim ? simulation_step(sim, error) : -1;
+    unsigned char *middle = status == 0 ? saved(sim, &size) : NULL, *whole = NULL, *later = NULL;
+    for (int n = 0; n < 2 && status == 0; n++)
+        status = simulation_step(sim, error);
+    if (status == 0 && middle) {
+        whole = saved(sim, &whole_size);
+        later = saved_later(m, s, middle, size, &later_size);
+    }
+    simulation_free(sim);
+    const int same = status != 0 || (whole && later && whole_size == later_size &&
+                                     memcmp(whole, later, whole_size) == 0);
+    free(middle);
+    free(whole);
+    free(later);
+    return same;
+}
+
 static int run(const mesh *m, const scene *s, char *error) {
     simulation *sim = simulation_new(m, s, error);
     int outcome = FINISHED, driven = s->drag > 0 && vector_length(s->wind) > 0;
@@ -193,6 +260,7 @@ static int run(const mesh *m, const scene *s, char *error) {
 static int run_scene(unsigned seed, char *error) {
     collider colliders[2];
     mesh_problem found[MESH_PROBLEM_COUNT];
+    const int is_resumed = seed % 2 == 0; /* it takes as long again */
     int non_manifold, outcome = REFUSED;
     for (int k = 0; k < 8; k++)
         random_number(&seed); /* neighbouring seeds begin alike */
@@ -218,6 +286,8 @@ static int run_scene(unsigned seed, char *error) {
     if (mesh_clean(&m, found, error) == 0 && mesh_connect(&m, &non_manifold, error) == 0 &&
         mesh_check(&m, found) == 0)
         outcome = run(&m, &s, error);
+    if (outcome == FINISHED && is_resumed && !goes_on(&m, &s))
+        outcome = NOT_THE_SAME;
     mesh_free(&m);
     return outcome;
 }
