@@ -61,6 +61,12 @@ for scene in tablecloth hanging flag ball curtain ring patch flap; do
   holds "$scene: nothing is left to go on with" test ! -e $scene/checkpoint
 done
 
+# A mesh from a file, and cloth that lies against itself.
+expect 0 "" "$program" run scarf "${quietly[@]}" --steps 4 -o scarf-whole
+expect 0 "" "$program" run scarf "${quietly[@]}" --steps 4 -o scarf --stop-after 2
+expect 0 "" "$program" run --resume scarf --progress none
+same_results scarf scarf-whole
+
 # By each integrator, stopped three times. (fabric.hard.resume goes on from every step.)
 for integrator in linear-euler euler bdf2 midpoint; do
   run=(run patch "${quietly[@]}" "${small[@]}" --steps 7 --set time.integrator=$integrator)

@@ -376,6 +376,38 @@ static void test_nearest_word(void **unused) {
     assert_null(words_nearest("bend", words, 0));
 }
 
+/* A scene and what is read from its text are the same; one key changed is named, with both values.
+ */
+static void test_scenes_compared(void **unused) {
+    static const struct {
+        const char *setting, *said; /* "": no difference that counts */
+    } cases[] = {
+        {"time.steps=7", ""},
+        {"material.bend=0.25", "'material.bend' is 0.25, there 0.0002"},
+        {"surroundings.wind=[0, 1, 0]", "'surroundings.wind' is [0, 1, 0], there [0, 0, 0]"},
+        {"colliders.0.friction=0.75", "'colliders.0.friction' is 0.75, there 0.4"},
+        {"colliders=[]", "'colliders' has 0 items, there 2"},
+        {"time.integrator=midpoint", "'time.integrator' is midpoint, there linear-euler"},
+    };
+    (void)unused;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        scene one, other;
+        char found[256] = "";
+        size_t size;
+        assert_int_equal(scene_read(&one, SCENES_FOLDER "/patch.yaml"), 0);
+        char *text = scene_text(&one, &size);
+        assert_non_null(text);
+        assert_int_equal(scene_read_text(&other, text, size, "memory"), 0);
+        assert_int_equal(scene_differ(&one, &other, found), 0);
+        assert_int_equal(scene_set(&one, cases[k].setting), 0);
+        assert_int_equal(scene_differ(&one, &other, found), cases[k].said[0] != '\0');
+        assert_string_equal(found, cases[k].said);
+        free(text);
+        scene_free(&one);
+        scene_free(&other);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_read),
@@ -386,6 +418,7 @@ int main(void) {
         cmocka_unit_test(test_set),
         cmocka_unit_test(test_set_wrong),
         cmocka_unit_test(test_mesh_collider),
+        cmocka_unit_test(test_scenes_compared),
         cmocka_unit_test(test_bad_solids),
         cmocka_unit_test(test_shipped_scenes),
         cmocka_unit_test(test_scenes_of_the_paper),
