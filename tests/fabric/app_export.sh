@@ -42,6 +42,8 @@ holds "the PLY files' positions" near pc2.floats ply.floats
 awk '$1 == "v" {for (k = 2; k <= 4; k++) printf "%.9g\n", $k}' run/obj/000[024].obj >obj.floats
 holds "the OBJ files' positions" cmp ply.floats obj.floats
 expect 0 "triangles: $triangles" "$program" mesh info run/obj/0004.obj
+expect 0 "extent:    x -0.25 to 0.25 m, y -0.25 to 0.25 m, z 0.62 to 0.62 m (z is up)" \
+  "$program" mesh info run/ply/0000.ply
 holds "the VTU files' positions" near pc2.floats vtu.floats
 holds "the cloth moves" test "$(head -n $((3 * vertices)) pc2.floats | md5sum)" != "$(tail -n $((3 * vertices)) pc2.floats | md5sum)"
 holds "PLY: triangles" test "$(grep -c '^3 ' run/ply/0004.ply)" = "$triangles"

@@ -469,8 +469,8 @@ static void test_damage(void **unused) {
 #ifdef FABRIC_WITH_ASSIMP
     const bytes glb = glb_file(0), buffer = gltf_buffer(0);
     const bytes gltf = gltf_text(&buffer, "\"uri\":\"grid.bin\",", ONE_NODE, 0);
-    abuse("damaged.glb", &glb, 60);
-    abuse("damaged.gltf", &gltf, 60);
+    abuse("damaged.glb", &glb, 25);
+    abuse("damaged.gltf", &gltf, 25);
 #endif
 }
 

@@ -127,6 +127,20 @@ static void edge_spans(const mesh *m, int *longest, double *mean) {
     *mean = m->edge_count > 0 ? sum / m->edge_count : 0.0;
 }
 
+/** Where it is, which shows its unit and which way is up. */
+static void print_extent(const mesh *m) {
+    for (int a = 0; a < 3; a++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int v = 0; v < m->vertex_count; v++) {
+            low = fmin(low, m->position[v][a]);
+            high = fmax(high, m->position[v][a]);
+        }
+        printf(a == 0 ? "extent:    %c %.6g to %.6g m" : ", %c %.6g to %.6g m", "xyz"[a], low,
+               high);
+    }
+    fputs(" (z is up)\n", stdout);
+}
+
 static void print_info(const mesh *m, int non_manifold) {
     int longest;
     double mean, least, greatest;
@@ -134,6 +148,7 @@ static void print_info(const mesh *m, int non_manifold) {
     angle_range(m, &least, &greatest);
     printf("vertices:  %d\n", m->vertex_count);
     printf("triangles: %d\n", m->triangle_count);
+    print_extent(m);
     printf("edges:     %d, of which %d on the border and %d of more than two triangles\n",
            m->edge_count, m->edge_count - m->hinge_count, non_manifold);
     printf("hinges:    %d\n", m->hinge_count);
