@@ -310,7 +310,7 @@ static int run(const command *self, int argc, char **argv) {
     return status != 0 ? EXIT_FAILURE : ended_early ? EXIT_INTERRUPTED : EXIT_SUCCESS;
 }
 
-const command run_command = {"run", "SCENE [options]",
+const command run_command = {"run", "SCENE [options], or --resume DIR [options]",
                              "Simulates a scene (a file, or a name in the scenes folder); writes "
                              "DIR/summary.json,\nDIR/final.state, DIR/scene.yaml and states for "
                              "pictures in DIR/frames.\nCtrl-C ends it after the step under way; "
