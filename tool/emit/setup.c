@@ -27,10 +27,68 @@ static bool has_sizeof(const ir_node *node) {
     return false;
 }
 
-/** A pointer of the same name may stand for the variable, unless its size as an array is asked. */
-static bool can_be_shadowed(const loop_facts *facts, const ir_node *base) {
+/** Does the tree name the variable at `at`, a place in the file? Macros have no places. */
+static bool is_named_at(const ir_node *node, const ir_variable *variable, uint32_t at) {
+    if (node->kind == IR_VARIABLE && node->variable == variable && node->range.begin == at &&
+        !(node->flags & IR_FROM_MACRO))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_named_at(node->children[i], variable, at))
+            return true;
+    return false;
+}
+
+static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable && node->flags & IR_FROM_MACRO)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_named_by_macro(node->children[i], variable))
+            return true;
+    return false;
+}
+
+static bool is_word_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+}
+
+enum { MOST_MENTIONS = 64 }; /* each is looked for in the whole body */
+
+/** Is the variable named in the body by the tree's own nodes alone? What stands in types (the
+ *  length of an array, a typeof) is not in the tree, and may ask for the array's type or size. */
+static bool is_named_by_nodes(const loop_text *loop, const ir_variable *variable) {
+    const ir_node *body = loop->facts->counted.body;
+    const char *text = loop->unit->source->text;
+    const size_t length = strlen(variable->name);
+    unsigned mentions = 0;
+    for (uint32_t at = body->range.begin; at < body->range.end; at++) {
+        if (text[at] == '\\' || text[at] == '?') { /* words may be spelled otherwise */
+            if (text[at] == '\\' || text[at + 1] == '?')
+                return false;
+            continue;
+        }
+        const bool is_begin = is_word_byte(text[at]) && (at == 0 || !is_word_byte(text[at - 1]));
+        if (is_begin && strncmp(text + at, variable->name, length) == 0 &&
+            !is_word_byte(text[at + length]) &&
+            (++mentions > MOST_MENTIONS || !is_named_at(body, variable, at)))
+            return false;
+    }
+    return !is_named_by_macro(body, variable);
+}
+
+/** A pointer of the same name may stand for the variable, unless its size or type as an array may
+ *  be asked. */
+static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
     return base->kind == IR_VARIABLE &&
-           (base->type->kind == IR_POINTER || !has_sizeof(facts->counted.body));
+           (base->type->kind == IR_POINTER ||
+            (!has_sizeof(loop->facts->counted.body) && is_named_by_nodes(loop, base->variable)));
+}
+
+/** The array's address as a whole, a pointer to an array, is not that of what stands for it. */
+static void check_address(loop_text *loop, const ir_node *base, const ir_node *node) {
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS && syntax_same(base, node->children[0]))
+        loop_obstacle(loop, node->range, "the address of an array as a whole is taken");
+    for (unsigned i = 0; i < node->child_count; i++)
+        check_address(loop, base, node->children[i]);
 }
 
 static void name_arrays(loop_text *loop) {
@@ -46,7 +104,9 @@ static void name_arrays(loop_text *loop) {
             }
         array_text *text = &arrays[i];
         text->base = loop_operand(loop, base);
-        text->is_shadowed = can_be_shadowed(facts, base);
+        text->is_shadowed = can_be_shadowed(loop, base);
+        if (base->type->kind == IR_ARRAY)
+            check_address(loop, base, facts->counted.body);
         text->local = text->is_shadowed ? base->variable->name
                                         : arena_format(loop->arena, "redcc__to_%s", name);
         text->owner = arena_format(loop->arena, "redcc__own_%s", name);

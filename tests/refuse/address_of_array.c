@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The address of an array as a whole points to an array; what stands for the array in the parallel
+// form is a pointer to its elements.
+enum { N = 4000 };
+static double h[N], rows[40][100];
+struct holder {
+    int count;
+    double h[N];
+};
+
+static double size_of(double (*p)[N]) {
+    return (double)sizeof *p;
+}
+
+void pointer_to_array(int n, const int *s) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
+        double(*q)[N] = &h;
+        (*q)[s[t]] += 1.0;
+    }
+}
+
+void pointer_to_rows(int n, const int *s) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
+        double(*q)[40][100] = &rows;
+        (*q)[s[t]][3] += 1.0;
+    }
+}
+
+void pointer_to_member(struct holder *p, int n, const int *s) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
+        double(*q)[N] = &p->h;
+        (*q)[s[t]] += 1.0;
+    }
+}
+
+void end_of_array(int n, const int *s) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
+        h[s[t]] += (double)((char *)(&h + 1) - (char *)h);
+}
+
+void handed_over(int n, const int *s) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse text
+        h[s[t]] += size_of(&h);
+}
