@@ -18,6 +18,7 @@
 #include <assimp/scene.h>
 #endif
 
+#include "listen.h"
 #include "output/gltf.h"
 
 enum { FRAMES = 4, VERTICES = 5, TRIANGLES = 4, MOST = 1 << 20, COLLIDERS = 4 };
@@ -334,17 +335,9 @@ static void test_one_frame(void **unused) {
 }
 
 static void check_refused(const cloth_frames *frames, const char *expected) {
-    char said[512];
-    const int kept = dup(STDERR_FILENO);
-    assert_non_null(freopen("gltf-said.txt", "w", stderr));
+    start_listening("gltf-said.txt");
     assert_int_equal(gltf_write(frames, &of, 1, "refused.glb"), -1);
-    fflush(stderr);
-    FILE *file = fopen("gltf-said.txt", "r");
-    assert_non_null(file);
-    said[fread(said, 1, sizeof said - 1, file)] = '\0';
-    fclose(file);
-    dup2(kept, STDERR_FILENO);
-    close(kept);
+    stop_listening("gltf-said.txt");
     assert_string_equal(said, expected);
     assert_int_equal(access("refused.glb", F_OK), -1);
     assert_int_equal(access("refused.glb.partial", F_OK), -1);

@@ -10,9 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "input/mesh_file.h"
+#include "listen.h"
 
 enum { MOST = 1 << 14 };
 
@@ -22,19 +22,10 @@ typedef struct bytes {
     unsigned char at[MOST];
 } bytes;
 
-static char said[4096]; /* on standard error, during the last call */
-
 static int read_quietly(mesh *m, const char *path) {
-    const int kept = dup(STDERR_FILENO);
-    assert_non_null(freopen("mesh-said.txt", "w", stderr));
+    start_listening("mesh-said.txt");
     const int status = mesh_file_read(m, path);
-    fflush(stderr);
-    FILE *file = fopen("mesh-said.txt", "r");
-    assert_non_null(file);
-    said[fread(said, 1, sizeof said - 1, file)] = '\0';
-    fclose(file);
-    dup2(kept, STDERR_FILENO);
-    close(kept);
+    stop_listening("mesh-said.txt");
     return status;
 }
 
@@ -287,6 +278,19 @@ static void put_number(bytes *b, unsigned number) {
     put(b, &number, sizeof number);
 }
 
+/* Its vertices in the order in which the triangles name them: each triangle is where it was. */
+static void check_joined(const char *path) {
+    mesh m;
+    assert_int_equal(read_quietly(&m, path), 0);
+    assert_int_equal(m.vertex_count, VERTICES);
+    assert_int_equal(m.triangle_count, TRIANGLES);
+    for (int t = 0; t < TRIANGLES; t++)
+        for (int p = 0; p < 3; p++)
+            for (int a = 0; a < 3; a++)
+                assert_true(m.position[m.triangle[t][p]][a] == (double)grid[corner[t][p]][a]);
+    mesh_free(&m);
+}
+
 /* Triangles of six corners' vertices each once a corner, as at the seams of a texture. */
 static bytes gltf_buffer(int seams) {
     bytes b = {0};
@@ -360,17 +364,9 @@ static void test_gltf(void **unused) {
 /* A vertex for each corner: joined, in the order in which they are met. */
 static void test_seams(void **unused) {
     (void)unused;
-    mesh m;
     const bytes b = glb_file(1);
     save("seams.glb", b.at, b.count);
-    assert_int_equal(read_quietly(&m, "seams.glb"), 0);
-    assert_int_equal(m.vertex_count, VERTICES);
-    assert_int_equal(m.triangle_count, TRIANGLES);
-    for (int t = 0; t < TRIANGLES; t++)
-        for (int p = 0; p < 3; p++)
-            for (int a = 0; a < 3; a++)
-                assert_true(m.position[m.triangle[t][p]][a] == (double)grid[corner[t][p]][a]);
-    mesh_free(&m);
+    check_joined("seams.glb");
 }
 
 /* Two nodes, one below the other, with one mesh: moved twice, and all become one mesh. */
@@ -397,7 +393,6 @@ static void test_nodes(void **unused) {
 static void test_stl(void **unused) {
     (void)unused;
     bytes b = {0};
-    mesh m;
     while (b.count < 80)
         put_text(&b, " ");
     put_number(&b, TRIANGLES);
@@ -408,14 +403,7 @@ static void test_stl(void **unused) {
         put(&b, "\0", 2);
     }
     save("grid.stl", b.at, b.count);
-    assert_int_equal(read_quietly(&m, "grid.stl"), 0);
-    assert_int_equal(m.vertex_count, VERTICES);
-    assert_int_equal(m.triangle_count, TRIANGLES);
-    for (int t = 0; t < TRIANGLES; t++)
-        for (int p = 0; p < 3; p++)
-            for (int a = 0; a < 3; a++)
-                assert_true(m.position[m.triangle[t][p]][a] == (double)grid[corner[t][p]][a]);
-    mesh_free(&m);
+    check_joined("grid.stl");
 }
 
 static void test_gltf_refusals(void **unused) {

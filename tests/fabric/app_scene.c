@@ -10,31 +10,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "listen.h"
 #include "scene.h"
 #include "surface.h"
 #include "words.h"
 
 static const char FILE_NAME[] = "scene-test.yaml";
-static char said[4096]; /* on standard error, during the last call */
-
-static int saved_error = -1;
-
-static void start_listening(void) {
-    FILE *file = freopen("said.txt", "w", stderr);
-    assert_non_null(file);
-}
-
-static void stop_listening(void) {
-    fflush(stderr);
-    FILE *file = fopen("said.txt", "r");
-    assert_non_null(file);
-    said[fread(said, 1, sizeof said - 1, file)] = '\0';
-    fclose(file);
-    dup2(saved_error, STDERR_FILENO);
-}
-
 /* A whole scene, line by line, so that tests can name lines. */
 static const char *const lines[] = {
     "name: test",                             /* 1 */
@@ -71,9 +53,9 @@ static int read_with(int line, const char *text, scene *s) {
             fprintf(file, "%s\n", text);
     }
     fclose(file);
-    start_listening();
+    start_listening("said.txt");
     const int status = scene_read(s, FILE_NAME);
-    stop_listening();
+    stop_listening("said.txt");
     return status;
 }
 
@@ -167,17 +149,17 @@ static void test_not_scenes(void **unused) {
     check_wrong(12, "  gravity: [0, 0", ":13: not YAML: did not find expected ',' or ']'");
     check_wrong(1, "--- {}\n---", ":1: missing key 'name', expected a text of 1 to 63 bytes");
     check_wrong(1, "--- 3\n---", ":1: 'the scene' is '3', expected a section of keys");
-    start_listening();
+    start_listening("said.txt");
     assert_int_equal(scene_read(&s, "no-such-file.yaml"), -1);
-    stop_listening();
+    stop_listening("said.txt");
     assert_string_equal(said, "no-such-file.yaml: cannot be read: No such file or directory\n");
 }
 
 static void check_set(scene *s, const char *assignment, const char *expected) {
     char whole[1024] = "";
-    start_listening();
+    start_listening("said.txt");
     const int status = scene_set(s, assignment);
-    stop_listening();
+    stop_listening("said.txt");
     assert_int_equal(status, expected ? -1 : 0);
     if (expected)
         snprintf(whole, sizeof whole, "--set %s: %s\n", assignment, expected);
@@ -425,6 +407,5 @@ int main(void) {
         cmocka_unit_test(test_placement),
         cmocka_unit_test(test_nearest_word),
     };
-    saved_error = dup(STDERR_FILENO);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

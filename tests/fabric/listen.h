@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What a function says on standard error, for tests of what it says. After cmocka.h. */
+#ifndef FABRIC_TEST_LISTEN_H
+#define FABRIC_TEST_LISTEN_H
+
+#include <stdio.h>
+#include <unistd.h>
+
+static char said[4096]; /* between the last start and stop */
+static int kept_error = -1;
+
+/** Standard error goes to a file from here on; each test program has a name of its own for it. */
+static void start_listening(const char *file_name) {
+    fflush(stderr);
+    kept_error = dup(STDERR_FILENO);
+    assert_non_null(freopen(file_name, "w", stderr));
+}
+
+static void stop_listening(const char *file_name) {
+    fflush(stderr);
+    FILE *file = fopen(file_name, "r");
+    assert_non_null(file);
+    said[fread(said, 1, sizeof said - 1, file)] = '\0';
+    fclose(file);
+    dup2(kept_error, STDERR_FILENO);
+    close(kept_error);
+}
+
+#endif
