@@ -17,6 +17,7 @@
 #include "words.h"
 
 static const char FILE_NAME[] = "scene-test.yaml";
+
 /* A whole scene, line by line, so that tests can name lines. */
 static const char *const lines[] = {
     "name: test",                             /* 1 */
