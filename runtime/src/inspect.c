@@ -185,15 +185,16 @@ static void regroup_seen(struct execution *execution) {
 }
 
 /* Nothing but the original loop is left, or nothing is known of it: one thread executes it, so that
- * it is known how long that takes. */
+ * it is known how long that takes. Even that wants the guard: what the body reads once, as where an
+ * array lies, must not be among what it updates. */
 static void go_alone(struct execution *execution) {
     execution->course = COURSE_SOLO;
     execution->planless = true;
     execution->next = PHASE_RUN;
 }
 
-/* auto, by the sample: is it worth going on, and by copies? Then it need not be told apart who
- * touches what: only where and how far, for the guard and the copies. */
+/* auto, by the sample: is it worth going on, and by copies, or to be timed first? Then it need not be
+ * told apart who touches what: only where and how far, for the guard and the copies. */
 static void look_ahead(struct execution *execution, const struct estimate *estimate) {
     switch (redcc_find_way(execution, estimate)) {
     case RULE_DEFERRED:
@@ -204,7 +205,7 @@ static void look_ahead(struct execution *execution, const struct estimate *estim
         break;
     case RULE_TIMED:
         execution->only_timed = true;
-        go_alone(execution);
+        redcc_partition_in_one(&execution->partition);
         break;
     case RULE_COPIES:
     case RULE_CHEAP_COPIES:
@@ -219,9 +220,9 @@ static void look_ahead(struct execution *execution, const struct estimate *estim
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
-    if (execution->for_copies)
+    if (execution->for_copies || execution->only_timed)
         execution->partition.owners = (uint32_t)execution->threads;
-    execution->for_copies = false;
+    execution->for_copies = execution->only_timed = false;
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
@@ -362,7 +363,7 @@ void redcc_choose_and_go_on(struct execution *execution) {
         cut_and_sweep(execution);
         return;
     }
-    const struct method *method = method_to_use(execution);
+    const struct method *method = execution->only_timed ? NULL : method_to_use(execution);
     execution->chosen = method;
     execution->divided = false;
     if (!method) {

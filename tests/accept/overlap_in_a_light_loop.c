@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// What is updated holds the pointer to it. The loop is so light, and its elements lie so mixed, that
+// an inspection waits; by then one thread has executed it, which without a guard goes on at the place
+// where the array has been.
+// covers: row 29
+// MAY-RUN-SERIALLY: they overlap
+#include "case.h"
+
+enum { N = 400000, ROOM = 1 << 22, OTHER = ROOM / 2 };
+typedef struct histogram {
+    unsigned char *bin;
+    unsigned char room[ROOM];
+} histogram;
+
+static histogram one;
+static int s[N];
+
+__attribute__((noipa)) static void count(histogram *h, const int *subscript, int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h->bin[subscript[t]] += 1;
+}
+
+int main(void) {
+    for (int round = 0; round < 3; round++) {
+        one.bin = (unsigned char *)&one;
+        for (int t = 0; t < N; t++)
+            s[t] = (int)sizeof one.bin + case_below(OTHER);
+        s[N / 2] = 2; /* 65536 is added to the pointer */
+        count(&one, s, N);
+        CASE_PRINT(one.room);
+        printf("%ld\n", (long)(one.bin - (unsigned char *)&one));
+    }
+    return 0;
+}
