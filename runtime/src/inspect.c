@@ -193,8 +193,8 @@ static void go_alone(struct execution *execution) {
     execution->next = PHASE_RUN;
 }
 
-/* auto, by the sample: is it worth going on, and by copies, or to be timed first? Then it need not be
- * told apart who touches what: only where and how far, for the guard and the copies. */
+/* auto, by the sample: is it worth going on, and by copies, or to be timed first? Then it need not
+ * be told apart who touches what: only where and how far, for the guard and the copies. */
 static void look_ahead(struct execution *execution, const struct estimate *estimate) {
     switch (redcc_find_way(execution, estimate)) {
     case RULE_DEFERRED:
