@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // What is updated holds the pointer to it. The loop is so light, and its elements lie so mixed,
-// that an inspection waits; by then one thread has executed it, which without a guard goes on at
-// the place where the array has been. covers: row 29 MAY-RUN-SERIALLY: they overlap
+// that an inspection waits: one thread executes it to be timed, but not before the guard.
+// covers: row 29
+// MAY-RUN-SERIALLY: they overlap
 #include "case.h"
 
 enum { N = 400000, ROOM = 1 << 22, OTHER = ROOM / 2 };
