@@ -3,15 +3,16 @@
 // that an inspection waits: one thread executes it to be timed, but not before the guard.
 // covers: row 29
 // MAY-RUN-SERIALLY: they overlap
+#include <string.h>
+
 #include "case.h"
 
-enum { N = 400000, ROOM = 1 << 22, OTHER = ROOM / 2 };
+enum { N = 400000, ROOM = 1 << 22, OTHER = ROOM / 2, ALIGNED = 1 << 24 };
 typedef struct histogram {
     unsigned char *bin;
     unsigned char room[ROOM];
 } histogram;
 
-static histogram one;
 static int s[N];
 
 __attribute__((noipa)) static void count(histogram *h, const int *subscript, int n) {
@@ -20,14 +21,19 @@ __attribute__((noipa)) static void count(histogram *h, const int *subscript, int
 }
 
 int main(void) {
+    histogram *one = aligned_alloc(ALIGNED, ALIGNED); /* the third byte of the pointer is 0 */
+    if (!one)
+        return 1;
+    memset(one, 0, sizeof *one);
     for (int round = 0; round < 3; round++) {
-        one.bin = (unsigned char *)&one;
+        one->bin = (unsigned char *)one;
         for (int t = 0; t < N; t++)
-            s[t] = (int)sizeof one.bin + case_below(OTHER);
+            s[t] = (int)sizeof one->bin + case_below(OTHER);
         s[N / 2] = 2; /* 65536 is added to the pointer */
-        count(&one, s, N);
-        CASE_PRINT(one.room);
-        printf("%ld\n", (long)(one.bin - (unsigned char *)&one));
+        count(one, s, N);
+        CASE_PRINT(one->room);
+        printf("%ld\n", (long)(one->bin - (unsigned char *)one));
     }
+    free(one);
     return 0;
 }
