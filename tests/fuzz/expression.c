@@ -225,9 +225,10 @@ const char *update(kernel *k, const array *a, const char *where) {
     if (*op == '<' || *op == '>')
         return extremum(k, where, text(k, "(%s)(%s)", elements[a->type].spelling, e), op);
     const int which = below(k, 16);
-    if (*op == '+' && which == 0)
+    const bool is_steppable = *op == '+' && a->type != E_COMPLEX; /* clang 19 may crash on z++ */
+    if (is_steppable && which == 0)
         return text(k, below(k, 2) ? "%s++" : "++%s", where);
-    if (*op == '+' && which == 1)
+    if (is_steppable && which == 1)
         return text(k, "%s--", where);
     if (*op == '+' && which < 5)
         return text(k, "%s -= %s", where, e);
