@@ -51,8 +51,8 @@ static void read_by_callee(kernel *k) {
     const char *member = "";
     const char *type = spelling(a);
     if (a->shape == SHAPE_RECORDS) { /* beyond the member there is another, of another type */
-        member = strrchr(first, '.');
-        first = text(k, "%.*s", (int)(member - first), first);
+        member = first[strlen(first) - 1] == 'x' ? ".x" : ".y";
+        first = text(k, "%s[0]", a->base);
         type = a->record;
     }
     put(k, &k->globals, "static %s %s(const %s *p, int k) {\n    return p[k]%s;\n}\n", spelling(a),

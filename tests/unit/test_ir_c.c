@@ -56,6 +56,8 @@ static void test_precedence(void **state) {
         {"(&& (|| a b) c)", "(a || b) && c"},
         {"(<< a (+ b c))", "a << (b + c)"},
         {"(& (+ a b) 255)", "(a + b) & 255"},
+        {"(^ 2 5)", "(2) ^ 5"},
+        {"(^ a (^ 2 (- 5)))", "a ^ ((2) ^ -5)"},
         {"(== a (< b c))", "a == (b < c)"},
         {"(sizeof \"sizeof(int)\" =4)", "sizeof(int)"},
         {"(* (sizeof \"sizeof a\" =4) a)", "sizeof a * a"},

@@ -134,6 +134,12 @@ static level least_of_operand(level outer, const ir_node *operand, level by_gram
     return is_doubtful(outer, level_of(operand)) ? LEVEL_UNARY : by_grammar;
 }
 
+/* 2 ^ 5 is taken for a power by clang (-Wxor-used-as-pow), but not where a macro stood there. */
+static bool looks_like_power(const ir_node *node) {
+    const ir_node *left = node->children[0];
+    return node->op == IR_OP_BIT_XOR && left->kind == IR_NUMBER && left->text;
+}
+
 static bool print_binary(c_printer *p, const ir_node *node) {
     if (node->op == IR_OP_COMMA)
         return print_between(p, node, ", ", LEVEL_COMMA, LEVEL_ASSIGNMENT);
@@ -143,6 +149,11 @@ static bool print_binary(c_printer *p, const ir_node *node) {
     for (const char *c = ir_operator_spelling(node->op); *c != 0; c++)
         op[length++] = *c;
     op[length] = ' ';
+    if (looks_like_power(node)) {
+        buffer_format(p->out, "(%s)%s", node->children[0]->text, op);
+        return print(p, node->children[1],
+                     least_of_operand(own, node->children[1], (level)(own + 1)));
+    }
     return print_between(p, node, op, least_of_operand(own, node->children[0], own),
                          least_of_operand(own, node->children[1], (level)(own + 1)));
 }
