@@ -26,12 +26,12 @@ if(TARGET fabric_app)
                      ${scenes_folder} ${app_folder}/docs_${document}
                      ${PROJECT_SOURCE_DIR}/docs/fabric-${document}.md)
   endforeach()
-  foreach(script accuracy cli export resume run render sheet video)
+  foreach(script accuracy blender cli export resume run render sheet video)
     add_test(NAME fabric.app.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_${script}.sh $<TARGET_FILE:fabric-serial>
                      ${scenes_folder} ${app_folder}/${script})
   endforeach()
-  set_tests_properties(fabric.app.video PROPERTIES SKIP_RETURN_CODE 77)
+  set_tests_properties(fabric.app.blender fabric.app.video PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 if(TARGET fabric)
   # The parallel program gives the bits of the serial one; label threads: for the thread sanitizer.

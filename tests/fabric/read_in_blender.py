@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Within Blender: the exports of a run in the folder at hand, read back and compared, vertex by vertex,
+with the OBJ files of the same frames, which it reads by itself. Exits 1 where one is off."""
+import math
+import os
+import sys
+
+import bpy
+import numpy
+
+numpy.bool = bool  # Debian 12's Blender asks for a name that its numpy has no more
+NEAREST_FLOAT = 1e-6  # m: glTF has differences of floats
+
+
+def obj_points(path):
+    with open(path, encoding="ascii") as file:
+        return [tuple(map(float, line.split()[1:4])) for line in file if line.startswith("v ")]
+
+
+def points(thing):
+    seen = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    return [tuple(seen.matrix_world @ vertex.co) for vertex in seen.to_mesh().vertices]
+
+
+def compare(what, found, expected):
+    if len(found) != len(expected):
+        sys.exit(f"{what}: {len(found)} vertices, expected {len(expected)}")
+    far = max(math.dist(a, b) for a, b in zip(found, expected))
+    if not far <= NEAREST_FLOAT:
+        sys.exit(f"{what}: a vertex is {far} m off")
+
+
+def clear():
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+
+
+def at(time):
+    bpy.context.scene.frame_set(math.floor(time), subframe=time % 1)
+
+
+def read_gltf(name):
+    clear()
+    bpy.ops.import_scene.gltf(filepath=os.path.abspath(name), merge_vertices=False)
+    meshes = [thing for thing in bpy.data.objects if thing.type == "MESH"]
+    cloth = next(thing for thing in meshes if thing.data.shape_keys)
+    if len(cloth.data.shape_keys.key_blocks) != len(frames) or len(meshes) != 3:
+        sys.exit(f"{name}: expected {len(frames)} shapes of the cloth, and two colliders")
+    animation = cloth.data.shape_keys.animation_data
+    animation.action = animation.action or animation.nla_tracks[0].strips[0].action
+    for time, expected in zip(animation.action.frame_range, ends):
+        at(time)
+        compare(name, points(cloth), expected)
+
+
+def read_cache(form):
+    clear()
+    path = os.path.join("obj", frames[0])
+    bpy.ops.wm.obj_import(filepath=os.path.abspath(path), forward_axis="Y", up_axis="Z")
+    cloth = bpy.data.objects[0]
+    cache = cloth.modifiers.new("cache", "MESH_CACHE")
+    cache.cache_format = form.upper()
+    cache.filepath = os.path.abspath(f"cloth.{form}")
+    cache.forward_axis, cache.up_axis = "POS_Y", "POS_Z"
+    cache.frame_start = 0
+    for time, expected in zip((0, len(frames) - 1), ends):
+        at(time)
+        compare(form, points(cloth), expected)
+
+
+def read_ply():
+    for name, expected in zip((frames[0], frames[-1]), ends):
+        clear()
+        path = os.path.join("ply", name.replace(".obj", ".ply"))
+        bpy.ops.import_mesh.ply(filepath=os.path.abspath(path))
+        compare(path, points(bpy.data.objects[0]), expected)
+
+
+frames = sorted(name for name in os.listdir("obj") if name.endswith(".obj"))
+ends = [obj_points(os.path.join("obj", name)) for name in (frames[0], frames[-1])]
+read_gltf("cloth.glb")
+read_gltf("cloth.gltf")
+read_cache("pc2")
+read_cache("mdd")
+read_ply()
+print("Blender has read all back")
