@@ -35,6 +35,23 @@ holds() {
   fi
 }
 
+# interrupt SIGNAL COMMAND...: sends the signal once the command has written a line to its standard
+# output, whose first line then is in first; gives the command's exit status.
+interrupt() {
+  local signal=$1 running
+  shift
+  rm -f told
+  mkfifo told
+  "$@" >told &
+  running=$!
+  exec 3<told
+  read -r first <&3
+  kill -"$signal" $running
+  cat <&3 >/dev/null
+  exec 3<&-
+  wait $running
+}
+
 # same_bits FOLDER PROGRAM ARGUMENTS...: the run ends in FOLDER's state, bit for bit.
 same_bits() {
   local reference=$1 part

@@ -110,16 +110,8 @@ expect 0 "" "$program" run --resume killed --progress none
 same_results killed whole
 
 # A signal while it runs: the state is saved, and how to go on is said.
-mkfifo told
-"$program" "${run[@]}" -o signalled --steps 300 --progress json >told 2>signalled.said &
-running=$!
-exec 3<told
-read -r first <&3
-kill -INT $running
-cat <&3 >/dev/null
-wait $running
+interrupt INT "$program" "${run[@]}" -o signalled --steps 300 --progress json 2>signalled.said
 holds "an interrupted run exits with 130" test $? -eq 130
-exec 3<&-
 holds "what Ctrl-C does is said" grep -q "ends after this step" signalled.said
 holds "how to go on is said" grep -q "to go on: .* run --resume signalled" signalled.said
 holds "it was one step at least" test "$(jq .step <<<"$first")" -eq 1

@@ -54,14 +54,7 @@ holds "one JSON object a step and nothing else" \
 expect 0 "step 3 of 3" "$program" run patch -o l --steps 3 --progress lines
 
 # Interrupted after a step: the account of what was done, and the state so far.
-mkfifo steps
-"$program" run patch -o i --steps 100000000 --frames 0 --progress json >steps &
-running=$!
-exec 3<steps
-read -r first <&3
-kill -TERM $running
-cat <&3 >/dev/null
-wait $running
+interrupt TERM "$program" run patch -o i --steps 100000000 --frames 0 --progress json
 holds "an interrupted run exits with 130" test $? -eq 130
 holds "its first step" test "$(jq .step <<<"$first")" -eq 1
 holds "its account" jq -e '.interrupted and .steps.taken >= 1' i/summary.json >/dev/null
