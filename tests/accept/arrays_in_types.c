@@ -10,7 +10,15 @@ enum { N = 6000, M = 300 };
 
 static int s[N];
 static double w[N];
-static double a[M], b[M], c[M], d[M], e[M];
+static double a[M], b[M], c[M], d[M], e[M], f[M];
+
+__attribute__((noipa)) static void by_pointer(int n, double *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        __typeof__(to) from;
+        from = &w[t];
+        to[s[t]] += *from;
+    }
+}
 
 int main(void) {
     case_subscripts(s, N, M);
@@ -47,10 +55,12 @@ int main(void) {
         like[M - 1] = w[t];
         ADD(s[t], like[M - 1]);
     }
+    by_pointer(N, f);
     CASE_PRINT(a);
     CASE_PRINT(b);
     CASE_PRINT(c);
     CASE_PRINT(d);
     CASE_PRINT(e);
+    CASE_PRINT(f);
     return 0;
 }

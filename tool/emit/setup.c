@@ -75,12 +75,23 @@ static bool is_named_by_nodes(const loop_text *loop, const ir_variable *variable
     return !is_named_by_macro(body, variable);
 }
 
-/** A pointer of the same name may stand for the variable, unless its size or type as an array may
- *  be asked. */
+static bool has_typeof(const loop_text *loop) {
+    static const char word[] = "typeof";
+    const ir_range range = loop->facts->counted.body->range;
+    const char *text = loop->unit->source->text;
+    for (uint32_t at = range.begin; at < range.end; at++)
+        if (strncmp(text + at, word, sizeof word - 1) == 0)
+            return true;
+    return false;
+}
+
+/** A pointer of the same name, itself constant, may stand for the variable, unless its type or its
+ *  size as an array may be asked. */
 static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
-    return base->kind == IR_VARIABLE &&
-           (base->type->kind == IR_POINTER ||
-            (!has_sizeof(loop->facts->counted.body) && is_named_by_nodes(loop, base->variable)));
+    if (base->kind != IR_VARIABLE || has_typeof(loop))
+        return false;
+    return base->type->kind == IR_POINTER ||
+           (!has_sizeof(loop->facts->counted.body) && is_named_by_nodes(loop, base->variable));
 }
 
 /** The array's address as a whole, a pointer to an array, is not that of what stands for it. */
