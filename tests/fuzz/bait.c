@@ -61,11 +61,12 @@ static void read_by_callee(kernel *k) {
 }
 
 static void read_bytes(kernel *k) {
-    const array *a = any_reduction(k);
+    array *a = any_reduction(k);
     const char *name = new_name(k, "bytes");
     put(k, &k->locals, "    unsigned char *%s = (unsigned char *)%s;\n", name, a->base);
     const char *at = subscript(k);
     if (chance(k, 50)) {
+        a->has_bits_flipped = true;
         put(k, &k->body, "%s[(%s) * sizeof *%s] ^= 1;\n", name, at, a->base);
         return;
     }

@@ -288,8 +288,8 @@ static bool shows_order(kernel *k, const char *object) {
     const size_t length = strlen(object);
     for (int i = 0; i < REDUCTIONS; i++) {
         const array *a = &k->reduction[i];
-        const bool is_inexact =
-            elements[a->type].is_floating && (a->type == E_FLOAT || *a->operation != '+');
+        const bool is_inexact = elements[a->type].is_floating &&
+                                (a->type == E_FLOAT || *a->operation != '+' || a->has_bits_flipped);
         const bool is_given = strncmp(a->given, object, length) == 0 &&
                               (a->given[length] == 0 || a->given[length] == ' ');
         if (is_inexact && (is_given || strcmp(a->object, object) == 0))
