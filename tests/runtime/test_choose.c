@@ -222,6 +222,15 @@ static void the_decision_table_is_documented(void **unused) {
             fail_msg("docs/methods.md lacks the row:%s", rows[row]);
 }
 
+static void few_short_iterations_are_one_threads(void **unused) {
+    (void)unused;
+    assert_int_equal(redcc_worth_threads(20, 2, 0, 0), 1); /* nothing is known yet */
+    assert_int_equal(redcc_worth_threads(4095, 7, 0, 0), 1);
+    assert_int_equal(redcc_worth_threads(4096, 7, 0, 0), 7);
+    assert_int_equal(redcc_worth_threads(20, 2, 1e-6, 1), 1);
+    assert_int_equal(redcc_worth_threads(20, 2, 1e-3, 10), 2);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_faster_course_is_kept),
@@ -232,6 +241,7 @@ int main(void) {
         cmocka_unit_test(copies_come_first_where_they_are_cheaper),
         cmocka_unit_test(a_costly_inspection_is_put_off),
         cmocka_unit_test(the_decision_table_is_documented),
+        cmocka_unit_test(few_short_iterations_are_one_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
