@@ -81,15 +81,11 @@ static bool take(reader *r, const char *token) {
     return true;
 }
 
-static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 128;
-}
-
 /* The word that comes next, "" if none does. */
 static const char *take_word(reader *r) {
     skip_blanks(r);
     const size_t begin = r->at;
-    while (is_word_byte(r->text[r->at]))
+    while (source_is_name_byte(r->text[r->at]))
         r->at++;
     return arena_copy(r->memory, r->text + begin, r->at - begin);
 }

@@ -13,10 +13,6 @@ static bool is_name_start(char c) {
     return isalpha((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
 }
 
-static bool is_name_byte(char c) {
-    return is_name_start(c) || isdigit((unsigned char)c);
-}
-
 static const char *skip_quoted(const char *at, const char *end) {
     const char quote = *at++;
     while (at < end && *at != quote)
@@ -67,8 +63,8 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
             at = skip_directive(at, end);
         } else if (*at == '/' && at + 1 < end && at[1] == '*') {
             at = skip_comment(at, end);
-        } else if (is_name_byte(*at)) { /* numbers too: no macro is named so */
-            while (at < end && is_name_byte(*at))
+        } else if (source_is_name_byte(*at)) { /* numbers too: no macro is named so */
+            while (at < end && source_is_name_byte(*at))
                 at++;
             if (is_name_start(*word) && is_replaced(unit->macros, word, at, end))
                 return arena_copy(a, word, (size_t)(at - word));
@@ -97,8 +93,8 @@ static bool has_name(const source *s, const char *name) {
     const size_t length = strlen(name);
     const char *end = s->text + s->length;
     for (const char *at = s->text; (at = strstr(at, name)) != NULL; at += length)
-        if ((at == s->text || !is_name_byte(at[-1])) &&
-            (at + length >= end || !is_name_byte(at[length])))
+        if ((at == s->text || !source_is_name_byte(at[-1])) &&
+            (at + length >= end || !source_is_name_byte(at[length])))
             return true;
     return false;
 }

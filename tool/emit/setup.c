@@ -47,10 +47,6 @@ static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-static bool is_word_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
-}
-
 enum { MOST_MENTIONS = 64 }; /* each is looked for in the whole body */
 
 /** Is the variable named in the body by the tree's own nodes alone? What stands in types (the
@@ -66,9 +62,10 @@ static bool is_named_by_nodes(const loop_text *loop, const ir_variable *variable
                 return false;
             continue;
         }
-        const bool is_begin = is_word_byte(text[at]) && (at == 0 || !is_word_byte(text[at - 1]));
+        const bool is_begin =
+            source_is_name_byte(text[at]) && (at == 0 || !source_is_name_byte(text[at - 1]));
         if (is_begin && strncmp(text + at, variable->name, length) == 0 &&
-            !is_word_byte(text[at + length]) &&
+            !source_is_name_byte(text[at + length]) &&
             (++mentions > MOST_MENTIONS || !is_named_at(body, variable, at)))
             return false;
     }

@@ -26,10 +26,6 @@ static const char *skip_spaces(const char *at, const char *end) {
     return at;
 }
 
-static bool is_name_byte(char c) {
-    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
-}
-
 /* `#define SIGINT SIGINT`: the macro named at `at` stands for its own name. */
 static bool stands_for_itself(file_text at, const char *name, size_t length) {
     const char *end = at.text + at.length;
@@ -93,7 +89,7 @@ static const char *defined_name(const char *at, const char *end) {
         if ((size_t)(end - name) < sizeof word || strncmp(name, word, sizeof word - 1) != 0)
             return NULL;
         name += sizeof word - 1;
-        return is_name_byte(*name) ? NULL : skip_spaces(name, end);
+        return source_is_name_byte(*name) ? NULL : skip_spaces(name, end);
     }
     return NULL;
 }
@@ -109,7 +105,7 @@ void note_macros_of_directives(converter *c) {
         const char *name = defined_name(directive->text, end), *after = name;
         if (name == NULL)
             continue;
-        while (after < end && is_name_byte(*after))
+        while (after < end && source_is_name_byte(*after))
             after++;
         const size_t length = (size_t)(after - name);
         const file_text at = {.text = name, .length = (size_t)(end - name)};

@@ -107,3 +107,7 @@ uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
     }
     return to;
 }
+
+bool source_is_name_byte(char c) {
+    return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+}

@@ -3,6 +3,7 @@
 #ifndef SUPPORT_SOURCE_H
 #define SUPPORT_SOURCE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "support/arena.h"
@@ -28,5 +29,8 @@ position source_position(const source *s, uint32_t offset);
 /** Where something other than blanks and comments begins in [from, to); `to`, where nothing does.
  */
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
+/** May the byte stand in a name: letters, digits, `_`, and what compilers take as well, `$` and the
+ *  bytes of UTF-8? */
+bool source_is_name_byte(char c);
 
 #endif
