@@ -226,23 +226,15 @@ static enum rule put_off(const struct trial *trial, const struct findings *findi
     return sweep_seconds > much * trial->serial_best * trip ? RULE_COSTLY : RULE_NONE;
 }
 
-/* The index cut leaves every thread an equal share. */
-static enum rule even_way(const struct trial *trial, const struct findings *findings,
-                          double sweep_seconds) {
-    if (copies_are_cheaper(findings))
-        return RULE_CHEAP_COPIES;
-    const enum rule later = put_off(trial, findings, sweep_seconds);
-    return later == RULE_NONE ? RULE_EVEN : later;
+/* Without telling owners apart, now or at all. RULE_NONE: that is worth it. */
+static enum rule undivided_way(const struct trial *trial, const struct findings *findings,
+                               double sweep_seconds) {
+    return copies_are_cheaper(findings) ? RULE_CHEAP_COPIES
+                                        : put_off(trial, findings, sweep_seconds);
 }
 
-/* Without the graph. */
-static enum rule plain_way(const struct trial *trial, const struct findings *findings,
-                           double sweep_seconds) {
-    if (copies_are_cheaper(findings))
-        return RULE_CHEAP_COPIES;
-    const enum rule later = put_off(trial, findings, sweep_seconds);
-    if (later != RULE_NONE)
-        return later;
+/* By the index cut, or serially. */
+static enum rule plain_way(const struct findings *findings, double sweep_seconds) {
     if (findings->share <= most_share)
         return RULE_INDEX;
     if (findings->copies)
@@ -271,8 +263,9 @@ static bool cut_in_vain(struct trial *trial, redcc_int trip) {
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings) {
     struct trial *trial = trial_of(chooser, findings->trip);
     const double sweep_seconds = findings->touches * sweep_touch;
+    const enum rule undivided = undivided_way(trial, findings, sweep_seconds);
     if (findings->share * findings->threads <= even_share) {
-        trial->rule = even_way(trial, findings, sweep_seconds);
+        trial->rule = undivided == RULE_NONE ? RULE_EVEN : undivided;
         if (findings->swept || trial->rule == RULE_CHEAP_COPIES)
             trial->graph = GRAPH_UNTRIED;
         trial->graph_seconds = 0;
@@ -289,7 +282,7 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
             return trial->rule = RULE_GRAPH;
         trial->graph = GRAPH_UNTRIED; /* when the budget allows it */
     }
-    trial->rule = plain_way(trial, findings, sweep_seconds);
+    trial->rule = undivided == RULE_NONE ? plain_way(findings, sweep_seconds) : undivided;
     const bool deferred = trial->rule == RULE_DEFERRED || trial->rule == RULE_COSTLY;
     trial->sweep_seconds = deferred ? sweep_seconds : 0;
     return trial->rule;

@@ -99,7 +99,7 @@ struct execution {
     struct levels levels;
     bool divided;    /* it is done, and the plan's owners are to be those */
     bool by_graph;   /* auto: by a plan of that kind */
-    bool only_timed; /* planless, for now: what it takes is not known yet */
+    bool only_timed; /* planless: by it auto learns what the loop takes by one thread */
     bool for_copies; /* auto: by the sample it will be copies; the partition is in one piece */
     bool no_copies;  /* ... but by all iterations they cannot be had */
     double touches;  /* of an iteration, about */
