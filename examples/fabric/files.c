@@ -98,6 +98,13 @@ int files_find_beside_scenes(const char *name, char path[FILE_PATH_SIZE]) {
     return -1;
 }
 
+FILE *files_open(const char *path) {
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+    return file;
+}
+
 int files_make_folder(const char *path) {
     char part[FILE_PATH_SIZE];
     struct stat status;

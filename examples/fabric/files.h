@@ -3,6 +3,8 @@
 #ifndef FABRIC_FILES_H
 #define FABRIC_FILES_H
 
+#include <stdio.h>
+
 enum { FILE_PATH_SIZE = 4096 };
 
 /**
@@ -18,6 +20,9 @@ int files_find_beside_scenes(const char *name, char path[FILE_PATH_SIZE]);
 
 /** "folder/name". 0, or -1 after a message when that is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
+
+/** Opens a file to be read, as bytes. NULL after a message. */
+FILE *files_open(const char *path);
 
 /** Makes a folder and those above it. 0, or -1 after a message. */
 int files_make_folder(const char *path);

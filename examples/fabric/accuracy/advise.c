@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "accuracy/advise.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "accuracy/study.h"
+#include "files.h"
 
 enum { LINE_SIZE = 512, FIELDS = 19 };
 
@@ -48,11 +48,9 @@ int curves_read(const char *path, curve_point **points) {
     char line[LINE_SIZE], *field[FIELDS];
     int count = 0, room = 0;
     *points = NULL;
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+    FILE *file = files_open(path);
+    if (!file)
         return -1;
-    }
     while (fgets(line, sizeof line, file)) {
         if (count == room) {
             room = 2 * room + 16;

@@ -33,7 +33,7 @@ typedef struct job {
     double *time;     /* [frames.count] s */
     char (*name)[32]; /* [frames.count] of files of one frame */
     cloth_frames of;
-    long width, height; /* of pictures */
+    int width, height; /* of pictures */
 } job;
 
 static int read_frame(void *context, int number, state *s) {
@@ -117,7 +117,7 @@ static int write_all(job *j, format as) {
     case GLB:
         return write_gltf(j, as == GLB);
     case MP4:
-        return video_write(j->folder, (int)(j->width / 2 * 2), (int)(j->height / 2 * 2), j->path);
+        return video_write(j->folder, j->width, j->height, j->path);
     case PC2:
         return pc2_write(&j->of, j->path);
     case MDD:
@@ -154,11 +154,11 @@ static int run(const command *self, int argc, char **argv) {
             path = o.value;
             break;
         case WIDTH:
-            if (options_whole(&o, "--width", 32, 4096, &j.width) != 0)
+            if (read_picture_size(&o, "--width", &j.width) != 0)
                 return EXIT_USAGE;
             break;
         case HEIGHT:
-            if (options_whole(&o, "--height", 32, 4096, &j.height) != 0)
+            if (read_picture_size(&o, "--height", &j.height) != 0)
                 return EXIT_USAGE;
             break;
         case OPTIONS_WORD:

@@ -93,18 +93,25 @@ static int render(job *j) {
     return 0;
 }
 
+int read_picture_size(const options *o, const char *name, int *size) {
+    long given;
+    if (options_whole(o, name, 32, 4096, &given) != 0)
+        return -1;
+    *size = (int)(given / 2 * 2);
+    return 0;
+}
+
 static int run(const command *self, int argc, char **argv) {
     options o = {self, argc, argv, 0, NULL, 0};
-    long width = PICTURE_WIDTH, height = PICTURE_HEIGHT;
-    job j = {0};
+    job j = {.width = PICTURE_WIDTH, .height = PICTURE_HEIGHT};
     for (int next; (next = options_next(&o)) != OPTIONS_END;)
         switch (next) {
         case WIDTH:
-            if (options_whole(&o, "--width", 32, 4096, &width) != 0)
+            if (read_picture_size(&o, "--width", &j.width) != 0)
                 return EXIT_USAGE;
             break;
         case HEIGHT:
-            if (options_whole(&o, "--height", 32, 4096, &height) != 0)
+            if (read_picture_size(&o, "--height", &j.height) != 0)
                 return EXIT_USAGE;
             break;
         case OPTIONS_WORD:
@@ -119,8 +126,6 @@ static int run(const command *self, int argc, char **argv) {
         }
     if (!j.folder)
         return options_complain(self, "which folder? %s", self->synopsis);
-    j.width = (int)(width / 2 * 2);
-    j.height = (int)(height / 2 * 2);
     const int status = render(&j);
     close_job(&j);
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

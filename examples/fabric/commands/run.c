@@ -203,7 +203,7 @@ static int take_step(cloth_run *run) {
     return 0;
 }
 
-/** What a step leaves behind: a frame, a checkpoint. `ends`: it is the last for now. */
+/** What a step leaves behind: a frame, a checkpoint. `ends`: this run takes no further one. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
     const int done = run->record.step == run->of.steps;

@@ -32,12 +32,16 @@ static void remove_frames(const cloth_run *run, long step) {
     }
 }
 
+void run_forget(const cloth_run *run) {
+    remove_file(run->folder, "checkpoint");
+}
+
 static void remove_old_results(const cloth_run *run) {
     const int goes_on = run->from.memory != NULL;
     remove_file(run->folder, "final.state");
     remove_file(run->folder, "summary.json");
     if (!goes_on)
-        remove_file(run->folder, "checkpoint");
+        run_forget(run);
     remove_frames(run, goes_on ? run->record.step : -1);
 }
 

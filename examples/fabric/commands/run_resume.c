@@ -83,9 +83,3 @@ int run_save(cloth_run *run) {
                ? checkpoint_write(&run->record, &run->of, &run->cloth, run->sim, path)
                : -1;
 }
-
-void run_forget(const cloth_run *run) {
-    char path[FILE_PATH_SIZE];
-    if (files_join(path, run->folder, "checkpoint") == 0)
-        remove(path);
-}

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/checkpoint.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "output/sealed_file.h"
 #include "surface.h"
 
@@ -120,11 +120,9 @@ static int read_file(checkpoint *c, FILE *file, const char *path) {
 
 int checkpoint_read(checkpoint *c, const char *path) {
     *c = (checkpoint){.memory = NULL};
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+    FILE *file = files_open(path);
+    if (!file)
         return -1;
-    }
     const int status = read_file(c, file, path);
     fclose(file);
     if (status != 0)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/obj.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <stdarg.h>
@@ -9,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "mesh_parts.h"
 #include "output/fresh_file.h"
 
@@ -183,11 +183,9 @@ static int read_file(obj_reader *r, mesh *m, FILE *file) {
 int obj_read(mesh *m, const char *path) {
     obj_reader r = {.path = path};
     *m = (mesh){0};
-    FILE *file = fopen(path, "r");
-    if (!file) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+    FILE *file = files_open(path);
+    if (!file)
         return -1;
-    }
     const int status = read_file(&r, m, file);
     fclose(file);
     return status;

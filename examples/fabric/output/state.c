@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "output/state.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "output/sealed_file.h"
 
 static const sealed_kind STATE_KIND = {"FABRICST", 1, "a state", 0};
@@ -133,11 +133,9 @@ static int read_state(state *s, FILE *file, const char *path) {
 
 int state_read(state *s, const char *path) {
     *s = (state){0};
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
+    FILE *file = files_open(path);
+    if (!file)
         return -1;
-    }
     const int status = read_state(s, file, path);
     fclose(file);
     if (status != 0)
