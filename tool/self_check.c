@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "driver/files.h"
 #include "driver/installation.h"
 
 static frontend_result parse(arena *a, const source *file, const string_list *flags) {
@@ -48,4 +49,32 @@ const char *self_check(arena *a, const source *input, const string_list *flags, 
     /* the user's own text may hold without OpenMP what it does not hold with it */
     const frontend_result before = parse(a, input, &sequential);
     return first_error(&before) ? NULL : error;
+}
+
+/* The folder that a flag adds to the places where headers are looked for; NULL: another flag. */
+static const char *header_folder(const string_list *flags, unsigned *i) {
+    static const char *const names[] = {"-I", "-isystem"};
+    const char *flag = flags->items[*i];
+    for (unsigned k = 0; k < sizeof names / sizeof *names; k++) {
+        const size_t length = strlen(names[k]);
+        if (strncmp(flag, names[k], length) != 0)
+            continue;
+        if (flag[length])
+            return flag + length;
+        return *i + 1 < flags->count ? flags->items[++*i] : NULL;
+    }
+    return NULL;
+}
+
+const char *other_runtime_header(arena *a, const string_list *flags) {
+    static const char name[] = "redcc/runtime.h";
+    const char *own = installation_find(a).include;
+    for (unsigned i = 0; own && i < flags->count; i++) {
+        const char *folder = header_folder(flags, &i);
+        const char *path = folder ? arena_format(a, "%s/%s", folder, name) : NULL;
+        if (path && file_read(a, path, NULL) &&
+            !file_equal(a, path, arena_format(a, "%s/%s", own, name)))
+            return arena_format(a, "'%s' would be included in place of redcc's own header", path);
+    }
+    return NULL;
 }

@@ -14,4 +14,8 @@
 const char *self_check(arena *a, const source *input, const string_list *flags, const char *text,
                        size_t length);
 
+/** Why the runtime's header could not be included from the output, in the arena: the flags lead to
+ *  another one of its name. NULL: they do not, as far as is known. */
+const char *other_runtime_header(arena *a, const string_list *flags);
+
 #endif

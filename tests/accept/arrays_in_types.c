@@ -1,22 +1,41 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The array named where its type or size counts, and where no expression of the tree shows it: in
-// the length of another array, in a typeof, in a constant of the body.
+// the length of another array, in a typeof, in a constant of the body, in a macro that hides these.
 // covers: row 47
 #include "case.h"
 
 enum { N = 6000, M = 300 };
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 #define ADD(k, e) a[k] += e
+#define TYPE_OF __typeof__
+#define LIKE_G __typeof__(g)
+#define LENGTH_OF_H (sizeof h / sizeof *h)
 
 static int s[N];
 static double w[N];
-static double a[M], b[M], c[M], d[M], e[M], f[M];
+static double a[M], b[M], c[M], d[M], e[M], f[M], g[M], h[M], i[M], j[M];
 
 __attribute__((noipa)) static void by_pointer(int n, double *to) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         __typeof__(to) from;
         from = &w[t];
         to[s[t]] += *from;
+    }
+}
+
+__attribute__((noipa)) static void by_hidden_pointer(int n, double *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        TYPE_OF(to) from;
+        from = &w[t];
+        to[s[t]] += *from;
+    }
+}
+
+__attribute__((noipa)) static void by_automatic_type(int n, double *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        __auto_type at = to;
+        at += s[t];
+        to[s[t]] += (double)(at - to) + w[t];
     }
 }
 
@@ -55,12 +74,28 @@ int main(void) {
         like[M - 1] = w[t];
         ADD(s[t], like[M - 1]);
     }
+    for (int t = 0; t < N; t++) { // EXPECT: transformed
+        LIKE_G like;
+        like[M - 1] = w[t];
+        g[s[t]] += like[M - 1];
+    }
+    for (int t = 0; t < N; t++) { // EXPECT: transformed
+        double like[LENGTH_OF_H];
+        like[M - 1] = w[t];
+        h[s[t]] += like[M - 1];
+    }
     by_pointer(N, f);
+    by_hidden_pointer(N, i);
+    by_automatic_type(N, j);
     CASE_PRINT(a);
     CASE_PRINT(b);
     CASE_PRINT(c);
     CASE_PRINT(d);
     CASE_PRINT(e);
     CASE_PRINT(f);
+    CASE_PRINT(g);
+    CASE_PRINT(h);
+    CASE_PRINT(i);
+    CASE_PRINT(j);
     return 0;
 }

@@ -84,7 +84,7 @@ static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
                             macro);
     const char *name = taken_name(unit);
     if (name)
-        return arena_format(a, "the file uses the name '%s' for something of its own", name);
+        return arena_format(a, "the program uses the name '%s' for something of its own", name);
     return NULL;
 }
 
@@ -125,7 +125,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
     emit_result result = {.text = s->text, .length = s->length, .obstacles = obstacles};
     edit_list edits = {0};
-    const char *obstacle = obstacle_of_file(a, unit);
+    const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++)
         if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
             add_loop(a, unit, &analysis->verdicts[i], options, obstacle, &edits, &obstacles[i]))

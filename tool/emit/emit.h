@@ -14,6 +14,7 @@ typedef enum emit_order { EMIT_ORDER_SERIAL, EMIT_ORDER_FIXED, EMIT_ORDER_ANY } 
 typedef struct emit_options {
     emit_order order;
     bool order_is_explicit; /* asked for in so many words, not just the default */
+    const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
 } emit_options;
 
 typedef struct emit_result {

@@ -99,6 +99,7 @@ static bool has_name(const source *s, const char *name) {
     return false;
 }
 
+/** Has a variable or a function of the program this name? */
 static bool is_own(const ir_unit *unit, const char *name) {
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
@@ -111,13 +112,33 @@ static bool is_own(const ir_unit *unit, const char *name) {
     return false;
 }
 
+static bool starts_with(const char *text, const char *prefix) {
+    return strncmp(text, prefix, strlen(prefix)) == 0;
+}
+
+static const void *meaning_of(const map *names, const char *name) {
+    return names ? map_get(names, name, strlen(name)) : NULL;
+}
+
+/** Does the program, or a header of its, give one of the runtime's names to anything? */
+static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
+    return meaning_of(unit->names, name) || meaning_of(unit->macros, name) || is_own(unit, name) ||
+           (is_searched && has_name(unit->source, name));
+}
+
+/** OpenMP's functions that the runtime's header declares, `int name(void)`, may be declared again.
+ */
+static bool is_taken_from_openmp(const ir_unit *unit, const char *name) {
+    return meaning_of(unit->names, name) == IR_NAME_AS_OTHER || is_own(unit, name);
+}
+
 const char *taken_name(const ir_unit *unit) {
-    const bool mentions_runtime = strstr(unit->source->text, "redcc_") != NULL;
+    const bool is_searched = strstr(unit->source->text, "redcc_") != NULL;
     for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
         const char *word = words_of_header[i];
-        if (strncmp(word, "redcc_", 6) == 0 && mentions_runtime && has_name(unit->source, word))
-            return word;
-        if (strncmp(word, "omp_", 4) == 0 && is_own(unit, word))
+        if ((starts_with(word, "redcc_") || starts_with(word, "REDCC_"))
+                ? is_taken_from_runtime(unit, word, is_searched)
+                : starts_with(word, "omp_") && is_taken_from_openmp(unit, word))
             return word;
     }
     return NULL;

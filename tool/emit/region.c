@@ -123,11 +123,17 @@ static void write_inspector(loop_text *loop, writer *out) {
     writer_line(out, "    }");
 }
 
+/** Is it of the very type of what it stands for? Then a typeof in the body may name it. */
+static bool stands_for_pointer(const loop_text *loop, unsigned number) {
+    return loop->arrays[number].is_shadowed &&
+           loop->facts->arrays[number].base->type->kind == IR_POINTER;
+}
+
 static void declare_chunk(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->array_count; i++) {
         const array_text *array = &loop->arrays[i];
-        writer_line(out, "__typeof__(&%s[0]) const %s = redcc__worker.base[%u];", array->base,
-                    array->local, i);
+        writer_line(out, "__typeof__(&%s[0]) %s%s = redcc__worker.base[%u];", array->base,
+                    stands_for_pointer(loop, i) ? "" : "const ", array->local, i);
         writer_line(out, "const redcc_owner %s = redcc__worker.owner[%u];", array->owner, i);
     }
     declare_live_privates(loop, out);

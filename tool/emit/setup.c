@@ -72,23 +72,21 @@ static bool is_named_by_nodes(const loop_text *loop, const ir_variable *variable
     return !is_named_by_macro(body, variable);
 }
 
-static bool has_typeof(const loop_text *loop) {
-    static const char word[] = "typeof";
-    const ir_range range = loop->facts->counted.body->range;
-    const char *text = loop->unit->source->text;
-    for (uint32_t at = range.begin; at < range.end; at++)
-        if (strncmp(text + at, word, sizeof word - 1) == 0)
-            return true;
-    return false;
+/** A macro may name the variable where the tree shows nothing of it: `#define LIKE typeof(h)`. */
+static bool has_macro(const loop_text *loop) {
+    const ir_range body = loop->facts->counted.body->range;
+    return macro_name_in(loop->arena, loop->unit, loop->unit->source->text + body.begin,
+                         body.end - body.begin) != NULL;
 }
 
-/** A pointer of the same name, itself constant, may stand for the variable, unless its type or its
- *  size as an array may be asked. */
+/** A pointer of the same name may stand for the variable, unless its type or its size as an array
+ *  may be asked. */
 static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
-    if (base->kind != IR_VARIABLE || has_typeof(loop))
+    if (base->kind != IR_VARIABLE)
         return false;
     return base->type->kind == IR_POINTER ||
-           (!has_sizeof(loop->facts->counted.body) && is_named_by_nodes(loop, base->variable));
+           (!has_sizeof(loop->facts->counted.body) && !has_macro(loop) &&
+            is_named_by_nodes(loop, base->variable));
 }
 
 /** The array's address as a whole, a pointer to an array, is not that of what stands for it. */

@@ -117,6 +117,8 @@ bool is_missing_header(CXDiagnostic diagnostic);
 /** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
 void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
+/** Adds what is declared, in a record its members' tags too, to the unit's names. */
+void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word and unseen_word. */
 void find_compiler_words(converter *c);
 

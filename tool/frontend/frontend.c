@@ -104,6 +104,7 @@ static bool is_assembler(CXCursor cursor) {
 static enum CXChildVisitResult visit_function(CXCursor cursor, CXCursor parent, CXClientData data) {
     (void)parent;
     converter *c = data;
+    note_name(c, cursor);
     c->has_assembler |= is_assembler(cursor);
     if (clang_getCursorKind(cursor) == CXCursor_FunctionDecl && clang_isCursorDefinition(cursor) &&
         is_in_main_file(c, clang_getCursorLocation(cursor)))
@@ -215,6 +216,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->strict_aliasing = true;
     unit->macros = map_new(a);
     unit->macros_before = map_new(a);
+    unit->names = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,

@@ -48,6 +48,8 @@ static enum CXChildVisitResult collect_variable(CXCursor child, CXCursor parent,
     const enum CXCursorKind kind = clang_getCursorKind(child);
     if (kind == CXCursor_VarDecl)
         VECTOR_PUSH(list->converter->scratch, &list->variables, child);
+    else
+        note_name(list->converter, child);
     list->computes_length |= kind == CXCursor_TypedefDecl &&
                              has_variable_length(convert_type(
                                  list->converter, clang_getTypedefDeclUnderlyingType(child)));

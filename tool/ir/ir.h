@@ -272,10 +272,15 @@ typedef struct ir_unit {
                   */
     map *macros_before; /* the same of those that the command line, or a file it includes, defines
                            before the main file begins; the compiler's own apart */
+    map *names; /* each name that the program, its headers included, gives to a function, type, tag,
+                   enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
+                   none. Not in the text form */
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)
 #define IR_MACRO_AS_FUNCTION ((void *)2)
+#define IR_NAME_AS_QUERY ((void *)1) /* of nothing but functions `int name(void)`, not static */
+#define IR_NAME_AS_OTHER ((void *)2)
 
 /* ---- looking around ------------------------------------------------------------------------ */
 

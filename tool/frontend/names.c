@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The names that the program, its headers included, gives to things: text that is written into the
+ * file declares and uses names too. */
+#include <string.h>
+
+#include "frontend/convert.h"
+
+static bool has_members(enum CXCursorKind kind) {
+    return kind == CXCursor_StructDecl || kind == CXCursor_UnionDecl || kind == CXCursor_EnumDecl;
+}
+
+/* `int name(void)` of another unit, or for others. */
+static bool is_query(CXCursor declaration) {
+    const CXType type = clang_getCursorType(declaration);
+    const bool takes_nothing =
+        type.kind == CXType_FunctionNoProto ||
+        (type.kind == CXType_FunctionProto && clang_getNumArgTypes(type) == 0 &&
+         clang_isFunctionTypeVariadic(type) == 0);
+    return clang_getCursorKind(declaration) == CXCursor_FunctionDecl && takes_nothing &&
+           clang_getResultType(type).kind == CXType_Int &&
+           clang_getCursorLinkage(declaration) == CXLinkage_External;
+}
+
+/* Tags and enumerators in a record's declaration belong to the scope around it (C17 6.2.1p7). */
+static enum CXChildVisitResult visit_member(CXCursor member, CXCursor parent, CXClientData data) {
+    (void)parent;
+    const enum CXCursorKind kind = clang_getCursorKind(member);
+    if (has_members(kind) || kind == CXCursor_EnumConstantDecl)
+        note_name(data, member);
+    return CXChildVisit_Continue;
+}
+
+void note_name(converter *c, CXCursor declaration) {
+    CXString spelling = clang_getCursorSpelling(declaration);
+    const char *name = clang_getCString(spelling);
+    if (name != NULL && name[0] != 0) {
+        void **known = map_at(c->unit->names, name, strlen(name));
+        if (*known != IR_NAME_AS_OTHER)
+            *known = is_query(declaration) ? IR_NAME_AS_QUERY : IR_NAME_AS_OTHER;
+    }
+    clang_disposeString(spelling);
+    if (has_members(clang_getCursorKind(declaration)))
+        clang_visitChildren(declaration, visit_member, c);
+}
