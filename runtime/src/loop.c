@@ -357,6 +357,12 @@ static void count_planless(struct execution *execution, double now) {
     note_rule(statistics, redcc_choose_rule(&state->chooser, trip));
 }
 
+static const char *came_by(const struct execution *execution) {
+    if (!execution->plan_is_kept)
+        return "built";
+    return redcc_vouched_sources(execution) > 0 ? "used again, subscripts watched" : "used again";
+}
+
 static void trace_execution(const struct execution *execution, double now) {
     const struct plan *plan = execution->plan;
     const redcc_loop *loop = execution->request.loop;
@@ -365,9 +371,8 @@ static void trace_execution(const struct execution *execution, double now) {
         redcc_trace(TRACE_PLAN, loop,
                     "%s: %s, %d threads, %u owners, %.4f iterations executed for one, %u stages, "
                     "%zu bytes; %.3g s",
-                    execution->plan_is_kept ? "used again" : "built", plan->method->name,
-                    plan->threads, plan->owners, (double)plan->executed / trip,
-                    redcc_plan_stages(plan), redcc_plan_bytes(plan),
+                    came_by(execution), plan->method->name, plan->threads, plan->owners,
+                    (double)plan->executed / trip, redcc_plan_stages(plan), redcc_plan_bytes(plan),
                     execution->ready - execution->entered);
     redcc_trace(TRACE_EXECUTION, loop, "%lld iterations by %d threads; %.3g s", plan->trip,
                 execution->course == COURSE_SOLO ? 1 : execution->threads, now - execution->ready);
@@ -394,6 +399,7 @@ static void count_execution(struct execution *execution, double now) {
     statistics->threads = solo ? 1 : execution->threads;
     statistics->plans_built += !execution->plan_is_kept;
     statistics->plans_reused += execution->plan_is_kept;
+    statistics->watched += execution->plan_is_kept && redcc_vouched_sources(execution) > 0;
     statistics->inspect_seconds += execution->ready - execution->entered;
     statistics->execute_seconds += now - execution->ready;
     statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;

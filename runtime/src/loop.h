@@ -124,6 +124,7 @@ struct loop_state {
     struct chooser chooser;
     struct plan *plans[REDCC_PLANS];
     uint64_t plan_clock;
+    unsigned setbacks; /* how often in turn subscripts were watched in vain (vouch.c) */
     struct execution execution;
     struct member **member; /* [member_count] */
     int member_count;
@@ -145,7 +146,8 @@ void redcc_inspection_end(struct execution *execution);
  * and all go on at that phase. */
 void redcc_meet(struct member *member, void (*alone)(struct execution *));
 
-/** Looks for a plan that may fit the request with that many threads. */
+/** Looks for a plan that may fit the request with that many threads, and which of its subscripts
+ * the system vouches for. */
 void redcc_find_candidate(struct execution *execution, int threads);
 
 /** Are the candidate's subscripts what they were? Every thread calls it and gets the same answer.

@@ -12,6 +12,7 @@
 #include "flags.h"
 #include "method.h"
 #include "schedule.h"
+#include "vouch.h"
 
 struct divide;
 struct lost;
@@ -31,6 +32,7 @@ struct source_record {
     bool anchored;         /* known[].first is there to move with */
     struct offsets extent; /* known: {0, its length}; else relative to the anchor */
     struct fingerprint fingerprint;
+    struct vouch vouch;
 };
 
 /** Where the owners of a group's units stand in a plan's map. */

@@ -116,8 +116,8 @@ static void write_loop(FILE *out, const struct reported *loop) {
     if (it->validated.executions > 0)
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
                 it->validated.broken);
-    fprintf(out, ", \"plans_built\": %ld, \"plans_reused\": %ld", it->plans_built,
-            it->plans_reused);
+    fprintf(out, ", \"plans_built\": %ld, \"plans_reused\": %ld, \"watched\": %ld", it->plans_built,
+            it->plans_reused, it->watched);
     fprintf(out, ", \"inspect_seconds\": %ld.%06ld, \"execute_seconds\": %ld.%06ld",
             (long)it->inspect_seconds, (long)(it->inspect_seconds * 1e6) % 1000000,
             (long)it->execute_seconds, (long)(it->execute_seconds * 1e6) % 1000000);

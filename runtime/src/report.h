@@ -41,6 +41,7 @@ struct statistics {
     long moves;  /* threads found on another node than at the execution before, in all */
     long plans_built;
     long plans_reused;
+    long watched; /* of these executions, those in which some subscripts were not read */
     double inspect_seconds;
     double execute_seconds;
     size_t extra_bytes; /* the most that a plan took */

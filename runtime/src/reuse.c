@@ -17,52 +17,22 @@ void redcc_find_candidate(struct execution *execution, int threads) {
             plan->last_use = ++state->plan_clock;
             plan->round++;
             execution->candidate = plan;
+            redcc_ask_watch(execution);
             return;
         }
     }
 }
 
-static size_t bytes_of(struct range range) {
-    return redcc_range_empty(range) ? 0 : range.end - range.first;
-}
-
-/* What is read to compare a source: not what an earlier one (counted from 1; 0: none) has shown
- * already, as of row_start[i] and row_start[i + 1]. How the two lie to each other is compared too.
- */
-struct reading {
-    struct range range;
-    uint32_t beside;
-    uintptr_t distance; /* from there to the source */
-};
-
 static struct reading reading_of(const struct execution *execution, uint32_t source) {
-    const redcc_source *sources = execution->request.loop->sources;
-    const struct range it = execution->sources[source];
-    for (uint32_t s = 0; s < source; s++) {
-        const struct range shown = execution->sources[s];
-        struct range rest = it;
-        if (!sources[s].is_subscript || !redcc_ranges_overlap(it, shown))
-            continue;
-        if (shown.first <= it.first)
-            rest.first = shown.end < it.end ? shown.end : it.end;
-        else if (shown.end >= it.end)
-            rest.end = shown.first;
-        else
-            continue; /* on both sides something is left */
-        return (struct reading){rest, s + 1, it.first - shown.first};
-    }
-    return (struct reading){it, 0, 0};
+    return redcc_reading_of(execution->request.loop, execution->sources, source);
 }
 
-static struct fingerprint whole_of(struct reading reading) {
-    const struct fingerprint parts[2] = {
-        redcc_fingerprint((const char *)reading.range.first, bytes_of(reading.range)),
-        {{reading.beside, reading.distance}}};
-    return redcc_fingerprint_join(parts, 2);
+static bool is_small(struct reading reading) {
+    return redcc_range_bytes(reading.range) <= SMALL;
 }
 
 static struct fingerprint share_of(struct reading reading, const struct member *member) {
-    const size_t bytes = bytes_of(reading.range);
+    const size_t bytes = redcc_range_bytes(reading.range);
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
     const size_t first = (size_t)redcc_share(stripes, member->threads, member->thread) * STRIPE;
     const size_t end = (size_t)redcc_share(stripes, member->threads, member->thread + 1) * STRIPE;
@@ -98,17 +68,31 @@ static bool verify_together(struct member *member, uint32_t source) {
     return execution->verified;
 }
 
+static bool verify_alone(const struct execution *execution, uint32_t source) {
+    return redcc_fingerprint_equal(redcc_reading_fingerprint(reading_of(execution, source)),
+                                   execution->candidate->source[source].fingerprint);
+}
+
+/* What a later execution goes by is written by the first thread, and read by no other in this
+ * one. */
+static bool verify_by_reading(struct member *member, uint32_t source) {
+    struct execution *execution = member->execution;
+    const bool same = is_small(reading_of(execution, source)) ? verify_alone(execution, source)
+                                                              : verify_together(member, source);
+    if (same && member->thread == 0)
+        redcc_note_unchanged(execution, source);
+    return same;
+}
+
 bool redcc_verify(struct member *member) {
     const struct execution *execution = member->execution;
     const redcc_loop *loop = execution->request.loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         if (!loop->sources[s].is_subscript)
             continue;
-        const struct reading reading = reading_of(execution, s);
-        const bool same = bytes_of(reading.range) > SMALL
-                              ? verify_together(member, s)
-                              : redcc_fingerprint_equal(
-                                    whole_of(reading), execution->candidate->source[s].fingerprint);
+        const bool same = execution->candidate->source[s].vouch.stands
+                              ? redcc_vouched_unchanged(execution, s)
+                              : verify_by_reading(member, s);
         if (!same)
             return false;
     }
@@ -122,10 +106,10 @@ void redcc_take_fingerprints(struct member *member) {
         if (!loop->sources[s].is_subscript)
             continue;
         const struct reading reading = reading_of(execution, s);
-        if (bytes_of(reading.range) > SMALL)
+        if (!is_small(reading))
             member->fingerprint[s] = share_of(reading, member);
         else if (member->thread == 0)
-            member->fingerprint[s] = whole_of(reading);
+            member->fingerprint[s] = redcc_reading_fingerprint(reading);
     }
 }
 
@@ -134,9 +118,8 @@ void redcc_record_fingerprints(const struct execution *execution) {
     for (uint32_t s = 0; s < loop->source_count; s++)
         if (loop->sources[s].is_subscript)
             execution->plan->source[s].fingerprint =
-                bytes_of(reading_of(execution, s).range) > SMALL
-                    ? joined(execution, s)
-                    : execution->state->member[0]->fingerprint[s];
+                is_small(reading_of(execution, s)) ? execution->state->member[0]->fingerprint[s]
+                                                   : joined(execution, s);
 }
 
 void redcc_drop_candidate(struct execution *execution) {

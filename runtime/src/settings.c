@@ -143,6 +143,16 @@ static void read_validate(const char *value) {
         complain_of_unknown("REDCC_VALIDATE", value, names, 2);
 }
 
+static void read_watch(const char *value) {
+    static const char *const names[] = {"off", "auto"};
+    settings.watch = true;
+    if (!value || !*value)
+        return;
+    settings.watch = strcmp(value, names[1]) == 0;
+    if (!settings.watch && strcmp(value, names[0]) != 0)
+        complain_of_unknown("REDCC_WATCH", value, names, 2);
+}
+
 /* Names with commas between them. */
 static void read_trace(const char *value) {
     while (value && *value) {
@@ -194,6 +204,7 @@ static void read_environment(void) {
     read_order(getenv("REDCC_ORDER"));
     read_sum(getenv("REDCC_SUM"));
     read_validate(getenv("REDCC_VALIDATE"));
+    read_watch(getenv("REDCC_WATCH"));
     read_trace(getenv("REDCC_TRACE"));
     read_memory_limit(getenv("REDCC_MEMORY_LIMIT"));
     const char *report = getenv("REDCC_REPORT");

@@ -12,6 +12,7 @@ struct settings {
     redcc_order order;   /* where given */
     bool compensated;    /* REDCC_SUM */
     bool validate;       /* REDCC_VALIDATE */
+    bool watch;          /* REDCC_WATCH: where it can be done */
     size_t memory_limit; /* bytes; 0: none */
     char *report;        /* file name; NULL: none */
 };

@@ -111,6 +111,7 @@ static void unknown_sums_traces_and_validations(void **unused) {
                 (const char *[]){"exection", "did you mean execution", "choice", "plan",
                                  "validation", NULL});
     expect_stop("REDCC_VALIDATE=yes", (const char *[]){"REDCC_VALIDATE=yes", "0 1", NULL});
+    expect_stop("REDCC_WATCH=on", (const char *[]){"REDCC_WATCH=on", "off auto", NULL});
     expect_stop("REDCC_SUM=compensated REDCC_METHOD=expansion",
                 (const char *[]){"expansion", "REDCC_SUM=compensated", "localwrite", NULL});
     expect_stop("REDCC_SUM=compensated REDCC_METHOD=serial",
@@ -210,6 +211,7 @@ static void the_report_says_what_was_done(void **unused) {
     assert_int_equal(number(loop, "calls"), 5);
     assert_int_equal(number(loop, "plans_built"), 1);
     assert_int_equal(number(loop, "plans_reused"), 4);
+    assert_int_equal(number(loop, "watched"), 0); /* subscripts of 48 KB are always read */
     assert_int_equal(number(loop, "stages"), 1);
     assert_in_range(number(loop, "nodes"), 0, 3);
     assert_in_range(number(loop, "moves"), 0, 4 * 3);
