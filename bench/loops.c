@@ -183,21 +183,26 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
         ADD(own_b, to_b[j][c], -f[c]);                                                             \
     }
 
-#define TOUCH_HEAVY(t)                                                                             \
+#define TELL_TOUCH(...) redcc_touch(&worker, __VA_ARGS__)
+#define TELL_READ(...) redcc_read(&worker, __VA_ARGS__)
+#define PROBE_TOUCH(...) redcc_probe_touch(&probe, &worker, __VA_ARGS__)
+#define PROBE_READ(...) redcc_probe_read(&probe, &worker, __VA_ARGS__)
+
+#define INSPECT_HEAVY(t, READ, TOUCH)                                                              \
     for (int p = 0; p < 3; p++) {                                                                  \
-        redcc_read(&worker, 2, &x[triangle[t][p]], sizeof *x);                                     \
-        redcc_touch(&worker, 0, &b[triangle[t][p]], sizeof *b);                                    \
+        READ(2, &x[triangle[t][p]], sizeof *x);                                                    \
+        TOUCH(0, &b[triangle[t][p]], sizeof *b);                                                   \
     }                                                                                              \
     for (int p = 0; p < 9; p++)                                                                    \
-    redcc_touch(&worker, 1, &a[slot[t][p]], sizeof *a)
+    TOUCH(1, &a[slot[t][p]], sizeof *a)
 
-#define TOUCH_LIGHT(t)                                                                             \
+#define INSPECT_LIGHT(t, READ, TOUCH)                                                              \
     for (int p = 0; p < 2; p++) {                                                                  \
-        redcc_read(&worker, 2, &x[edge[t][p]], sizeof *x);                                         \
-        redcc_touch(&worker, 0, &b[edge[t][p]], sizeof *b);                                        \
+        READ(2, &x[edge[t][p]], sizeof *x);                                                        \
+        TOUCH(0, &b[edge[t][p]], sizeof *b);                                                       \
     }
 
-#define EXECUTE(trip, ARRAYS, SUBSCRIPTS, SUBSCRIPT_BYTES, TOUCH, BODY)                            \
+#define EXECUTE(trip, ARRAYS, SUBSCRIPTS, SUBSCRIPT_BYTES, INSPECT, BODY)                          \
     static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *b},             \
                                          {"a", REDCC_SUM, REDCC_DOUBLE, 8, sizeof *a}};            \
     static const redcc_source sources[] = {{"triangle", 1}, {"slot", 1}, {"x", 0}};                \
@@ -217,7 +222,19 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());               \
             while (redcc_inspect(&worker))                                                         \
                 for (redcc_int n = worker.first; n < worker.last; n += worker.stride) {            \
-                    TOUCH((int)n);                                                                 \
+                    if (redcc_is_settled(&worker)) {                                               \
+                        const redcc_int from = n;                                                  \
+                        for (; n < worker.last; n++) {                                             \
+                            redcc_probe probe = {0, 0};                                            \
+                            INSPECT((int)n, PROBE_READ, PROBE_TOUCH);                              \
+                            if (!redcc_is_alike(&probe))                                           \
+                                break;                                                             \
+                        }                                                                          \
+                        worker.alike += n - from;                                                  \
+                        if (n == worker.last)                                                      \
+                            break;                                                                 \
+                    }                                                                              \
+                    INSPECT((int)n, TELL_READ, TELL_TOUCH);                                        \
                     redcc_iteration_done(&worker);                                                 \
                 }                                                                                  \
             while (redcc_next(&worker)) {                                                          \
@@ -300,7 +317,7 @@ static int run_heavy(redcc_word key, enum course_of_bench course) {
         sequentially_heavy();
         return 0;
     case REDCC: {
-        EXECUTE(TRIANGLES, 2, triangle, sizeof(int[3]) * TRIANGLES, TOUCH_HEAVY, HEAVY);
+        EXECUTE(TRIANGLES, 2, triangle, sizeof(int[3]) * TRIANGLES, INSPECT_HEAVY, HEAVY);
         break;
     }
     case ATOMIC:
@@ -344,7 +361,7 @@ static int run_light(redcc_word key, enum course_of_bench course) {
         sequentially_light();
         return 0;
     case REDCC: {
-        EXECUTE(edges, 1, edge, sizeof(int[2]) * (size_t)edges, TOUCH_LIGHT, LIGHT);
+        EXECUTE(edges, 1, edge, sizeof(int[2]) * (size_t)edges, INSPECT_LIGHT, LIGHT);
         break;
     }
     case ATOMIC:

@@ -24,18 +24,21 @@ void problem_describe(const struct problem *problem, struct described *described
                                    .key_count = 3};
 }
 
-#define INSPECT(t)                                                                                 \
+#define TELL_READ(...) redcc_read(&worker, __VA_ARGS__)
+#define TELL_TOUCH(...) redcc_touch(&worker, __VA_ARGS__)
+#define PROBE_READ(...) redcc_probe_read(&probe, &worker, __VA_ARGS__)
+#define PROBE_TOUCH(...) redcc_probe_touch(&probe, &worker, __VA_ARGS__)
+
+#define INSPECT(t, READ, TOUCH)                                                                    \
     for (k = start[t]; k < start[t + 1]; k++) {                                                    \
-        redcc_read(&worker, 1, &row[k], sizeof row[k]);                                            \
-        redcc_read(&worker, 3, &value[k], sizeof value[k]);                                        \
-        redcc_touch(&worker, 0, &first[row[k] * width], sizeof *first *(redcc_size)width);         \
+        READ(1, &row[k], sizeof row[k]);                                                           \
+        READ(3, &value[k], sizeof value[k]);                                                       \
+        TOUCH(0, &first[row[k] * width], sizeof *first *(redcc_size)width);                        \
         if (second_width) {                                                                        \
-            redcc_read(&worker, 2, &other[k], sizeof other[k]);                                    \
-            redcc_touch(&worker, 1, &second[other[k] * second_width],                              \
-                        sizeof *second *(redcc_size)second_width);                                 \
+            READ(2, &other[k], sizeof other[k]);                                                   \
+            TOUCH(1, &second[other[k] * second_width], sizeof *second *(redcc_size)second_width);  \
         }                                                                                          \
-    }                                                                                              \
-    redcc_iteration_done(&worker)
+    }
 
 #define BODY(t, MAY_FIRST, MAY_SECOND)                                                             \
     for (k = start[t]; k < start[t + 1]; k++) {                                                    \
@@ -83,7 +86,20 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
             while (redcc_inspect(&worker))
                 for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {
-                    INSPECT(t);
+                    if (redcc_is_settled(&worker)) {
+                        const redcc_int from = t;
+                        for (; t < worker.last; t++) {
+                            redcc_probe probe = {0, 0};
+                            INSPECT(t, PROBE_READ, PROBE_TOUCH);
+                            if (!redcc_is_alike(&probe))
+                                break;
+                        }
+                        worker.alike += t - from;
+                        if (t == worker.last)
+                            break;
+                    }
+                    INSPECT(t, TELL_READ, TELL_TOUCH);
+                    redcc_iteration_done(&worker);
                 }
             while (redcc_next(&worker)) {
                 double *const b = worker.base[0];

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The inspector: the slice of the body that computes the subscripts, and where the body would
- * update or read, a call that tells the runtime the address.
+ * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
+ * only compares it with what the iterations before have touched.
  */
 #include "emit/loop.h"
 #include "emit/print.h"
@@ -17,6 +18,7 @@ typedef struct told_row {
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
+    bool probes;             /* addresses are compared, not told */
     bool *update_told;       /* by update */
     bool *source_told;       /* by the facts' source */
     bool *is_mentioned;      /* by variable: in what was printed */
@@ -58,8 +60,9 @@ static void tell_update(inspector *self, const reduction_update *update) {
     if (was_just_told(self, item))
         return;
     const char *row = row_text(self, update->row);
-    writer_line(self->printer.out, "redcc_touch(&redcc__worker, %u, &%s, sizeof(%s));",
-                update->array, row, row);
+    writer_line(self->printer.out, "%s&redcc__worker, %u, &%s, sizeof(%s));",
+                self->probes ? "redcc_probe_touch(&redcc__probe, " : "redcc_touch(", update->array,
+                row, row);
     remember(self, item);
 }
 
@@ -68,7 +71,8 @@ static void tell_read(inspector *self, const loop_source *read, int number) {
     if (was_just_told(self, item))
         return;
     const char *row = row_text(self, read->row);
-    writer_line(self->printer.out, "redcc_read(&redcc__worker, %d, &%s, sizeof(%s));", number, row,
+    writer_line(self->printer.out, "%s&redcc__worker, %d, &%s, sizeof(%s));",
+                self->probes ? "redcc_probe_read(&redcc__probe, " : "redcc_read(", number, row,
                 row);
     remember(self, item);
 }
@@ -171,11 +175,12 @@ static void declare_variables(const inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
-void write_inspected_iteration(loop_text *loop, writer *out) {
+void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
     const loop_facts *facts = loop->facts;
     inspector self = {
         .printer = {.arena = loop->arena, .keep = facts->in_slice, .before = before_statement},
         .loop = loop,
+        .probes = probes,
         .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
         .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
         .is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
@@ -189,12 +194,19 @@ void write_inspected_iteration(loop_text *loop, writer *out) {
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
     declare_variables(&self, out);
-    /* `continue` of the user's loop goes to the end of the slice, not past redcc_iteration_done */
+    if (probes)
+        writer_line(out, "redcc_probe redcc__probe = {0, 0};");
+    /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
     if (self.printer.continues)
         writer_line(out, "do {");
     buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
     if (self.printer.continues)
         writer_line(out, "} while (0);");
-    writer_line(out, "redcc_iteration_done(&redcc__worker);");
+    if (probes) {
+        writer_line(out, "if (!redcc_is_alike(&redcc__probe))");
+        writer_line(out, "    break;");
+    } else {
+        writer_line(out, "redcc_iteration_done(&redcc__worker);");
+    }
     buffer_free(&slice.out);
 }

@@ -137,8 +137,9 @@ void write_note(loop_text *loop, writer *out, unsigned number);
 void gather_sought_values(loop_text *loop, writer *out);
 void take_sought_values(loop_text *loop, writer *out);
 
-/** inspector.c: the statements of one iteration, counter and private variables declared. */
-void write_inspected_iteration(loop_text *loop, writer *out);
+/** inspector.c: the statements of one iteration, counter and private variables declared: they tell
+ *  its addresses, or probe them and leave the loop around them where they must be told. */
+void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
 
 /** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
  *  at one place only. */

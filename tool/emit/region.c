@@ -112,13 +112,34 @@ void write_last_values(loop_text *loop, writer *out, bool into_variables) {
 
 /* ---- the region ---------------------------------------------------------------------------- */
 
+/** Iterations that need not be told are gone through in a loop of their own, in which nothing is
+ *  called or stored: the compiler keeps in registers what does not change. */
+static void write_probing(loop_text *loop, writer *out) {
+    writer_line(out, "if (redcc_is_settled(&redcc__worker)) {");
+    writer_line(out, "    const redcc_int redcc__from = redcc__k;");
+    writer_line(out, "    for (; redcc__k < redcc__worker.last; redcc__k++) {");
+    out->depth += 2;
+    write_inspected_iteration(loop, out, true);
+    out->depth -= 2;
+    writer_line(out, "    }");
+    writer_line(out, "    redcc__worker.alike += redcc__k - redcc__from;");
+    writer_line(out, "    if (redcc__k == redcc__worker.last)");
+    writer_line(out, "        break;");
+    writer_line(out, "}");
+}
+
 static void write_inspector(loop_text *loop, writer *out) {
     writer_line(out, "/* inspector: which elements does each iteration update? */");
     writer_line(out, "while (redcc_inspect(&redcc__worker))");
     writer_line(out, "    for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last;");
     writer_line(out, "         redcc__k += redcc__worker.stride) {");
     out->depth += 2;
-    write_inspected_iteration(loop, out);
+    write_probing(loop, out);
+    writer_line(out, "{");
+    out->depth++;
+    write_inspected_iteration(loop, out, false);
+    out->depth--;
+    writer_line(out, "}");
     out->depth -= 2;
     writer_line(out, "    }");
 }

@@ -8,6 +8,7 @@
  *     redcc_join       each thread  of the parallel region
  *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be told
  *       redcc_touch, redcc_read, redcc_iteration_done
+ *       redcc_is_settled, redcc_probe_touch, redcc_probe_read, redcc_is_alike
  *     redcc_next       each thread  hands out chunks of iterations to execute
  *       redcc_owns                  in the guarded form of the body
  *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
@@ -191,6 +192,10 @@ extern int omp_in_parallel(void);
 
 #define REDCC_END_OF_ITERATION 0xffffffffu
 
+/** So many iterations in a row within the window, and the next ones are probed (redcc_is_settled).
+ *  Where owners alternate, hardly any iteration is looked at twice. */
+#define REDCC_SETTLED 8
+
 /** One thread's part in an execution; lives on that thread's stack. */
 typedef struct redcc_worker {
     redcc_call *call;
@@ -313,6 +318,48 @@ static __inline__ void redcc_iteration_done(redcc_worker *worker) {
     worker->entry++;
     worker->outside = 0;
     redcc_flush(worker); /* the window may be another one for the next iteration */
+}
+
+/** Inspector, of one iteration that may not have to be told: does it touch something within the
+ *  window, does it touch or read something outside of what is known? Begins as {0, 0}. */
+typedef struct redcc_probe {
+    int inside;
+    int outside;
+} redcc_probe;
+
+/** Are the last iterations told all within the window, so that the next ones are likely to be? Then
+ *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read for what is to
+ *  be told; those that redcc_is_alike are counted in worker->alike, the first that is not is told.
+ *  Never while there is no window or the stride is not 1. */
+static __inline__ int redcc_is_settled(const redcc_worker *worker) {
+    return worker->alike >= REDCC_SETTLED;
+}
+
+/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? Of its addresses,
+ *  compilers keep in registers all but `address` over a loop. */
+static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
+                                   redcc_size bytes) {
+    const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
+    return (redcc_size)address - (redcc_size)first >= places;
+}
+
+static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
+                                         redcc_u32 array, const void *address, redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    probe->inside = 1;
+    probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
+}
+
+static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
+                                        redcc_u32 source, const void *address, redcc_size bytes) {
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    probe->outside |= redcc_leaves(known->first, size, address, bytes);
+}
+
+/** Need the iteration that was probed not be told? */
+static __inline__ int redcc_is_alike(const redcc_probe *probe) {
+    return probe->inside && !probe->outside;
 }
 
 /** Executor, guarded form: may this thread write at `address`? Asked before each update of an

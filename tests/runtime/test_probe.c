@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Iterations that are probed, not told (redcc_is_settled): what is found must be what is found
+ * where all are told. The loop, whose plans are compared, is not executed:
+ *
+ *     for (t = 0; t < trip; t++)
+ *         if (wide[t]) { b[row[t]] ... b[row[t] + wide[t] - 1] are updated, d[other[t]] too, and
+ *                        x[read[t]] is read }
+ */
+#include "loop.h"
+
+#include <omp.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { TRIP = 6000, ROWS = 2000, WIDEST = 8, MOST_THREADS = 7 };
+
+static int row[TRIP], other[TRIP], wide[TRIP], read_at[TRIP];
+static double b[ROWS + WIDEST][3], d[ROWS], x[ROWS];
+static long probed; /* iterations that were not told */
+
+static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, sizeof b[0]},
+                                     {"d", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+static const redcc_source sources[] = {{"row", 1}, {"x", 0}};
+#define LOOP                                                                                       \
+    { "test_probe.c", 1, "plan", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 2, arrays, 2, sources, 0, 0 }
+static redcc_loop loop_told = LOOP, loop_probed = LOOP;
+
+#define INSPECT(t, READ, TOUCH)                                                                    \
+    if (wide[t]) {                                                                                 \
+        READ(1, &x[read_at[t]], sizeof *x);                                                        \
+        TOUCH(0, &b[row[t]], sizeof b[0] * (redcc_size)wide[t]);                                   \
+        TOUCH(1, &d[other[t]], sizeof *d);                                                         \
+    }
+#define TELL_READ(...) redcc_read(worker, __VA_ARGS__)
+#define TELL_TOUCH(...) redcc_touch(worker, __VA_ARGS__)
+#define PROBE_READ(...) redcc_probe_read(&probe, worker, __VA_ARGS__)
+#define PROBE_TOUCH(...) redcc_probe_touch(&probe, worker, __VA_ARGS__)
+
+static void tell_all(redcc_worker *worker) {
+    for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
+        INSPECT(t, TELL_READ, TELL_TOUCH)
+        redcc_iteration_done(worker);
+    }
+}
+
+static void probe_and_tell(redcc_worker *worker) {
+    for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
+        if (redcc_is_settled(worker)) {
+            const redcc_int from = t;
+            for (; t < worker->last; t++) {
+                redcc_probe probe = {0, 0};
+                INSPECT(t, PROBE_READ, PROBE_TOUCH)
+                if (!redcc_is_alike(&probe))
+                    break;
+            }
+            worker->alike += t - from;
+            __atomic_fetch_add(&probed, t - from, __ATOMIC_RELAXED);
+            if (t == worker->last)
+                break;
+        }
+        INSPECT(t, TELL_READ, TELL_TOUCH)
+        redcc_iteration_done(worker);
+    }
+}
+
+static const struct plan *plan_of(redcc_loop *loop, void (*inspect)(redcc_worker *), int threads) {
+    void *const bases[] = {b, d};
+    const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)},
+                                  {(const char *)x, 0}};
+    redcc_call call;
+    redcc_loop_forget(loop);
+    assert_true(redcc_enter(&call, loop, TRIP, bases, known, 0, threads, 0));
+#pragma omp parallel num_threads(call.threads)
+    {
+        redcc_worker worker;
+        redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
+        while (redcc_inspect(&worker))
+            inspect(&worker);
+        while (redcc_next(&worker))
+            continue;
+    }
+    assert_true(redcc_leave(&call));
+    const struct loop_state *state = loop->state;
+    assert_non_null(state->plans[0]);
+    return state->plans[0];
+}
+
+static void expect_same_schedule(const struct schedule *one, const struct schedule *two) {
+    assert_int_equal(one->iterations, two->iterations);
+    assert_int_equal(one->chunk_count, two->chunk_count);
+    for (size_t c = 0; c < one->chunk_count; c++) {
+        struct run_reader mine = redcc_runs_of(one, &one->chunk[c]);
+        struct run_reader its = redcc_runs_of(two, &two->chunk[c]);
+        assert_int_equal(one->chunk[c].origin, two->chunk[c].origin);
+        redcc_run run, same;
+        while (redcc_runs_read(&mine, &run, 1)) {
+            assert_int_equal(redcc_runs_read(&its, &same, 1), 1);
+            assert_int_equal(run.begin, same.begin);
+            assert_int_equal(run.count_and_guard, same.count_and_guard);
+        }
+        assert_int_equal(redcc_runs_read(&its, &same, 1), 0);
+    }
+}
+
+/* Returns how many iterations were not told. */
+static long expect_same_plans(void) {
+    probed = 0;
+    for (int threads = 2; threads <= MOST_THREADS; threads++) {
+        const struct plan *told = plan_of(&loop_told, tell_all, threads);
+        const struct plan *plan = plan_of(&loop_probed, probe_and_tell, threads);
+        const size_t bounds = 2 * (size_t)(told->owners + 1);
+        assert_int_equal(told->owners, plan->owners);
+        assert_memory_equal(told->bound, plan->bound, bounds * sizeof *told->bound);
+        assert_memory_equal(told->touched, plan->touched, 2 * sizeof *told->touched);
+        assert_int_equal(told->source[1].extent.first, plan->source[1].extent.first);
+        assert_int_equal(told->source[1].extent.end, plan->source[1].extent.end);
+        for (int thread = 0; thread < threads; thread++)
+            expect_same_schedule(&told->schedule[thread], &plan->schedule[thread]);
+    }
+    redcc_loop_forget(&loop_told);
+    redcc_loop_forget(&loop_probed);
+    return probed;
+}
+
+static unsigned long random_state = 5;
+
+static int below(int limit) {
+    random_state = random_state * 6364136223846793005u + 1442695040888963407u;
+    return (int)((random_state >> 33) % (unsigned long)limit);
+}
+
+/* Rows ascend, each iteration one of a few next to them. */
+static void fill_in_order(int near) {
+    for (int t = 0; t < TRIP; t++) {
+        row[t] = (int)((long)t * (ROWS - near) / TRIP) + below(near);
+        other[t] = read_at[t] = row[t];
+        wide[t] = 1;
+    }
+}
+
+static void rows_in_order(void **unused) {
+    (void)unused;
+    fill_in_order(9);
+    assert_true(expect_same_plans() > TRIP * (MOST_THREADS - 1) / 2);
+    for (int t = 0; t < TRIP; t++)
+        row[t] = ROWS - 1 - row[t];
+    expect_same_plans();
+}
+
+static void rows_without_order(void **unused) {
+    (void)unused;
+    fill_in_order(ROWS - 1);
+    assert_true(expect_same_plans() < TRIP * (MOST_THREADS - 1) / 10);
+}
+
+/* What only one iteration in a settled stretch touches or reads is found all the same. */
+static void strays(void **unused) {
+    (void)unused;
+    for (int trial = 0; trial < 40; trial++) {
+        fill_in_order(5);
+        for (int t = 0; t < TRIP; t++)
+            row[t] = other[t] = read_at[t] = 100 + row[t] * (ROWS - 200) / ROWS;
+        const int where[] = {0, 99, ROWS - 1, below(ROWS)};
+        int *const changed[] = {row, other, read_at};
+        changed[trial % 3][below(TRIP)] = where[trial / 3 % 4];
+        expect_same_plans();
+    }
+}
+
+static void idle_iterations(void **unused) {
+    (void)unused;
+    for (int trial = 0; trial < 8; trial++) {
+        fill_in_order(5);
+        for (int t = 0; t < TRIP; t++)
+            wide[t] = below(trial < 4 ? 50 : 3) > 0;
+        expect_same_plans();
+    }
+}
+
+/* Touches that lie on both sides of a cut, or of what was seen, or begin before it. */
+static void wide_touches(void **unused) {
+    (void)unused;
+    for (int trial = 0; trial < 8; trial++) {
+        fill_in_order(3);
+        for (int t = 0; t < TRIP; t++)
+            wide[t] = below(20) ? 1 : 1 + below(WIDEST);
+        expect_same_plans();
+    }
+}
+
+/* Owners in turn, for stretches of any length. */
+static void stretches(void **unused) {
+    (void)unused;
+    for (int trial = 0; trial < 8; trial++) {
+        fill_in_order(1);
+        for (int t = 0, place = 0, left = 0; t < TRIP; t++, left--) {
+            if (left == 0) {
+                left = 1 + below(4 * REDCC_SETTLED);
+                place = below(ROWS - 50);
+            }
+            row[t] = other[t] = read_at[t] = place + below(50);
+        }
+        expect_same_plans();
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_in_order), cmocka_unit_test(rows_without_order),
+        cmocka_unit_test(strays),        cmocka_unit_test(idle_iterations),
+        cmocka_unit_test(wide_touches),  cmocka_unit_test(stretches),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
