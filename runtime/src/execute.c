@@ -68,7 +68,8 @@ static void take_snapshot(struct member *member) {
     struct execution *execution = member->execution;
     if (!redcc_barrier_arrive(&execution->barrier, member->threads))
         return;
-    redcc_validation_begin(&execution->validation, member->plan, execution->request.bases);
+    redcc_validation_begin(&execution->validation, member->plan, execution->request.bases,
+                           &execution->state->reported.statistics.validated);
     redcc_barrier_release(&execution->barrier);
 }
 

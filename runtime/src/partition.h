@@ -33,6 +33,12 @@ static inline struct range redcc_range_union(struct range a, struct range b) {
     return (struct range){a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
 }
 
+/** Do the elements of an array with this base lie anywhere? Between the first and the last of them
+ *  there may be anything, or nothing: only what was touched may be read or written. */
+static inline bool redcc_is_scattered(const void *base) {
+    return base == NULL;
+}
+
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;

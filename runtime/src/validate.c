@@ -27,8 +27,19 @@ static void give_back(struct validation *validation, const struct plan *plan) {
     *validation = (struct validation){0};
 }
 
+static bool some_are_scattered(const struct plan *plan, void *const *bases) {
+    for (uint32_t array = 0; array < plan->array_count; array++)
+        if (redcc_is_scattered(bases[array]))
+            return true;
+    return false;
+}
+
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
-                            void *const *bases) {
+                            void *const *bases, struct validated *validated) {
+    if (some_are_scattered(plan, bases)) {
+        validated->passed_over++;
+        return;
+    }
     validation->memory = redcc_memory_take_zeroed(plan->array_count, sizeof *validation->memory);
     validation->began = validation->memory != NULL;
     for (uint32_t group = 0; validation->began && group < plan->array_count; group++) {

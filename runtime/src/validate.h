@@ -7,7 +7,8 @@
  * Where the sequential loop's bits are promised, an element with others breaks the promise, and so
  * does an integer in whatever order; of floating sums in another order the largest difference is
  * told. Numbers that are none count as equal, whatever their bits. Executions beside another one of
- * the same loop are not compared.
+ * the same loop are not compared, nor are those of a loop of whose arrays one is scattered: between
+ * its elements lies what must not be copied.
  */
 #ifndef REDCC_VALIDATE_H
 #define REDCC_VALIDATE_H
@@ -24,9 +25,10 @@ struct validation {
 };
 
 /** Copies what the plan's groups hold, for arrays at `bases`; without memory for that there is no
- *  validation. One thread; nobody may write meanwhile. */
+ *  validation, nor where an array is scattered, which is counted in *validated. One thread; nobody
+ *  may write meanwhile. */
 void redcc_validation_begin(struct validation *validation, const struct plan *plan,
-                            void *const *bases);
+                            void *const *bases, struct validated *validated);
 
 /** The loop is executed: puts what the arrays held before back, and its results aside. */
 void redcc_validation_swap(struct validation *validation, const struct plan *plan,

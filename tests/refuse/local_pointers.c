@@ -50,27 +50,6 @@ void set_at_times(int n, const int *k, double (*b)[3]) {
     }
 }
 
-void row_pointers(int n, const int *k, double **a) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse row-pointers
-        double *row = a[k[t]];
-        row[0] += 1.0;
-    }
-}
-
-void through_member(int n, const int *k, struct cell *c) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
-        double *values = c[k[t]].values;
-        values[0] += 1.0;
-    }
-}
-
-void followed(int n, const int *k, struct cell *c) {
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
-        struct cell *p = c[k[t]].next;
-        p->sum += 1.0;
-    }
-}
-
 void read_by_name(int n, const int *k, double (*b)[3]) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse array-read
         double *row = b[k[t]];

@@ -61,16 +61,6 @@ void thread_local_scalar(int n, const int *k, double *h) {
         h[k[t]] += chosen;
 }
 
-void row_pointers(int n, const int *k, double **rows) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse row-pointers
-        rows[k[t]][t % 3] += 1.0;
-}
-
-void counters_elsewhere(int n, const int *k, int **counter) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse row-pointers
-        *counter[k[t]] += 1;
-}
-
 struct node {
     double load;
     struct node *parent;

@@ -75,6 +75,9 @@ typedef struct reduction_array {
     bool order_is_kept;     /* its updates do not commute: only methods that execute the updates of
                                each element in the order of the loop will do, without copies */
     int64_t unit;           /* bytes of its largest row (update.row), or of the record around it */
+    bool is_scattered; /* its elements are found through pointers that iterations read from memory,
+                          out of `base`: rows[k][c] of rows. They may lie anywhere, with anything
+                          between them; the order is kept */
     bool is_interleaved; /* other things than these elements lie between them, or are read through
                             base: no private copies can be made (runtime: REDCC_OTHER_TYPE) */
 } reduction_array;
@@ -100,7 +103,8 @@ typedef enum source_extent {
 /** Something read that may overlap a reduction array, or decides its subscripts. */
 typedef struct loop_source {
     const char *name;    /* "x", "s->x" */
-    const ir_node *base; /* loop-invariant: the pointer or array that the address moves with */
+    const ir_node *base; /* loop-invariant: the pointer or array that the address moves with; NULL:
+                            pointers that the slice reads lead to it, it is where they say */
     const ir_node *row;  /* lvalue in the caller's terms (callees' parameters substituted) */
     source_extent extent;
     const ir_node *place; /* EXTENT_TOUCHED: the node of the loop (statement) before which the

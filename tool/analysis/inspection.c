@@ -50,7 +50,8 @@ static bool is_of_iteration(const judgement *j, const location *where) {
 
 static bool is_array_base(const judgement *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
-        if (expression_same(j->arrays.items[i].array.base, lvalue))
+        if (!j->arrays.items[i].array.is_scattered &&
+            expression_same(j->arrays.items[i].array.base, lvalue))
             return true;
     return false;
 }

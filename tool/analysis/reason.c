@@ -21,7 +21,8 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_ARRAY_READ] = "read from a copy made before the loop",
     [REASON_ARRAY_STORED] = "store in a loop of its own, before or after",
     [REASON_BASE_VARIES] = "use one array for all iterations",
-    [REASON_ROW_POINTERS] = "use one contiguous array: double (*a)[m] instead of double **a",
+    [REASON_ROW_POINTERS] =
+        "use one contiguous array, double (*a)[m], or a table of pointers made before the loop",
     [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
     [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",

@@ -9,6 +9,7 @@
 
 #include "analysis/bases.h"
 #include "analysis/expression.h"
+#include "analysis/update_array.h"
 #include "analysis/variation.h"
 
 /* ---- extents ----------------------------------------------------------------------------------
@@ -120,9 +121,10 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     const ir_node *place = slice_place(j, read->access.node);
     plan.source.extent = EXTENT_TOUCHED;
     plan.source.place = place;
-    plan.is_possible = base_is_fixed &&
-                       (!read->access.is_conditional || base_can_be_read_before(j, base)) &&
-                       slice_can_tell(j, row, read->access.node, place);
+    const bool is_safe = base_is_fixed
+                             ? !read->access.is_conditional || base_can_be_read_before(j, base)
+                             : !of_contents && update_table_of(j, base);
+    plan.is_possible = is_safe && slice_can_tell(j, row, read->access.node, place);
     return plan;
 }
 
@@ -261,6 +263,18 @@ static bool hangs_on(const location *a, const location *b) {
     return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
 }
 
+/* rows[i][c] read and rows[k][c] updated: the rows are those of one table, and lie in each other's
+ * way at least where i == k. */
+static bool is_of_same_table(const judgement *j, const judged_access *read,
+                             const judged_array *array) {
+    const ir_node *x = read->where.pointer, *y = array->where.pointer;
+    if (!array->array.is_scattered || !x || !y || x->kind != y->kind ||
+        (x->kind == IR_MEMBER && x->field != y->field))
+        return false;
+    const ir_node *table = update_table_of(j, x);
+    return table && expression_same(table, array->array.base);
+}
+
 bool judge_sources(judgement *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         judged_access *read = &j->accesses[i];
@@ -276,7 +290,8 @@ bool judge_sources(judgement *j) {
         for (unsigned k = 0; k < j->arrays.count; k++) {
             judged_array *array = &j->arrays.items[k];
             overlap meets = overlap_with_array(j, read, k);
-            if (meets == OVERLAP_SAME)
+            if (meets == OVERLAP_SAME ||
+                (meets == OVERLAP_MAYBE && is_of_same_table(j, read, array)))
                 return refuse_overlap(j, read, array);
             if (hangs_on(&read->where, &array->where))
                 array->array.is_interleaved = true; /* another field, read through the same base */

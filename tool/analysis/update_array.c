@@ -17,6 +17,41 @@ bool update_is_by_local_pointer(const judgement *j, const judged_access *update)
            root->type->kind == IR_POINTER && variable_single_definition(j->an->facts, root);
 }
 
+static bool stays(const judgement *j, const ir_node *base) {
+    return base->type && base->type->kind == IR_ARRAY
+               ? variation_is_fixed(j->an->facts, j->loop, base)
+               : variation_is_invariant(j->an->facts, j->loop, base);
+}
+
+const ir_node *update_table_of(const judgement *j, const ir_node *base) {
+    enum { MOST_POINTERS = 8 };
+    const ir_node *table = base;
+    for (unsigned i = 0; table && i <= MOST_POINTERS; i++) {
+        if (stays(j, table))
+            return table == base ? NULL : table;
+        if (table->kind != IR_INDEX && table->kind != IR_MEMBER)
+            return NULL;
+        const location where = location_of(j->an->facts, table, j->loop);
+        if (where.is_punned || where.has_union || where.base == table)
+            return NULL;
+        table = where.base;
+    }
+    return NULL;
+}
+
+/* The elements are found anew in each iteration, through pointers out of a table that stays. What
+ * is written there is asked for by its address; nothing of it is evaluated before the loop. */
+static bool judge_table(judgement *j, const ir_node *base, const ir_node *target,
+                        const char *name) {
+    const ir_node *table = update_table_of(j, base);
+    if (!table)
+        return judgement_refuse(
+            j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES, target, name);
+    if (!ir_type_is_scalar(target->type)) /* an owner might have a part of it only */
+        return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
+    return true;
+}
+
 bool update_judge_base(judgement *j, const judged_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const location *where = &update->where;
@@ -25,12 +60,10 @@ bool update_judge_base(judgement *j, const judged_access *update, const char *na
     if (!where->base || where->base == target || (!where->object && !where->pointer) ||
         (!ir_contains(target, where->base) && !update_is_by_local_pointer(j, update)))
         return judgement_refuse(j, REASON_BASE_VARIES, target, name);
-    if (where->base->kind == IR_INDEX)
-        return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
-    bool base_is_object = where->base->type && where->base->type->kind == IR_ARRAY;
-    if (!(base_is_object ? variation_is_fixed(j->an->facts, j->loop, where->base)
-                         : variation_is_invariant(j->an->facts, j->loop, where->base)))
-        return judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
+    if (!stays(j, where->base))
+        return where->base->kind == IR_INDEX || where->base->kind == IR_MEMBER
+                   ? judge_table(j, where->base, target, name)
+                   : judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
     if (!base_can_be_read_before(j, where->base))
         return judgement_refuse(j, REASON_BASE_CONDITIONAL, where->base, name);
     const ir_type *type = where->base->type;
@@ -56,9 +89,12 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
 static bool add_array(judgement *j, const judged_access *update, update_kind kind,
                       unsigned *number) {
     const ir_node *target = update->access.form.target;
+    const ir_node *table = update_table_of(j, update->where.base);
+    const ir_node *base = table ? table : update->where.base;
     for (unsigned i = 0; i < j->arrays.count; i++) {
         judged_array *known = &j->arrays.items[i];
-        if (!expression_same(known->array.base, update->where.base))
+        if (known->array.is_scattered != (table != NULL) ||
+            !expression_same(known->array.base, base))
             continue;
         /* Behind one base lies one array; different fields of its elements do not meet. */
         overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
@@ -72,11 +108,12 @@ static bool add_array(judgement *j, const judged_access *update, update_kind kin
         return true;
     }
     judged_array item = {.where = update->where, .first = target};
-    item.array = (reduction_array){.base = update->where.base,
-                                   .name = expression_text(j->an->memory, update->where.base),
+    item.array = (reduction_array){.base = base,
+                                   .name = expression_text(j->an->memory, base),
                                    .element = update->access.type,
                                    .op = kind.op,
-                                   .order_is_kept = kind.needs_order};
+                                   .order_is_kept = kind.needs_order || table,
+                                   .is_scattered = table};
     *number = j->arrays.count;
     VECTOR_PUSH(j->an->memory, &j->arrays, item);
     return true;

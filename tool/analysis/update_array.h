@@ -17,6 +17,11 @@ bool update_is_by_local_pointer(const judgement *j, const judged_access *update)
 /** Of s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
 const ir_node *update_base_of(const ir_node *target, const ir_node *base);
 
+/** Where a pointer or array in memory is that iterations find anew: of rows[k] and of object[k].row
+ *  what stays in all of them, `rows` and `object`. NULL where `base` itself stays, or where the way
+ *  to it does not begin at something that stays. */
+const ir_node *update_table_of(const judgement *j, const ir_node *base);
+
 /** Does the base stay the same array in all iterations, and can it be read before the loop? Refuses
  *  where not. */
 bool update_judge_base(judgement *j, const judged_access *update, const char *name);

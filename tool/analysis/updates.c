@@ -278,7 +278,10 @@ static bool judge_call(judgement *j, judged_access *write) {
 static bool judge_store(judgement *j, judged_access *store) {
     if (store->access.callee)
         return judge_call(j, store);
-    if (!is_element(store->access.lvalue) || (other_read(j, store) && !forward_take(j, store)))
+    if (!is_element(store->access.lvalue))
+        return refuse_store(j, store);
+    const bool is_scattered = store->where.base && update_table_of(j, store->where.base);
+    if (other_read(j, store) && (is_scattered || !forward_take(j, store)))
         return refuse_store(j, store);
     if (judge_update(j, store))
         return true;

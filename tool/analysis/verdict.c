@@ -130,6 +130,11 @@ static void finish_arrays(judgement *j, loop_facts *facts) {
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
         const ir_type *base = arrays[i].base->type;
+        if (arrays[i].is_scattered) { /* its rows do not lie in step with each other */
+            arrays[i].unit = arrays[i].element->size;
+            arrays[i].is_interleaved = true;
+            continue;
+        }
         /* in a private copy it would be another */
         arrays[i].order_is_kept |= has_address_as_value(j->loop, arrays[i].base);
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))

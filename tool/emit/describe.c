@@ -110,8 +110,7 @@ static bool is_verifiable(const loop_facts *facts) {
         return false;
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *fact = &facts->sources[i];
-        if (fact->extent == EXTENT_TOUCHED &&
-            (!fact->base || !can_be_read_ahead(facts, fact->base)))
+        if (fact->extent == EXTENT_TOUCHED && fact->base && !can_be_read_ahead(facts, fact->base))
             return false;
     }
     for (unsigned i = 0; i < facts->key_count; i++)

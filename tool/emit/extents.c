@@ -25,6 +25,9 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
                    can_be_read_ahead(loop->facts, fact->base)) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
+        } else if (fact->extent == EXTENT_TOUCHED && !fact->base) {
+            /* moves with nothing, as this object does not */
+            writer_line(out, "redcc__known[%u].first = (const char *)&redcc__loop;", i);
         }
     }
 }

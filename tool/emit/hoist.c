@@ -276,7 +276,7 @@ bool can_be_read_ahead(const loop_facts *facts, const ir_node *base) {
 void check_what_is_read_ahead(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->array_count; i++)
-        if (!base_is_safe(facts, facts->arrays[i].base))
+        if (!facts->arrays[i].is_scattered && !base_is_safe(facts, facts->arrays[i].base))
             loop_obstacle(loop, facts->arrays[i].base->range,
                           "'%s' is read in some iterations only, and may not be valid before",
                           facts->arrays[i].name);

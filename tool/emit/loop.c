@@ -61,7 +61,7 @@ const char *loop_iteration_offset(loop_text *loop) {
 
 int loop_array_of_base(const loop_text *loop, const ir_node *node) {
     for (unsigned i = 0; i < loop->facts->array_count; i++)
-        if (syntax_same(loop->facts->arrays[i].base, node))
+        if (!loop->facts->arrays[i].is_scattered && syntax_same(loop->facts->arrays[i].base, node))
             return (int)i;
     return -1;
 }
@@ -87,8 +87,11 @@ static void write_attempt(loop_text *loop, writer *out) {
     declare_operands(loop, out);
     write_thread_local_copies(loop, out, false);
     for (unsigned i = 0; i < facts->array_count; i++)
-        writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
-                    loop_operand(loop, facts->arrays[i].base));
+        if (facts->arrays[i].is_scattered)
+            writer_line(out, "redcc__bases[%u] = 0;", i);
+        else
+            writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
+                        loop_operand(loop, facts->arrays[i].base));
     fill_extents(loop, out);
     fill_key(loop, out);
     const char *memory = operands_are_there(loop);

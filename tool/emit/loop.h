@@ -16,7 +16,8 @@
 typedef struct array_text {
     const char *base;  /* the user's own expression: `b`, `s->b` */
     const char *local; /* what stands for it in the executor: the same name (a shadow), or another
-                          that replaces the user's bytes */
+                          that replaces the user's bytes; NULL, as is base: nothing does, of an
+                          array whose elements are scattered */
     const char *owner; /* the local that redcc_owns is asked with */
     bool is_shadowed;
 } array_text;

@@ -153,8 +153,9 @@ static bool stands_for_pointer(const loop_text *loop, unsigned number) {
 static void declare_chunk(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->array_count; i++) {
         const array_text *array = &loop->arrays[i];
-        writer_line(out, "__typeof__(&%s[0]) %s%s = redcc__worker.base[%u];", array->base,
-                    stands_for_pointer(loop, i) ? "" : "const ", array->local, i);
+        if (array->local)
+            writer_line(out, "__typeof__(&%s[0]) %s%s = redcc__worker.base[%u];", array->base,
+                        stands_for_pointer(loop, i) ? "" : "const ", array->local, i);
         writer_line(out, "const redcc_owner %s = redcc__worker.owner[%u];", array->owner, i);
     }
     declare_live_privates(loop, out);

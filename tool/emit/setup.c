@@ -109,13 +109,15 @@ static void name_arrays(loop_text *loop) {
                 break;
             }
         array_text *text = &arrays[i];
+        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
+        if (facts->arrays[i].is_scattered)
+            continue; /* the body's own text leads to its elements */
         text->base = loop_operand(loop, base);
         text->is_shadowed = can_be_shadowed(loop, base);
         if (base->type->kind == IR_ARRAY)
             check_address(loop, base, facts->counted.body);
         text->local = text->is_shadowed ? base->variable->name
                                         : arena_format(loop->arena, "redcc__to_%s", name);
-        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
     }
     loop->arrays = arrays;
 }

@@ -230,7 +230,11 @@ typedef struct redcc_worker {
 /**
  * Begins an execution of `loop`.
  *   trip     iterations, counted by the caller; bases [array_count] the arrays' first elements (or
- *            what pointers in their place point to); known [source_count] extents that do not
+ *            what pointers in their place point to), 0 for an array whose elements pointers in
+ *            memory lead to: they may lie anywhere, what lies between them is not the array's, and
+ *            they are where they were as long as its subscripts, those pointers among them, are
+ *            unchanged (REDCC_ORDER_NEEDED and REDCC_OTHER_TYPE go with it);
+ *            known [source_count] extents that do not
  *            depend on the inspection, {base, 0} for the others; key [key_count] every scalar and
  *            pointer value that the subscripts depend on, the loop's first value and step included.
  *   threads  omp_get_max_threads(); nested  omp_in_parallel().

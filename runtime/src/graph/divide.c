@@ -21,6 +21,16 @@ static size_t most_touches(redcc_int trip) {
     return (size_t)trip < bound / each ? (size_t)trip * each : bound;
 }
 
+/* Of elements that lie anywhere, what lies between them can be without bound: more units than
+ * could be touched are not worth a map. */
+static bool is_too_wide(const struct divide *divide, redcc_int trip) {
+    const struct partition *partition = divide->partition;
+    bool is_scattered = false;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        is_scattered |= redcc_is_scattered((const void *)partition->base[array]);
+    return is_scattered && divide->units.count > most_touches(trip);
+}
+
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
                                       const struct range *touched, int threads, redcc_int trip) {
     *divide =
@@ -37,7 +47,8 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
     if (!redcc_units_begin(&divide->units, partition, touched) || !divide->told || !divide->sweep ||
         !divide->telling || !divide->edges || !divide->rim_count)
         return DIVIDE_NO_MEMORY;
-    return divide->units.leading == 0 || divide->units.count == 0 ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
+    const bool is_suitable = divide->units.leading > 0 && divide->units.count > 0;
+    return is_suitable && !is_too_wide(divide, trip) ? DIVIDE_DONE : DIVIDE_UNSUITABLE;
 }
 
 void redcc_divide_tidy(struct divide *divide) {

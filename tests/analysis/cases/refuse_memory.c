@@ -201,6 +201,6 @@ void pointer_changed(int n, const int *s, struct totals *t, struct totals *u) {
 void own_pointer_overwritten(int n, const int *s, long **h, long *g) {
     for (int i = 0; i < n; i++) // EXPECT: transform g(+)
         g[s[i]] += 1;
-    for (int i = 0; i < n; i++) // EXPECT: refuse row-pointers
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+,kept)
         h[s[i]][0] += 1;
 }

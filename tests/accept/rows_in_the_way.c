@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Rows among which something lies that the loop reads: the guard of the run time sees it, and the
+// original loop runs.
+// MAY-RUN-SERIALLY: that is what is asked for
+// covers: row 48
+#include "case.h"
+
+#include <string.h>
+
+enum { N = 3000, ROWS = 40, WIDTH = 8 };
+static double block[2 * ROWS][WIDTH], e[N], *to[ROWS], *from[N];
+static int s[N];
+
+static void values_among_rows(int n, double **rows, const double *v) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        rows[s[t]][t % WIDTH] += v[t % (ROWS * WIDTH)] * 0.5;
+}
+
+static void rows_among_rows(int n, double **rows, double **others) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        rows[s[t]][1] += others[t][0] * 0.5;
+}
+
+/* Characters may be of anything: of the table itself as well. */
+static void table_in_a_row(int n, char **rows) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        rows[s[t]][0]++;
+}
+
+int main(void) {
+    case_values(e, N);
+    case_values(&block[0][0], 2 * ROWS * WIDTH);
+    case_subscripts(s, N, ROWS);
+    for (int i = 0; i < ROWS; i++)
+        to[i] = block[2 * i];
+    values_among_rows(N, to, &block[0][0]);
+    values_among_rows(N, to, block[1]);
+    values_among_rows(N, to, e);
+    CASE_PRINT(block);
+    for (int t = 0; t < N; t++)
+        from[t] = block[(t * 7) % (2 * ROWS)];
+    rows_among_rows(N, to, from);
+    rows_among_rows(N, to, from);
+    CASE_PRINT(block);
+    for (int t = 0; t < N; t++)
+        from[t] = &e[t];
+    rows_among_rows(N, to, from); /* apart: in parallel */
+    rows_among_rows(N, to, from);
+    from[N / 2] = to[3]; /* no longer */
+    rows_among_rows(N, to, from);
+    from[N / 2] = e;
+    to[3] = &e[N - 3];
+    rows_among_rows(N, to, from);
+    CASE_PRINT(block);
+    CASE_PRINT(e);
+    /* The table stands among its rows, and row 3 is where the pointer to row 0 stands: each time
+     * its first byte is counted up, row 0 is another. */
+    char *const bytes = memset(aligned_alloc(4096, 4096), 0, 4096);
+    char **const table = (char **)(void *)(bytes + 2048);
+    for (int i = 0; i < ROWS; i++)
+        table[i] = i == 3 ? (char *)table : bytes + (i % 2 ? 3000 : 1000) + i;
+    table_in_a_row(N, table);
+    table_in_a_row(N, table);
+    case_print("before the table", bytes, 2048);
+    case_print("after the table", bytes + 3000, 1096);
+    return 0;
+}
