@@ -77,6 +77,18 @@ for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields 
 done
 end
 
+begin "a source that asks for threads: OpenMP, with gcc, says yes where -pthread was not given"
+write_program $'#ifdef _REENTRANT\n#define AT(t) other[t]\n#endif' >x.c
+for option in -O1 -pthread -D_REENTRANT "-D_REENTRANT -U_REENTRANT" -fopenmp -ftree-parallelize-loops=1; do
+  for compiler in $compilers; do
+    case $compiler$option in clang*-O1) ;; clang*) continue ;; esac # it has no such rule
+    # shellcheck disable=SC2086
+    build_both $compiler $option
+    expect_match report '"verdict":"transformed"'
+  done
+done
+end
+
 begin "a source that asks which compiler this is"
 ask() { # CONDITION: other[t] where it holds
   write_program "#if $1"$'\n#define AT(t) other[t]\n#endif' >x.c

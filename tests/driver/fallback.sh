@@ -191,7 +191,7 @@ printf '%s' "$source_text" >x.c
 mkdir inc
 "$redcc_cc" -O2 -Wall -Iinc -I inc -DA='"a b"' -D B -UC -std=gnu11 -include stdio.h -isystem inc \
   -march=native -Wp,-DX=1,-DY -MD -MF x.d -pthread -fopenmp -g -o p -L. -lm x.c || fail "$case_name"
-expect_match "$RECORD" '-- -O2 -Iinc -I inc -DA="a b" -D B -UC -std=gnu11 -include stdio.h -isystem inc -march=native -DX=1 -DY -pthread -fopenmp$'
+expect_match "$RECORD" '-- -O2 -Iinc -I inc -DA="a b" -D B -UC -std=gnu11 -include stdio.h -isystem inc -march=native -DX=1 -DY -pthread -fopenmp -pthread$'
 end
 
 finish

@@ -68,6 +68,8 @@ static unsigned meaning_with_argument(const option *found, const item *i) {
     const char *argument = i->value ? i->value : i->text + strlen(found->name);
     if (strcmp(found->name, "-fopt-info") == 0 && !strchr(argument, '='))
         return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes no file, but messages */
+    if (strcmp(found->name, "-ftree-parallelize-loops=") == 0 && strcmp(argument, "1") == 0)
+        return found->meaning & ~(unsigned)OPTION_THREADS;
     if (strcmp(found->name, "-MF") == 0 &&
         (strcmp(argument, "-") == 0 || strncmp(argument, "/dev/", 5) == 0) &&
         strcmp(argument, "/dev/null") != 0)

@@ -15,7 +15,8 @@ enum option_meaning {
     OPTION_AUXILIARY = 1 << 8,  /**< more files are written, named after the output */
     OPTION_NO_RUNTIME = 1 << 9, /**< a link to which no library may be added */
     OPTION_OPENMP = 1 << 10,    /**< the user's own OpenMP pragmas are on */
-    OPTION_PREFIX_MAP = 1 << 11 /**< OLD=NEW, applied to file names in the object */
+    OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
+    OPTION_THREADS = 1 << 12     /**< with gcc, _REENTRANT is defined as by -pthread */
 };
 
 /** One option; several where the name is the beginning of a family ("-W"). */

@@ -54,6 +54,8 @@ static int run_translator(session *s, const translation *t, const char *messages
     if (s->real.standard)
         words_add(a, &words, s->real.standard);
     command_add_parse_options(a, &words, &s->command);
+    if (!s->real.is_clang && (s->command.meaning & OPTION_THREADS))
+        words_add(a, &words, "-pthread");
     return session_run(s, &words, (process_streams){s->input, messages, messages});
 }
 
@@ -197,6 +199,10 @@ static const char *quote_folder(session *s, const translation *t) {
 }
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
+    /* gcc's -fopenmp defines it as -pthread does, and the source may ask for it; a -D of the user's
+     * comes later */
+    if (!s->real.is_clang && !(s->command.meaning & OPTION_THREADS))
+        words_add(s->memory, list, "-U_REENTRANT");
     if (t->is_input)
         return; /* compiled as standard input again: headers are looked for where they were */
     words_add(s->memory, list, "-iquote");

@@ -10,6 +10,9 @@
  * passes over it. */
 static const char storage_order[] = "scalar_storage_order";
 
+/* What gcc's -fopenmp defines, and clang's does not. */
+static const char threads[] = "_REENTRANT";
+
 static const char *word_in(file_text file) {
     static const char *const words[] = {"__clang",     "__llvm__", "__GNUC",
                                         "__VERSION__", "__has_",   "__GCC"};
@@ -22,6 +25,8 @@ static const char *word_in(file_text file) {
         }
         at++;
     }
+    if (memmem(file.text, file.length, threads, sizeof threads - 1) != NULL)
+        return threads;
     return NULL;
 }
 
