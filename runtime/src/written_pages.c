@@ -23,6 +23,8 @@ struct range redcc_whole_pages(struct range range) {
 #include "page_watch_abi.h"
 
 #include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -179,6 +181,12 @@ static bool make_mark(void) {
     return true;
 }
 
+/* Valgrind knows none of these calls, and says so each time. */
+static bool is_under_valgrind(void) {
+    const char *preloaded = getenv("LD_PRELOAD");
+    return preloaded && strstr(preloaded, "vgpreload_");
+}
+
 static bool hopeless; /* also for children */
 
 bool redcc_pages_begun(void) {
@@ -192,8 +200,8 @@ bool redcc_pages_begin(void) {
         give_up(&faults);
         give_up(&pagemap);
     }
-    hopeless = redcc_is_confined() || redcc_has_accelerator() || !make_mark() || !open_both() ||
-               !try_out();
+    hopeless = is_under_valgrind() || redcc_is_confined() || redcc_has_accelerator() ||
+               !make_mark() || !open_both() || !try_out();
     if (hopeless) {
         give_up(&faults);
         give_up(&pagemap);
