@@ -19,6 +19,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -151,6 +152,11 @@ static void nothing_changed(void **unused) {
     assert_true(run_right(&fixture));
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     fixture_end(&fixture);
+}
+
+static struct range rows_of(const struct fixture *fixture) {
+    const int *row = fixture->problem.row;
+    return redcc_whole_pages((struct range){(uintptr_t)row, (uintptr_t)(row + TRIP)});
 }
 
 /* ---- Ways of changing subscripts; each gives others from `AT` on. ---- */
@@ -321,9 +327,7 @@ static void by_writing_while_unprotected_once_more(struct fixture *fixture) {
 /* Another loop watches the written page anew, or a range that overlaps: the marks are gone. */
 static void and_another_watches_the_range(struct fixture *fixture) {
     by_a_store(fixture);
-    const int *row = fixture->problem.row;
-    const struct range all = {(uintptr_t)row, (uintptr_t)(row + TRIP)};
-    assert_true(redcc_watch_begin(redcc_whole_pages(all)) > 0);
+    assert_true(redcc_watch_begin(rows_of(fixture)) > 0);
 }
 
 static void and_another_watches_a_part(struct fixture *fixture) {
@@ -536,9 +540,7 @@ static bool in_child(void (*test)(struct fixture *), struct fixture *fixture) {
 
 /* Not the loop, which would want threads: the registry alone. */
 static void in_a_child(struct fixture *fixture) {
-    const int *row = fixture->problem.row;
-    const struct range pages =
-        redcc_whole_pages((struct range){(uintptr_t)row, (uintptr_t)(row + TRIP)});
+    const struct range pages = rows_of(fixture);
     CHECK(!redcc_pages_begun());
     CHECK(redcc_watch_share(pages) == 0); /* what the parent knows is of the parent's memory */
     for (uint64_t version = 1; version < 200; version++)
@@ -567,9 +569,7 @@ static void forked(void **unused) {
 
 /* The program closes whatever is open, and opens something else under those numbers. */
 static void without_descriptors(struct fixture *fixture) {
-    const int *row = fixture->problem.row;
-    const struct range pages =
-        redcc_whole_pages((struct range){(uintptr_t)row, (uintptr_t)(row + TRIP)});
+    const struct range pages = rows_of(fixture);
     uint64_t version = redcc_watch_begin(pages);
     CHECK(version > 0);
     CHECK(redcc_watch_ask(pages, version) == WATCH_UNTOUCHED);
@@ -589,6 +589,66 @@ static void descriptors_are_closed(void **unused) {
     assert_true(in_child(without_descriptors, &fixture));
     fixture_end_at(&fixture);
     munmap(fixture.place, fixture.place_bytes);
+}
+
+/* It was time to watch the subscripts of a plan, but then fewer threads came and another plan was
+ * compared: nothing is known of the first one's. */
+static void watched_but_not_compared(void **unused) {
+    (void)unused;
+    need_watching();
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    long last;
+    for (int call = 0; call < CALLS_UNTIL_WATCHED - 1; call++)
+        assert_false(run_right(&fixture));
+    by_stores_all_over(&fixture);
+    assert_int_equal(
+        problem_run_fewer(&fixture.problem, &fixture.described, THREADS, THREADS - 1, &last), 0);
+    assert_int_equal(redcc_watch_share(rows_of(&fixture)) > 0, 1);
+    run_right(&fixture);
+    assert_int_equal(statistics_of(&fixture)->plans_built, 2);
+    fixture_end(&fixture);
+}
+
+/* Huge pages are protected in one piece, and dropped in one piece. */
+static void a_huge_page(void **unused) {
+    (void)unused;
+    need_watching();
+    const size_t huge = HUGE_PAGE, bytes = 4 * huge;
+    char *place = map_pages(bytes);
+    char *const aligned = (char *)(((uintptr_t)place + huge - 1) / huge * huge);
+    const struct range pages = {(uintptr_t)aligned, (uintptr_t)aligned + 2 * huge};
+    madvise(place, bytes, MADV_HUGEPAGE);
+    for (int way = 0; way < 3; way++) {
+        memset(place, 1, bytes);
+        const uint64_t version = redcc_watch_begin(pages);
+        assert_true(version > 0);
+        assert_int_equal(redcc_watch_ask(pages, version), WATCH_UNTOUCHED);
+        if (way == 0)
+            ((volatile char *)aligned)[huge + 12345] = 2;
+        else
+            assert_int_equal(madvise(aligned, way == 1 ? huge : 2 * huge, MADV_DONTNEED), 0);
+        assert_int_equal(redcc_watch_ask(pages, version), WATCH_TOUCHED);
+    }
+    munmap(place, bytes);
+}
+
+/* Descriptors by which others may write to memory, or take marks away. */
+static void what_is_open_forbids_it(void **unused) {
+    (void)unused;
+    need_watching();
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    char parameters[256] = {0};
+    const int opened[] = {(int)syscall(SYS_userfaultfd, O_CLOEXEC | 1),
+                          (int)syscall(SYS_io_uring_setup, 4, parameters)};
+    for (int i = 0; i < 2; i++)
+        if (opened[i] >= 0) {
+            assert_int_equal(redcc_watch_begin(rows_of(&fixture)), 0);
+            close(opened[i]);
+        }
+    assert_true(redcc_watch_begin(rows_of(&fixture)) > 0);
+    fixture_end(&fixture);
 }
 
 /* More ranges than there are places for. */
@@ -677,6 +737,9 @@ int main(void) {
         cmocka_unit_test(descriptors_stay_low),
         cmocka_unit_test(forked),
         cmocka_unit_test(descriptors_are_closed),
+        cmocka_unit_test(watched_but_not_compared),
+        cmocka_unit_test(a_huge_page),
+        cmocka_unit_test(what_is_open_forbids_it),
         cmocka_unit_test(many_ranges),
         cmocka_unit_test(subscripts_in_the_heap),
     };
