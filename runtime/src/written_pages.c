@@ -101,8 +101,8 @@ static bool protect(struct range pages) {
     return ioctl(faults.descriptor, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
-/* A page counts as touched if it has no mark, or is not there: where a whole page table was
- * dropped, as by MADV_DONTNEED, kernels up to 6.18 at least do not report it as written. */
+/* A page counts as touched if it has no mark, or is not there: of a whole page table that
+ * was dropped, as by MADV_DONTNEED, kernels before July 2026 do not say that it was written. */
 static bool untouched(struct range pages) {
     struct watch_region found;
     struct watch_scan scan = {.size = sizeof scan,
