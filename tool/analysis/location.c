@@ -116,6 +116,14 @@ static bool is_followed(const ir_node *value) {
     return value->kind != IR_INITIALIZERS && expression_is_plain(value);
 }
 
+/* f(...), or (double *)f(...): a pointer of its own, whatever it is taken to point to. */
+static bool is_result(const ir_node *value) {
+    while (value->kind == IR_CAST && value->children[0]->type &&
+           value->children[0]->type->kind == IR_POINTER)
+        value = value->children[0];
+    return value->kind == IR_CALL;
+}
+
 static location pointed_location(const question *q, const ir_node *node, unsigned depth) {
     location l;
     if (node->type && node->type->kind == IR_ARRAY) {
@@ -163,7 +171,7 @@ static location pointed_location(const question *q, const ir_node *node, unsigne
             return pointer_base(node);
         /* variable_escapes counts on every pointer defined once being looked through, or unknown */
         if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
-            return value->kind == IR_CALL ? pointer_base(node) : unknown_location();
+            return is_result(value) ? pointer_base(node) : unknown_location();
         l = pointed_location(q, value, depth + 1);
         const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
         if (q->scope && !ir_contains(q->scope, place))
