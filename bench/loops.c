@@ -183,23 +183,25 @@ static inline void element(int t, double f[3][3], double k[3][9]) {
         ADD(own_b, to_b[j][c], -f[c]);                                                             \
     }
 
-#define TELL_TOUCH(...) redcc_touch(&worker, __VA_ARGS__)
-#define TELL_READ(...) redcc_read(&worker, __VA_ARGS__)
-#define PROBE_TOUCH(...) redcc_probe_touch(&probe, &worker, __VA_ARGS__)
-#define PROBE_READ(...) redcc_probe_read(&probe, &worker, __VA_ARGS__)
+#define TELL_TOUCH(number, base, row) redcc_touch(&worker, number, &base[row], sizeof *base)
+#define TELL_READ(number, base, row) redcc_read(&worker, number, &base[row], sizeof *base)
+#define PROBE_TOUCH(number, base, row)                                                             \
+    redcc_probe_touch_row(&probe, &worker, number, base, row, sizeof *base)
+#define PROBE_READ(number, base, row)                                                              \
+    redcc_probe_read_row(&probe, &worker, number, base, row, sizeof *base)
 
 #define INSPECT_HEAVY(t, READ, TOUCH)                                                              \
     for (int p = 0; p < 3; p++) {                                                                  \
-        READ(2, &x[triangle[t][p]], sizeof *x);                                                    \
-        TOUCH(0, &b[triangle[t][p]], sizeof *b);                                                   \
+        READ(2, x, triangle[t][p]);                                                                \
+        TOUCH(0, b, triangle[t][p]);                                                               \
     }                                                                                              \
     for (int p = 0; p < 9; p++)                                                                    \
-    TOUCH(1, &a[slot[t][p]], sizeof *a)
+    TOUCH(1, a, slot[t][p])
 
 #define INSPECT_LIGHT(t, READ, TOUCH)                                                              \
     for (int p = 0; p < 2; p++) {                                                                  \
-        READ(2, &x[edge[t][p]], sizeof *x);                                                        \
-        TOUCH(0, &b[edge[t][p]], sizeof *b);                                                       \
+        READ(2, x, edge[t][p]);                                                                    \
+        TOUCH(0, b, edge[t][p]);                                                                   \
     }
 
 #define EXECUTE(trip, ARRAYS, SUBSCRIPTS, SUBSCRIPT_BYTES, INSPECT, BODY)                          \

@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-enum { TRIP = 6000, ROWS = 2000, WIDEST = 8, MOST_THREADS = 7 };
+enum { TRIP = 6000, ROWS = 2000, MIDDLE = 700, WIDEST = 8, MOST_THREADS = 7 };
 
 static int row[TRIP], other[TRIP], wide[TRIP], read_at[TRIP];
 static double b[ROWS + WIDEST][3], d[ROWS], x[ROWS];
@@ -29,20 +29,37 @@ static const redcc_source sources[] = {{"row", 1}, {"x", 0}};
     { "test_probe.c", 1, "plan", REDCC_ORDER_SERIAL, REDCC_VERIFIABLE, 2, arrays, 2, sources, 0, 0 }
 static redcc_loop loop_told = LOOP, loop_probed = LOOP;
 
-#define INSPECT(t, READ, TOUCH)                                                                    \
-    if (wide[t]) {                                                                                 \
-        READ(1, &x[read_at[t]], sizeof *x);                                                        \
-        TOUCH(0, &b[row[t]], sizeof b[0] * (redcc_size)wide[t]);                                   \
-        TOUCH(1, &d[other[t]], sizeof *d);                                                         \
+/* By their numbers, which may be negative. */
+static bool by_number;
+static double (*const middle)[3] = b + MIDDLE;
+
+static void tell(redcc_worker *worker, redcc_int t) {
+    if (!wide[t])
+        return;
+    redcc_read(worker, 1, &x[read_at[t]], sizeof *x);
+    redcc_touch(worker, 0, &b[row[t]], sizeof b[0] * (redcc_size)wide[t]);
+    redcc_touch(worker, 1, &d[other[t]], sizeof *d);
+}
+
+static void look_at(redcc_probe *probe, const redcc_worker *worker, redcc_int t) {
+    if (!wide[t])
+        return;
+    if (by_number) {
+        redcc_probe_read_row(probe, worker, 1, x, read_at[t], sizeof *x);
+        redcc_probe_touch_row(probe, worker, 1, d, other[t], sizeof *d);
+    } else {
+        redcc_probe_read(probe, worker, 1, &x[read_at[t]], sizeof *x);
+        redcc_probe_touch(probe, worker, 1, &d[other[t]], sizeof *d);
     }
-#define TELL_READ(...) redcc_read(worker, __VA_ARGS__)
-#define TELL_TOUCH(...) redcc_touch(worker, __VA_ARGS__)
-#define PROBE_READ(...) redcc_probe_read(&probe, worker, __VA_ARGS__)
-#define PROBE_TOUCH(...) redcc_probe_touch(&probe, worker, __VA_ARGS__)
+    if (by_number && wide[t] == 1)
+        redcc_probe_touch_row(probe, worker, 0, middle, row[t] - MIDDLE, sizeof b[0]);
+    else
+        redcc_probe_touch(probe, worker, 0, &b[row[t]], sizeof b[0] * (redcc_size)wide[t]);
+}
 
 static void tell_all(redcc_worker *worker) {
     for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
-        INSPECT(t, TELL_READ, TELL_TOUCH)
+        tell(worker, t);
         redcc_iteration_done(worker);
     }
 }
@@ -53,7 +70,7 @@ static void probe_and_tell(redcc_worker *worker) {
             const redcc_int from = t;
             for (; t < worker->last; t++) {
                 redcc_probe probe = {0, 0};
-                INSPECT(t, PROBE_READ, PROBE_TOUCH)
+                look_at(&probe, worker, t);
                 if (!redcc_is_alike(&probe))
                     break;
             }
@@ -62,13 +79,13 @@ static void probe_and_tell(redcc_worker *worker) {
             if (t == worker->last)
                 break;
         }
-        INSPECT(t, TELL_READ, TELL_TOUCH)
+        tell(worker, t);
         redcc_iteration_done(worker);
     }
 }
 
 static const struct plan *plan_of(redcc_loop *loop, void (*inspect)(redcc_worker *), int threads) {
-    void *const bases[] = {b, d};
+    void *const bases[] = {middle, d};
     const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)},
                                   {(const char *)x, 0}};
     redcc_call call;
@@ -109,6 +126,7 @@ static void expect_same_schedule(const struct schedule *one, const struct schedu
 /* Returns how many iterations were not told. */
 static long expect_same_plans(void) {
     probed = 0;
+    by_number = !by_number;
     for (int threads = 2; threads <= MOST_THREADS; threads++) {
         const struct plan *told = plan_of(&loop_told, tell_all, threads);
         const struct plan *plan = plan_of(&loop_probed, probe_and_tell, threads);
@@ -146,8 +164,10 @@ static void rows_in_order(void **unused) {
     (void)unused;
     fill_in_order(9);
     assert_true(expect_same_plans() > TRIP * (MOST_THREADS - 1) / 2);
+    assert_true(expect_same_plans() > TRIP * (MOST_THREADS - 1) / 2);
     for (int t = 0; t < TRIP; t++)
         row[t] = ROWS - 1 - row[t];
+    expect_same_plans();
     expect_same_plans();
 }
 
@@ -160,13 +180,13 @@ static void rows_without_order(void **unused) {
 /* What only one iteration in a settled stretch touches or reads is found all the same. */
 static void strays(void **unused) {
     (void)unused;
-    for (int trial = 0; trial < 40; trial++) {
+    for (int trial = 0; trial < 49; trial++) {
         fill_in_order(5);
         for (int t = 0; t < TRIP; t++)
             row[t] = other[t] = read_at[t] = 100 + row[t] * (ROWS - 200) / ROWS;
         const int where[] = {0, 99, ROWS - 1, below(ROWS)};
         int *const changed[] = {row, other, read_at};
-        changed[trial % 3][below(TRIP)] = where[trial / 3 % 4];
+        changed[trial % 3][below(TRIP)] = where[trial % 4];
         expect_same_plans();
     }
 }
@@ -208,11 +228,33 @@ static void stretches(void **unused) {
     }
 }
 
+/* Every window of a few bytes, every row near it, against the rows' own bytes. */
+static void bounds_of_rows(void **unused) {
+    (void)unused;
+    static const char memory[64];
+    const char *const base = memory + 32;
+    for (int bytes = 1; bytes <= 5; bytes++)
+        for (int first = -12; first <= 12; first++)
+            for (int size = 0; size <= 14; size++)
+                for (int number = -5; number <= 5; number++) {
+                    const int begin = number * bytes, end = begin + bytes;
+                    const bool leaves = begin < first || end > first + size;
+                    const char *const window = base + first;
+                    assert_int_equal(
+                        redcc_row_leaves(window, (redcc_size)size, base, number, (redcc_size)bytes),
+                        leaves);
+                    assert_int_equal(
+                        redcc_leaves(window, (redcc_size)size, base + begin, (redcc_size)bytes),
+                        leaves);
+                }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_in_order), cmocka_unit_test(rows_without_order),
-        cmocka_unit_test(strays),        cmocka_unit_test(idle_iterations),
-        cmocka_unit_test(wide_touches),  cmocka_unit_test(stretches),
+        cmocka_unit_test(rows_in_order),  cmocka_unit_test(rows_without_order),
+        cmocka_unit_test(strays),         cmocka_unit_test(idle_iterations),
+        cmocka_unit_test(wide_touches),   cmocka_unit_test(stretches),
+        cmocka_unit_test(bounds_of_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,14 +55,38 @@ static const char *row_text(inspector *self, const ir_node *row) {
     return text ? text : "0";
 }
 
+/** Is this row an element, of constant size, of an array or pointer that no iteration changes? Then
+ *  its number says which it is: that takes less to compare than its address. */
+static bool is_numbered(const ir_node *row, const ir_node *base) {
+    return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
+}
+
+/** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
+ *  is_numbered, or NULL. */
+static void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
+                     const ir_node *base) {
+    const char *what = is_update ? "touch" : "read";
+    const char *text = row_text(self, row);
+    writer *out = self->printer.out;
+    if (!self->probes)
+        writer_line(out, "redcc_%s(&redcc__worker, %u, &%s, sizeof(%s));", what, number, text,
+                    text);
+    else if (base && is_numbered(row, base))
+        writer_line(out,
+                    "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s, (redcc_int)%s, "
+                    "sizeof(%s));",
+                    what, number, row_text(self, row->children[0]),
+                    row_text(self, row->children[1]), text);
+    else
+        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, &%s, sizeof(%s));",
+                    what, number, text, text);
+}
+
 static void tell_update(inspector *self, const reduction_update *update) {
     const told_row item = {update->row, SOURCE_NOT_TOLD, update->array};
     if (was_just_told(self, item))
         return;
-    const char *row = row_text(self, update->row);
-    writer_line(self->printer.out, "%s&redcc__worker, %u, &%s, sizeof(%s));",
-                self->probes ? "redcc_probe_touch(&redcc__probe, " : "redcc_touch(", update->array,
-                row, row);
+    tell_row(self, update->row, true, update->array, self->loop->facts->arrays[update->array].base);
     remember(self, item);
 }
 
@@ -70,10 +94,8 @@ static void tell_read(inspector *self, const loop_source *read, int number) {
     const told_row item = {read->row, number, 0};
     if (was_just_told(self, item))
         return;
-    const char *row = row_text(self, read->row);
-    writer_line(self->printer.out, "%s&redcc__worker, %d, &%s, sizeof(%s));",
-                self->probes ? "redcc_probe_read(&redcc__probe, " : "redcc_read(", number, row,
-                row);
+    const bool is_fixed = read->base && can_be_read_ahead(self->loop->facts, read->base);
+    tell_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
     remember(self, item);
 }
 

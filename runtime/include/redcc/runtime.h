@@ -8,7 +8,7 @@
  *     redcc_join       each thread  of the parallel region
  *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be told
  *       redcc_touch, redcc_read, redcc_iteration_done
- *       redcc_is_settled, redcc_probe_touch, redcc_probe_read, redcc_is_alike
+ *       redcc_is_settled, redcc_probe_touch, redcc_probe_read, ..._row, redcc_is_alike
  *     redcc_next       each thread  hands out chunks of iterations to execute
  *       redcc_owns                  in the guarded form of the body
  *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
@@ -332,19 +332,32 @@ typedef struct redcc_probe {
 } redcc_probe;
 
 /** Are the last iterations told all within the window, so that the next ones are likely to be? Then
- *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read for what is to
- *  be told; those that redcc_is_alike are counted in worker->alike, the first that is not is told.
- *  Never while there is no window or the stride is not 1. */
+ *  they are probed first, in order, each by redcc_probe_touch and redcc_probe_read (or the same of
+ *  a row by its number) for what is to be told; those that redcc_is_alike are counted in
+ * worker->alike, the first that is not is told. Never while there is no window or the stride is
+ * not 1. */
 static __inline__ int redcc_is_settled(const redcc_worker *worker) {
     return worker->alike >= REDCC_SETTLED;
 }
 
-/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? Of its addresses,
- *  compilers keep in registers all but `address` over a loop. */
+/* In what follows compilers keep all but `address` and `row` in registers over a loop. */
+
+/** Are `bytes` bytes at `address` not all within the `size` bytes at `first`? */
 static __inline__ int redcc_leaves(const char *first, redcc_size size, const void *address,
                                    redcc_size bytes) {
     const redcc_size places = bytes <= size ? size - bytes + 1 : 0; /* where they may begin */
     return (redcc_size)address - (redcc_size)first >= places;
+}
+
+/** The same of row number `row`, counted from `base`, of rows of `bytes` > 0 bytes. */
+static __inline__ int redcc_row_leaves(const char *first, redcc_size size, const void *base,
+                                       redcc_int row, redcc_size bytes) {
+    const __PTRDIFF_TYPE__ step = (__PTRDIFF_TYPE__)bytes;
+    const __PTRDIFF_TYPE__ from = (__PTRDIFF_TYPE__)((redcc_size)first - (redcc_size)base);
+    const __PTRDIFF_TYPE__ to = (__PTRDIFF_TYPE__)((redcc_size)first + size - (redcc_size)base);
+    const __PTRDIFF_TYPE__ low = from / step + (from % step > 0); /* the first whole row; */
+    const __PTRDIFF_TYPE__ end = to / step - (to % step < 0);     /* one above the last */
+    return (redcc_size)row - (redcc_size)low >= (redcc_size)(end > low ? end - low : 0);
 }
 
 static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker *worker,
@@ -354,11 +367,27 @@ static __inline__ void redcc_probe_touch(redcc_probe *probe, const redcc_worker 
     probe->outside |= redcc_leaves(window->first, window->size, address, bytes);
 }
 
+static __inline__ void redcc_probe_touch_row(redcc_probe *probe, const redcc_worker *worker,
+                                             redcc_u32 array, const void *base, redcc_int row,
+                                             redcc_size bytes) {
+    const redcc_owner *window = &worker->window[array];
+    probe->inside = 1;
+    probe->outside |= redcc_row_leaves(window->first, window->size, base, row, bytes);
+}
+
 static __inline__ void redcc_probe_read(redcc_probe *probe, const redcc_worker *worker,
                                         redcc_u32 source, const void *address, redcc_size bytes) {
     const redcc_extent *known = &worker->sources[source];
     const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
     probe->outside |= redcc_leaves(known->first, size, address, bytes);
+}
+
+static __inline__ void redcc_probe_read_row(redcc_probe *probe, const redcc_worker *worker,
+                                            redcc_u32 source, const void *base, redcc_int row,
+                                            redcc_size bytes) {
+    const redcc_extent *known = &worker->sources[source];
+    const redcc_size size = (redcc_size)known->end - (redcc_size)known->first;
+    probe->outside |= redcc_row_leaves(known->first, size, base, row, bytes);
 }
 
 /** Need the iteration that was probed not be told? */
