@@ -29,6 +29,8 @@ static bool stays(const struct sample *sample, const struct sampled *item, uint6
 
 size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
     size_t count = 0;
+    if (keep_each == sample->keep_each)
+        return sample->count;
     for (size_t i = 0; i < sample->count; i++)
         count += stays(sample, &sample->item[i], keep_each);
     return count;
@@ -36,6 +38,8 @@ size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
 
 void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
     size_t kept = 0;
+    if (keep_each == sample->keep_each)
+        return; /* they were chosen so */
     for (size_t i = 0; i < sample->count; i++)
         if (stays(sample, &sample->item[i], keep_each))
             sample->item[kept++] = sample->item[i];
