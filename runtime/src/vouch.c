@@ -24,23 +24,34 @@ static uint32_t patience(const struct loop_state *state) {
     return (uint32_t)PATIENCE << state->setbacks;
 }
 
-/* The source was written to: was it worth it? */
-static void end_watch(struct loop_state *state, struct vouch *vouch) {
-    if (vouch->spared >= PATIENCE)
-        state->setbacks = 0;
-    else if (state->setbacks < SETBACKS_MOST)
-        state->setbacks++;
-    vouch->version = 0;
+static void set_back(struct loop_state *state, struct vouch *vouch) {
     vouch->calm = 0;
+    if (state->setbacks < SETBACKS_MOST)
+        state->setbacks++;
 }
 
-/* The version from which on the pages are watched, where they are by now; 0: not yet. */
-static uint64_t begin_watch(const struct loop_state *state, const struct vouch *vouch,
-                            struct range pages) {
+/* The source was written to: was it worth it? */
+static void end_watch(struct loop_state *state, struct vouch *vouch) {
+    if (vouch->spared >= PATIENCE) {
+        vouch->calm = 0;
+        state->setbacks = 0;
+    } else
+        set_back(state, vouch);
+    vouch->version = 0;
+}
+
+/* The version from which on the pages are watched, where they are by now; 0: not yet. Where they
+ * cannot be, it has cost something to find that out. */
+static uint64_t begin_watch(struct loop_state *state, struct vouch *vouch, struct range pages) {
     if (redcc_range_bytes(pages) < LEAST)
         return 0;
     const uint64_t shared = redcc_watch_share(pages);
-    return shared || vouch->calm < patience(state) ? shared : redcc_watch_begin(pages);
+    if (shared || vouch->calm < patience(state))
+        return shared;
+    const uint64_t version = redcc_watch_begin(pages);
+    if (!version)
+        set_back(state, vouch);
+    return version;
 }
 
 static void ask(struct loop_state *state, struct vouch *vouch, struct reading reading) {

@@ -9,6 +9,8 @@
 #include "written_pages.h"
 
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <malloc.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -136,6 +139,8 @@ static void what_others_may_write_is_not_watched(void **unused) {
         run_right(&fixture);
         assert_true(sources_watched(&fixture) < 2);
     }
+    const struct loop_state *state = fixture.described.loop.state;
+    assert_int_equal(state->setbacks, 1); /* not tried again at each call */
     const pid_t child = fork();
     if (child == 0) {
         by_a_store(&fixture);
@@ -296,6 +301,27 @@ static void what_is_open_forbids_it(void **unused) {
     fixture_end(&fixture);
 }
 
+/* A filter may kill for a system call, even one that lets all of them pass today. */
+static void under_a_filter(struct fixture *fixture) {
+    struct sock_filter allow = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    const struct sock_fprog filter = {1, &allow};
+    CHECK(redcc_watch_begin(rows_of(fixture)) > 0);
+    CHECK(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0);
+    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) != 0)
+        return;
+    by_a_store(fixture);
+    CHECK(redcc_watch_begin(rows_of(fixture)) == 0);
+}
+
+static void nothing_is_asked_under_a_filter(void **unused) {
+    (void)unused;
+    need_watching();
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    assert_true(in_child(under_a_filter, &fixture));
+    fixture_end(&fixture);
+}
+
 /* More ranges than there are places for. */
 static void many_ranges(void **unused) {
     (void)unused;
@@ -375,6 +401,7 @@ int main(void) {
         cmocka_unit_test(watched_but_not_compared),
         cmocka_unit_test(a_huge_page),
         cmocka_unit_test(what_is_open_forbids_it),
+        cmocka_unit_test(nothing_is_asked_under_a_filter),
         cmocka_unit_test(many_ranges),
         cmocka_unit_test(subscripts_in_the_heap),
     };

@@ -6,6 +6,7 @@
 #include "watch.h"
 #include "written_pages.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -55,6 +56,16 @@ static void by_pread(struct fixture *fixture) {
     assert_int_equal(pwrite(fileno(file), &value, sizeof value, 0), sizeof value);
     assert_int_equal(pread(fileno(file), &fixture->problem.row[AT], sizeof value, 0), sizeof value);
     fclose(file);
+}
+
+static void by_its_own_memory_file(struct fixture *fixture) {
+    const int value = other(fixture), memory = open("/proc/self/mem", O_RDWR | O_CLOEXEC);
+    const off_t at = (off_t)(uintptr_t)&fixture->problem.row[AT];
+    if (memory < 0 || pwrite(memory, &value, sizeof value, at) != sizeof value) {
+        print_message("/proc/self/mem cannot be written: a store in its place\n");
+        by_a_store(fixture);
+    }
+    close(memory);
 }
 
 static void by_receiving(struct fixture *fixture) {
@@ -205,6 +216,7 @@ static const struct way {
     {"memcpy", by_memcpy},
     {"read", by_read},
     {"pread", by_pread},
+    {"/proc/self/mem", by_its_own_memory_file},
     {"recv", by_receiving},
     {"another thread", by_another_thread},
     {"a child from outside", by_a_child_from_outside},
