@@ -6,12 +6,12 @@
 #include "watch.h"
 #include "written_pages.h"
 
-/* To watch a page, and the fault of a write to it, take about 1.4 microseconds together; to compare
- * it, some 0.12 (4096 bytes at 35 GB/s). So comparing it PATIENCE times has cost as much as
- * watching it may cost in vain: who begins then loses at most as much again (the rule of ski
- * rental). Each time it was in vain, one waits twice as long. */
+/* To protect a page takes 0.1 microseconds, a write to it then 1.3 once; to compare it, 0.12 (4096
+ * bytes at 35 GB/s). To look whether a source may be watched takes some 250, whatever its size. */
 enum {
-    PATIENCE = 12,
+    A_PAGE = 12,             /* comparisons of it that cost as much as to watch it in vain */
+    A_SOURCE = 2048,         /* pages that are compared meanwhile */
+    COMPARED_AT_ONCE = 4096, /* bytes, of these measures */
     SETBACKS_MOST = 16,
     LEAST = 256 * 1024 /* bytes; to compare fewer costs little more than to ask */
 };
@@ -20,10 +20,13 @@ static struct reading reading_of(const struct execution *execution, uint32_t sou
     return redcc_reading_of(execution->request.loop, execution->sources, source);
 }
 
-static uint32_t patience(const struct loop_state *state) {
-    return (uint32_t)PATIENCE << state->setbacks;
+/* So many comparisons have cost as much as to watch the pages may cost in vain: who begins then
+ * loses at most as much again (the rule of ski rental). */
+static uint32_t patience(struct range pages) {
+    return (uint32_t)(A_PAGE + A_SOURCE / (redcc_range_bytes(pages) / COMPARED_AT_ONCE));
 }
 
+/* It was in vain: the next time one waits twice as long. */
 static void set_back(struct loop_state *state, struct vouch *vouch) {
     vouch->calm = 0;
     if (state->setbacks < SETBACKS_MOST)
@@ -31,8 +34,8 @@ static void set_back(struct loop_state *state, struct vouch *vouch) {
 }
 
 /* The source was written to: was it worth it? */
-static void end_watch(struct loop_state *state, struct vouch *vouch) {
-    if (vouch->spared >= PATIENCE) {
+static void end_watch(struct loop_state *state, struct vouch *vouch, struct range pages) {
+    if (vouch->spared >= patience(pages)) {
         vouch->calm = 0;
         state->setbacks = 0;
     } else
@@ -46,7 +49,7 @@ static uint64_t begin_watch(struct loop_state *state, struct vouch *vouch, struc
     if (redcc_range_bytes(pages) < LEAST)
         return 0;
     const uint64_t shared = redcc_watch_share(pages);
-    if (shared || vouch->calm < patience(state))
+    if (shared || vouch->calm < (uint64_t)patience(pages) << state->setbacks)
         return shared;
     const uint64_t version = redcc_watch_begin(pages);
     if (!version)
@@ -62,7 +65,7 @@ static void ask(struct loop_state *state, struct vouch *vouch, struct reading re
         vouch->spared += vouch->stands;
         if (answer != WATCH_TOUCHED)
             return;
-        end_watch(state, vouch);
+        end_watch(state, vouch, pages);
     }
     vouch->begun = begin_watch(state, vouch, pages);
 }

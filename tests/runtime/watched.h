@@ -12,7 +12,7 @@ enum {
     ROWS = 3000,
     HUGE_PAGE = 2 << 20,
     AT = TRIP / 2,           /* in a page in the middle */
-    CALLS_UNTIL_WATCHED = 14 /* one builds the plan, patience is 12, one begins to watch */
+    CALLS_UNTIL_WATCHED = 40 /* one builds the plan, 38 find both sources unchanged, one begins */
 };
 
 struct fixture {
