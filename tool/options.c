@@ -27,6 +27,9 @@ const char options_help[] =
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
     "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
     "                       gcc than for clang is left alone), known (you have looked at that)\n"
+    "  --predefined=FILE    that compiler's own macros, as 'cc -dM -E -x c /dev/null' prints "
+    "them:\n"
+    "                       the source is read with these\n"
     "  --require            exit with 3 where no loop was transformed\n"
     "  --verify             build and run the sequential and the parallel program (the input\n"
     "                       must be all of it) and compare what they print\n"
@@ -53,6 +56,7 @@ typedef enum option_name {
     OPTION_DUMP,
     OPTION_HELP,
     OPTION_ORDER,
+    OPTION_PREDEFINED,
     OPTION_PURE,
     OPTION_REPORT,
     OPTION_REPORT_FILE,
@@ -73,6 +77,7 @@ static const struct long_option {
     {"--dump=", OPTION_DUMP},
     {"--help", OPTION_HELP},
     {"--order=", OPTION_ORDER},
+    {"--predefined=", OPTION_PREDEFINED},
     {"--pure=", OPTION_PURE},
     {"--report-file=", OPTION_REPORT_FILE},
     {"--report=", OPTION_REPORT},
@@ -220,6 +225,10 @@ static const char *set_option(arena *a, options *o, option_name name, const char
         return NULL;
     case OPTION_ORDER:
         return read_order(a, o, value);
+    case OPTION_PREDEFINED:
+        o->knows_compiler = true;
+        VECTOR_PUSH(a, &o->flags, arena_format(a, "--predefined=%s", value));
+        return NULL;
     case OPTION_PURE:
         return *value ? read_pure(a, o, value) : "--pure takes names of functions";
     case OPTION_REPORT:

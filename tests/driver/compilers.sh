@@ -94,9 +94,22 @@ ask() { # CONDITION: other[t] where it holds
   write_program "#if $1"$'\n#define AT(t) other[t]\n#endif' >x.c
 }
 for condition in '!defined(__clang__)' 'defined(__GNUC__) && !defined(__clang__)' '__GNUC__ > 5' \
-  '!__has_feature(x)' '__GNUC_MINOR__ != 2'; do
+  '__GNUC_MINOR__ != 2' 'defined(__PIE__)' 'defined(__llvm__) || __GCC_IEC_559 == 2'; do
   ask "$condition"
-  [ "$condition" != '!__has_feature(x)' ] || sed -i '1i#ifndef __has_feature\n#define __has_feature(x) 0\n#endif' x.c
+  build_both gcc
+  expect_match report '"verdict":"transformed"' # read once more, with the macros of gcc
+done
+ask 'defined(__FAST_MATH__)'
+build_both gcc -ffast-math
+expect_match report '"verdict":"transformed"'
+ask 'defined(__clang__) == (MINE > 2)'
+build_both gcc -DMINE=3
+expect_match report '"verdict":"transformed"'
+REDCC_OPTS=--report=text "$redcc_cc" gcc -DMINE=3 -c x.c 2>messages
+expect_equal "$case_name: remarks" 1 "$(grep -c 'remark: loop' messages)"
+for condition in '!__has_feature(x)' '__has_builtin(__builtin_assume)' '!defined(__CLANG_ATOMIC_INT_LOCK_FREE)'; do
+  ask "$condition"
+  sed -i '1i#ifndef __has_feature\n#define __has_feature(x) 0\n#endif' x.c
   build_both gcc -v
   expect_match messages 'it asks which compiler this is'
   expect_no_file report
@@ -114,8 +127,8 @@ for compiler in $compilers; do
 done
 write_program '#include "which.h"' >x.c
 printf '#ifdef __clang__\n#else\n#define AT(t) other[t]\n#endif\n' >which.h
-build_both gcc -v
-expect_match messages 'it asks which compiler this is \(__clang__\)'
+build_both gcc
+expect_match report '"verdict":"transformed"'
 end
 
 finish

@@ -10,13 +10,14 @@ enum option_meaning {
     OPTION_NO_OBJECT = 1 << 3, /**< nothing is compiled to code (-E, -M, --version) */
     OPTION_NO_LINK = 1 << 4,   /**< stops before the linker (-c, -S) */
     OPTION_GIVE_UP = 1 << 5,   /**< no source is translated */
-    OPTION_DEPENDENCY = 1 << 6, /**< asks for a dependency file, or says what goes into it */
-    OPTION_LINKER = 1 << 7,     /**< means nothing where one source is compiled to an object */
-    OPTION_AUXILIARY = 1 << 8,  /**< more files are written, named after the output */
-    OPTION_NO_RUNTIME = 1 << 9, /**< a link to which no library may be added */
-    OPTION_OPENMP = 1 << 10,    /**< the user's own OpenMP pragmas are on */
+    OPTION_DEPENDENCY = 1 << 6,  /**< asks for a dependency file, or says what goes into it */
+    OPTION_LINKER = 1 << 7,      /**< means nothing where one source is compiled to an object */
+    OPTION_AUXILIARY = 1 << 8,   /**< more files are written, named after the output */
+    OPTION_NO_RUNTIME = 1 << 9,  /**< a link to which no library may be added */
+    OPTION_OPENMP = 1 << 10,     /**< the user's own OpenMP pragmas are on */
     OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
-    OPTION_THREADS = 1 << 12     /**< with gcc, _REENTRANT is defined as by -pthread */
+    OPTION_THREADS = 1 << 12,    /**< with gcc, _REENTRANT is defined as by -pthread */
+    OPTION_MACROS = 1 << 13      /**< defines or undefines macros, or includes what may */
 };
 
 /** One option; several where the name is the beginning of a family ("-W"). */

@@ -45,7 +45,9 @@ static int run_translator(session *s, const translation *t, const char *messages
     words_add(a, &words, "-o");
     words_add(a, &words, t->text);
     words_add_all(a, &words, &s->options);
-    words_add(a, &words, "--compiler=known"); /* sensitive_word looks */
+    words_add(a, &words,
+              t->predefined ? arena_format(a, "--predefined=%s", t->predefined)
+                            : "--compiler=known"); /* translate_for_compiler looks */
     if (t->report) {
         words_add(a, &words, "--report=json");
         words_add(a, &words, arena_format(a, "--report-file=%s", t->report));
@@ -63,6 +65,8 @@ typedef enum outcome { OUTCOME_FAILED, OUTCOME_UNCHANGED, OUTCOME_CHANGED } outc
 
 static outcome try_translator(session *s, const translation *t) {
     const char *messages = temporary(s, t, "translator");
+    if (!s->show)
+        remove(messages);
     int status = run_translator(s, t, messages);
     if (process_signal())
         return OUTCOME_FAILED;
@@ -79,8 +83,6 @@ static outcome try_translator(session *s, const translation *t) {
                      first_line(s, messages));
         return OUTCOME_FAILED;
     }
-    if (wants_remarks(s))
-        file_show(messages, stderr);
     return file_equal(s->memory, t->file, t->text) ? OUTCOME_UNCHANGED : OUTCOME_CHANGED;
 }
 
@@ -104,23 +106,39 @@ static bool list_files(session *s, translation *t) {
     return session_run(s, &words, quiet) == 0 && (s->show || dependencies_read(a, rule, &t->read));
 }
 
-/* What the source or a header of its says that the translated text would be given another meaning
- * by; NULL: nothing. */
-static const char *sensitive_word(session *s, const translation *t) {
+/* gcc's -fopenmp defines _REENTRANT as -pthread does, and the source may ask for it. A -D of the
+ * user's comes later. */
+static void add_thread_options(session *s, word_list *list) {
+    if (!s->real.is_clang && !(s->command.meaning & OPTION_THREADS))
+        words_add(s->memory, list, "-U_REENTRANT");
+}
+
+static void add_code_options(session *s, word_list *list) {
+    if (!(s->command.meaning & OPTION_OPENMP))
+        words_add(s->memory, list, "-fopenmp");
+    if (!s->contracts)
+        words_add(s->memory, list, "-ffp-contract=off");
+}
+
+static word_list files_of(session *s, const translation *t) {
     word_list files = {0};
     words_add(s->memory, &files, t->file);
     for (unsigned i = 0; i < t->read.count; i++)
         if (!t->is_input || strcmp(t->read.items[i], "-") != 0)
             words_add(s->memory, &files, t->read.items[i]);
+    return files;
+}
+
+/* What the source or a header of its says that the translated text would be given another meaning
+ * by; NULL: nothing. */
+static const char *sensitive_word(session *s, const translation *t) {
+    const word_list files = files_of(s, t);
     bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
     if (openmp_is_off && (dependencies_mention(s->memory, &files, "omp") ||
                           dependencies_mention(s->memory, &files, "_OPENMP")))
         return "it mentions OpenMP, which is off (-fopenmp turns it on)";
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
         return "it uses __BASE_FILE__, which would name a temporary";
-    const char *asked = identity_asked_in(s->memory, &files, s->real.is_clang);
-    if (asked)
-        return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
     return NULL;
 }
 
@@ -152,6 +170,39 @@ static const char *obstacle(session *s, translation *t) {
     return sensitive_word(s, t);
 }
 
+/* The macros that the compiler defines by itself where it compiles the translated text, in a file;
+ * NULL: it does not tell. */
+static const char *list_predefined(session *s, const translation *t) {
+    arena *a = s->memory;
+    const char *list = temporary(s, t, "predefined");
+    word_list words = {0};
+    words_add_all(a, &words, &s->real.words);
+    add_thread_options(s, &words);
+    command_add_options(a, &words, &s->command,
+                        OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
+                            OPTION_MACROS);
+    add_code_options(s, &words);
+    static const char *const ask[] = {"-dM", "-E", "-x", "c", "/dev/null"};
+    for (unsigned i = 0; i < sizeof ask / sizeof *ask; i++)
+        words_add(a, &words, ask[i]);
+    remove(list);
+    return session_run(s, &words, (process_streams){NULL, list, "/dev/null"}) == 0 ? list : NULL;
+}
+
+/* A text that asks which compiler this is was read as clang's: it is translated once more, read
+ * with the compiler's own macros. Returns why that does not help; NULL: it does, or was not needed.
+ */
+static const char *translate_for_compiler(session *s, translation *t) {
+    const word_list files = files_of(s, t);
+    const char *asked = s->show ? NULL : identity_asked_in(s->memory, &files, s->real.is_clang);
+    if (!asked)
+        return NULL;
+    t->predefined = list_predefined(s, t);
+    if (t->predefined && try_translator(s, t) == OUTCOME_CHANGED)
+        return NULL;
+    return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
+}
+
 /* __TIMESTAMP__ is the time of the file. */
 static void copy_time(const char *from, const char *to) {
     struct stat about;
@@ -176,6 +227,10 @@ translation translate(session *s, const item *source, unsigned number) {
         t.report = arena_format(s->memory, "%s.json", t.text);
     outcome result = try_translator(s, &t);
     const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
+    if (result == OUTCOME_CHANGED && !why)
+        why = translate_for_compiler(s, &t);
+    if (result != OUTCOME_FAILED && wants_remarks(s))
+        file_show(temporary(s, &t, "translator"), stderr);
     if (why)
         session_explain(s, "%s: compiled as it is: %s", source->text, why);
     if (why || result == OUTCOME_FAILED)
@@ -199,10 +254,7 @@ static const char *quote_folder(session *s, const translation *t) {
 }
 
 void translation_add_before(session *s, word_list *list, const translation *t) {
-    /* gcc's -fopenmp defines it as -pthread does, and the source may ask for it; a -D of the user's
-     * comes later */
-    if (!s->real.is_clang && !(s->command.meaning & OPTION_THREADS))
-        words_add(s->memory, list, "-U_REENTRANT");
+    add_thread_options(s, list);
     if (t->is_input)
         return; /* compiled as standard input again: headers are looked for where they were */
     words_add(s->memory, list, "-iquote");
@@ -243,10 +295,7 @@ static void add_prefix_maps(session *s, word_list *list, const translation *t) {
 
 void translation_add_after(session *s, word_list *list, const translation *t) {
     arena *a = s->memory;
-    if (!(s->command.meaning & OPTION_OPENMP))
-        words_add(a, list, "-fopenmp");
-    if (!s->contracts)
-        words_add(a, list, "-ffp-contract=off");
+    add_code_options(s, list);
     words_add(a, list, "-idirafter");
     words_add(a, list, s->tools.include);
     if (!t->is_input && !strchr(t->text, '=')) /* the compiler takes what stands before a '=' */

@@ -8,11 +8,12 @@
 typedef struct translation {
     const item *source; /**< of the command */
     const char *file; /**< where the source's bytes are: its path, or the copy of standard input */
-    const char *folder; /**< the source's own folder for temporaries */
-    const char *text;   /**< the translated text; NULL: compile the source itself */
-    const char *report; /**< the JSON report, to be kept; NULL: none */
-    word_list read;     /**< all files that the source is made of, itself first */
-    bool is_input;      /**< the source is standard input */
+    const char *folder;     /**< the source's own folder for temporaries */
+    const char *text;       /**< the translated text; NULL: compile the source itself */
+    const char *predefined; /**< lists the compiler's own macros; NULL: clang's were good enough */
+    const char *report;     /**< the JSON report, to be kept; NULL: none */
+    word_list read;         /**< all files that the source is made of, itself first */
+    bool is_input;          /**< the source is standard input */
 } translation;
 
 /** Translates `source`, the command's C input number `number`. text is set only where something was

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/predefined.h"
 
 /* An attribute, and a pragma, of gcc's: the bytes of numbers in memory the other way round. clang
  * passes over it. */
@@ -30,6 +31,23 @@ static const char *word_in(file_text file) {
     return NULL;
 }
 
+/* Where clang is told the compiler's macros: a name of which it still makes something of its own.
+ */
+static const char *parsers_word_in(converter *c, file_text file) {
+    const char *at = file.text, *end = file.text + file.length;
+    while (at != NULL && at < end) {
+        const char *word = at;
+        while (at < end && source_is_name_byte(*at))
+            at++;
+        const size_t length = (size_t)(at - word);
+        if (length > 2 &&
+            (is_compiler_question(word, length) || map_get(c->parsers_own, word, length) != NULL))
+            return arena_copy(c->arena, word, length);
+        at += length == 0;
+    }
+    return NULL;
+}
+
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
@@ -39,6 +57,9 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     const file_text text = text_of_file(c, file);
     if (c->unit->compiler_word == NULL)
         c->unit->compiler_word = word_in(text);
+    const char *own = c->predefined != NULL ? parsers_word_in(c, text) : NULL;
+    if (own != NULL)
+        c->unit->unseen_word = own;
     if (memmem(text.text, text.length, storage_order, sizeof storage_order - 1) != NULL)
         c->unit->unseen_word = storage_order;
 }

@@ -34,19 +34,21 @@ typedef struct converter {
     ir_unit *unit;
     CXTranslationUnit clang;
     CXFile main_file;
-    map *types;                   /* clang's type -> ir_type */
-    map *records;                 /* declaration -> ir_record */
-    map *fields;                  /* declaration -> ir_field */
-    map *variables;               /* each of its declarations -> ir_variable */
-    map *functions;               /* each of its declarations -> ir_function */
-    map *functions_with_errors;   /* canonical declaration -> anything */
-    map *pointers;                /* target's ir_type -> pointer made for it */
-    map *files;                   /* CXFile -> file_text */
-    map *expansion_ends;          /* begin of a macro's expansion in the main file -> its end + 1 */
-    map *expansion_begins;        /* end -> begin + 1 */
-    bool knows_expansions;        /* the two are complete */
-    bool has_begun;               /* has anything of the main file been met among its macros? */
-    bool has_assembler;           /* between functions: it may give names to objects */
+    map *types;                 /* clang's type -> ir_type */
+    map *records;               /* declaration -> ir_record */
+    map *fields;                /* declaration -> ir_field */
+    map *variables;             /* each of its declarations -> ir_variable */
+    map *functions;             /* each of its declarations -> ir_function */
+    map *functions_with_errors; /* canonical declaration -> anything */
+    map *pointers;              /* target's ir_type -> pointer made for it */
+    map *files;                 /* CXFile -> file_text */
+    map *expansion_ends;        /* begin of a macro's expansion in the main file -> its end + 1 */
+    map *expansion_begins;      /* end -> begin + 1 */
+    bool knows_expansions;      /* the two are complete */
+    bool has_begun;             /* has anything of the main file been met among its macros? */
+    const map *predefined;      /* names of a compiler's macros that stand for clang's; or NULL */
+    map *parsers_own;           /* then: names of macros that clang has and that compiler has not */
+    bool has_assembler;         /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */

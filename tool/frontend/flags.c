@@ -5,6 +5,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "frontend/predefined.h"
+
 /* How a flag that is passed on looks; all others are left out. */
 typedef enum flag_form {
     EXACT,   /* -ansi */
@@ -162,9 +164,26 @@ static bool changes_layout(const char *flag) {
     return starts_with(flag, "-fpack-struct") || strcmp(flag, "-mlong-double-128") == 0;
 }
 
+/* The user's own flags come after the compiler's macros, which they may change. */
+static void choose_predefined(arena *a, parse_flags *chosen, unsigned count,
+                              const char *const *flags) {
+    static const char name[] = "--predefined=";
+    for (unsigned i = 0; i < count; i++)
+        if (starts_with(flags[i], name))
+            add_predefined(a, chosen, flags[i] + sizeof name - 1);
+    for (unsigned i = 0; i < count; i++)
+        if (starts_with(flags[i], "-D") || starts_with(flags[i], "-U"))
+            forget_predefined(chosen, flags[i][2] || i + 1 == count ? flags[i] : flags[i + 1]);
+}
+
+static bool is_predefined(const parse_flags *flags, const char *name) {
+    return flags->predefined && map_get(flags->predefined, name, strlen(name));
+}
+
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
     parse_flags chosen = {.strict_aliasing = true, .has_headers = true};
     bool has_openmp = false;
+    choose_predefined(a, &chosen, count, flags);
     for (unsigned i = 0; i < count; i++) {
         const char *flag = flags[i];
         if (starts_with(flag, "-fopenmp") && strcmp(flag, "-fopenmp-simd") != 0)
@@ -181,7 +200,7 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
         i = take(a, &chosen, i, count, flags);
     }
     /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */
-    if (has_openmp)
+    if (has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");
     add_leniency(a, &chosen);
     if (chosen.has_headers)

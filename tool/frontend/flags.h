@@ -6,12 +6,15 @@
 #include <stdbool.h>
 
 #include "support/arena.h"
+#include "support/map.h"
 #include "support/vector.h"
 
 typedef struct parse_flags {
     VECTOR(const char *) items;
     bool strict_aliasing; /* no -fno-strict-aliasing */
     bool has_headers;     /* no -nostdinc */
+    map *predefined;      /* names of a compiler's own macros that the parser is told; NULL: it has
+                             its own */
     const char *unseen;   /* a flag that lays memory out as the parser does not; NULL: none */
 } parse_flags;
 

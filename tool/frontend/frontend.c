@@ -209,7 +209,8 @@ static void convert_unit(converter *c) {
     finish_unit(c);
 }
 
-static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang) {
+static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
+                        const map *predefined) {
     ir_unit *unit = ARENA_NEW(a, ir_unit);
     unit->arena = a;
     unit->source = src;
@@ -230,6 +231,8 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
         .functions_with_errors = map_new(a),
         .pointers = map_new(a),
         .files = map_new(a),
+        .predefined = predefined,
+        .parsers_own = map_new(a),
         .expansion_ends = map_new(a),
         .expansion_begins = map_new(a),
     };
@@ -281,7 +284,7 @@ static void run(void *data) {
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, &t->result);
-        t->result.unit = convert(t->arena, t->source, name, clang);
+        t->result.unit = convert(t->arena, t->source, name, clang, chosen.predefined);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);

@@ -53,14 +53,26 @@ static bool is_worth_a_look(CXSourceLocation location, const char *name) {
     return clang_Location_isFromMainFile(location) != 0;
 }
 
-/* The compiler's own macros are what text that names them means. */
-static bool is_own_of_compiler(CXSourceLocation location) {
+static bool is_built_in(CXSourceLocation location) {
     CXString file;
     clang_getPresumedLocation(location, &file, NULL, NULL);
     const char *name = clang_getCString(file);
     const bool is_own = name != NULL && strcmp(name, "<built-in>") == 0;
     clang_disposeString(file);
     return is_own;
+}
+
+/* The compiler's own macros are what text that names them means. */
+static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
+                               size_t length) {
+    const bool is_predefined = c->predefined != NULL && map_get(c->predefined, name, length);
+    if (is_predefined)
+        return true;
+    if (!is_built_in(location))
+        return false;
+    if (c->predefined != NULL)
+        note(c->parsers_own, name, length, false);
+    return true;
 }
 
 void note_macro(converter *c, CXCursor definition) {
@@ -72,7 +84,7 @@ void note_macro(converter *c, CXCursor definition) {
     if (is_function_like || !is_worth_a_look(location, name) ||
         !stands_for_itself(text_at(c, location), name, length))
         note(c->unit->macros, name, length, is_function_like);
-    if (!c->has_begun && !is_own_of_compiler(location))
+    if (!c->has_begun && !is_own_of_compiler(c, location, name, length))
         note(c->unit->macros_before, name, length, is_function_like);
     clang_disposeString(text);
 }

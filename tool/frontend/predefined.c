@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "frontend/predefined.h"
+
+#include <string.h>
+
+#include "support/source.h"
+
+/* By which clang is known; gcc has none of them. What else only clang defines stays, for clang's
+ * own headers: a program that names it is not judged (compiler_words.c). */
+static const char *const names_of_clang[] = {
+    "__clang__",         "__clang_major__", "__clang_minor__", "__clang_patchlevel__",
+    "__clang_version__", "__llvm__",
+};
+
+/* gcc's headers use types for which clang has no names. */
+static const char *const types_of_gcc[] = {
+    "-D_Float32=float",        "-D_Float64=double",      "-D_Float32x=double",
+    "-D_Float64x=long double", "-D_Float128=__float128",
+};
+
+/* Operators of #if; clang's headers call them without asking whether they are there. */
+static const char *const questions[] = {
+    "__building_module",
+    "__has_attribute",
+    "__has_builtin",
+    "__has_c_attribute",
+    "__has_constexpr_builtin",
+    "__has_cpp_attribute",
+    "__has_declspec_attribute",
+    "__has_embed",
+    "__has_extension",
+    "__has_feature",
+    "__has_warning",
+    "__is_identifier",
+    "__is_target_arch",
+    "__is_target_environment",
+    "__is_target_os",
+    "__is_target_variant_environment",
+    "__is_target_variant_os",
+    "__is_target_vendor",
+};
+
+bool is_compiler_question(const char *text, size_t length) {
+    for (size_t i = 0; i < sizeof questions / sizeof *questions; i++)
+        if (strlen(questions[i]) == length && memcmp(questions[i], text, length) == 0)
+            return true;
+    return false;
+}
+
+static size_t name_length(const char *text) {
+    size_t length = 0;
+    while (source_is_name_byte(text[length]))
+        length++;
+    return length;
+}
+
+static void add(arena *a, parse_flags *flags, const char *flag) {
+    const char *name = flag + 2;
+    *map_at(flags->predefined, name, name_length(name)) = flags;
+    VECTOR_PUSH(a, &flags->items, flag);
+}
+
+/* `#define NAME BODY` or `#define NAME(PARAMETERS) BODY` as a flag. */
+static void add_line(arena *a, parse_flags *flags, const char *line, size_t length) {
+    static const char word[] = "#define ";
+    if (length < sizeof word || strncmp(line, word, sizeof word - 1) != 0)
+        return;
+    const char *name = line + sizeof word - 1, *end = line + length;
+    const char *after = name + name_length(name);
+    if (after < end && *after == '(')
+        while (after < end && *after++ != ')') {
+        }
+    const char *body = after < end ? after + 1 : end;
+    add(a, flags,
+        arena_format(a, "-D%.*s=%.*s", (int)(after - name), name, (int)(end - body), body));
+}
+
+void add_predefined(arena *a, parse_flags *flags, const char *path) {
+    const char *wrong;
+    const source *file = source_read(a, path, &wrong);
+    flags->predefined = map_new(a);
+    if (!file) {
+        flags->unseen = path;
+        return;
+    }
+    for (size_t i = 0; i < sizeof names_of_clang / sizeof *names_of_clang; i++)
+        add(a, flags, arena_format(a, "-U%s", names_of_clang[i]));
+    bool is_clang = false;
+    for (const char *line = file->text; *line;) {
+        const char *end = strchr(line, '\n');
+        const size_t length = end ? (size_t)(end - line) : strlen(line);
+        is_clang |= strncmp(line, "#define __clang__ ", 18) == 0;
+        add_line(a, flags, line, length);
+        line += length + (end != NULL);
+    }
+    for (size_t i = 0; !is_clang && i < sizeof types_of_gcc / sizeof *types_of_gcc; i++)
+        add(a, flags, types_of_gcc[i]);
+    if (!is_clang) { /* gcc 12 knows neither */
+        VECTOR_PUSH(a, &flags->items, "-D__has_feature(x)=0");
+        VECTOR_PUSH(a, &flags->items, "-D__has_extension(x)=0");
+    }
+}
+
+void forget_predefined(parse_flags *flags, const char *definition) {
+    if (strncmp(definition, "-D", 2) == 0 || strncmp(definition, "-U", 2) == 0)
+        definition += 2;
+    const size_t length = name_length(definition);
+    if (flags->predefined && map_get(flags->predefined, definition, length))
+        *map_at(flags->predefined, definition, length) = NULL;
+}
