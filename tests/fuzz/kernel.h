@@ -95,6 +95,7 @@ typedef struct kernel {
     int elements; /* a power of two: subscripts lie below */
     int trips;
     bool is_wide;   /* programs of even seeds: wide.c, more storages, more than one loop */
+    bool has_rows;  /* programs of seeds divisible by 5: rows.c */
     bool is_masked; /* subscripts from memory are masked at their use */
     bool is_damped; /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -152,7 +153,7 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, stored.c, bait.c, wide.c */
+/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -165,6 +166,7 @@ void bait(kernel *k);
  * stay what they were when these were added. */
 void wide_statement(kernel *k);
 void wide_bait(kernel *k);
+void rows_behind_pointers(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

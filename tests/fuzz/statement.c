@@ -279,6 +279,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_rows && chance(k, 25)) {
+        rows_behind_pointers(k);
+        end_statement(k, begin);
+        return;
+    }
     int which = below(k, 105), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;
