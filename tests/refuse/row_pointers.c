@@ -59,6 +59,15 @@ void rows_of_iteration(int n, const int *k, double *a, double *b) {
     }
 }
 
+void rows_set_again(int n, const int *k, double *a, double *b) {
+    double *rows[2];
+    for (int t = 0; t < n; t++) { // EXPECT: refuse row-pointers
+        rows[0] = a + t;
+        rows[1] = b + t;
+        rows[k[t]][0] += 1.0;
+    }
+}
+
 void rows_chosen(int n, const int *k, double **a, double **b) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse row-pointers
         double **rows = k[t] & 1 ? a : b;

@@ -76,6 +76,10 @@ typedef struct judgement {
 /** Sets the reason, if none is set yet. Returns false. */
 bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name);
 
+/** Is an address in the array with this base used as a value below `node`, as in `h == p` or
+ *  `&h[i] - q`? A function that gets it is judged by what it reaches. */
+bool judgement_has_address_as_value(const ir_node *node, const ir_node *base);
+
 /** A name for messages: the text of the lvalue's base, or its root variable. */
 const char *judgement_name(const judgement *j, const ir_node *lvalue);
 

@@ -48,11 +48,31 @@ static bool is_of_iteration(const judgement *j, const location *where) {
     return declarator && ir_contains(j->loop, declarator);
 }
 
+static bool is_update(const judgement *j, const ir_node *statement) {
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (j->updates.items[i].statement == statement)
+            return true;
+    return false;
+}
+
+/* Is the base handed to a function that may compute something from it: other than to update? */
+static bool is_handed_over(const judgement *j, const ir_node *node, const ir_node *base) {
+    if (node->kind == IR_CALL && !is_update(j, node->parent) && expression_occurrences(node, base))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_handed_over(j, node->children[i], base))
+            return true;
+    return false;
+}
+
+/* The base of an array need not be compared: what the plan knows moves with it. Unless something
+ * else is computed from it, h[s[t] + (q - h)]. */
 static bool is_array_base(const judgement *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
             expression_same(j->arrays.items[i].array.base, lvalue))
-            return true;
+            return !judgement_has_address_as_value(j->loop, lvalue) &&
+                   !is_handed_over(j, j->loop, lvalue);
     return false;
 }
 

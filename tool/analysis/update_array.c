@@ -23,12 +23,27 @@ static bool stays(const judgement *j, const ir_node *base) {
                : variation_is_invariant(j->an->facts, j->loop, base);
 }
 
+/* A table of the function's own into which the loop stores pointers: each iteration may have its
+ * own, computed from what is not compared when a plan is used again. */
+static bool is_filled_here(const judgement *j, const ir_node *table) {
+    const ir_variable *root = ir_root_variable(table);
+    for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
+        const judged_access *a = &j->accesses[i];
+        const ir_type *type = a->access.type ? ir_type_innermost(a->access.type) : NULL;
+        const bool may_be_pointer =
+            !type || (type->kind != IR_INTEGER && type->kind != IR_FLOATING) || type->size == 1;
+        if (a->access.kind != ACCESS_READ && a->where.object == root && may_be_pointer)
+            return true;
+    }
+    return false;
+}
+
 const ir_node *update_table_of(const judgement *j, const ir_node *base) {
     enum { MOST_POINTERS = 8 };
     const ir_node *table = base;
     for (unsigned i = 0; table && i <= MOST_POINTERS; i++) {
         if (stays(j, table))
-            return table == base ? NULL : table;
+            return table == base || is_filled_here(j, table) ? NULL : table;
         if (table->kind != IR_INDEX && table->kind != IR_MEMBER)
             return NULL;
         const location where = location_of(j->an->facts, table, j->loop);
@@ -39,8 +54,9 @@ const ir_node *update_table_of(const judgement *j, const ir_node *base) {
     return NULL;
 }
 
-/* The elements are found anew in each iteration, through pointers out of a table that stays. What
- * is written there is asked for by its address; nothing of it is evaluated before the loop. */
+/* The elements are found anew in each iteration, through pointers out of a table that stays.
+ * What is written there is asked for by its address; nothing of it is evaluated before the
+ * loop. */
 static bool judge_table(judgement *j, const ir_node *base, const ir_node *target,
                         const char *name) {
     const ir_node *table = update_table_of(j, base);
@@ -84,7 +100,8 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
     return last != target && last->type && last->type->kind == IR_ARRAY ? last : base;
 }
 
-/* ---- the arrays ----------------------------------------------------------------------------- */
+/* ---- the arrays -----------------------------------------------------------------------------
+ */
 
 static bool add_array(judgement *j, const judged_access *update, update_kind kind,
                       unsigned *number) {

@@ -106,11 +106,9 @@ static bool leads_on(const ir_node *parent, const ir_node *node) {
                        (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE));
 }
 
-/* Is an address in the array used as a value, as in `h == p` or `&h[i] - q`? A function that gets
- * it is judged by what it reaches. */
-static bool has_address_as_value(const ir_node *node, const ir_node *base) {
+bool judgement_has_address_as_value(const ir_node *node, const ir_node *base) {
     for (unsigned i = 0; i < node->child_count; i++)
-        if (has_address_as_value(node->children[i], base))
+        if (judgement_has_address_as_value(node->children[i], base))
             return true;
     if (!ir_is_expression(node) || !node->type || !expression_same(node, base))
         return false;
@@ -136,7 +134,7 @@ static void finish_arrays(judgement *j, loop_facts *facts) {
             continue;
         }
         /* in a private copy it would be another */
-        arrays[i].order_is_kept |= has_address_as_value(j->loop, arrays[i].base);
+        arrays[i].order_is_kept |= judgement_has_address_as_value(j->loop, arrays[i].base);
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
             arrays[i].is_interleaved = true;
         if (base && base->target)
