@@ -179,11 +179,15 @@ end
 
 begin "names with spaces, UTF-8 and strange bytes"
 make_project
-for name in "a b.c" "é ü.c" "it's.c" 'q"q.c' 'a=b.c' 'a,b.c' '-minus.c' 'x.y.c' '$HOME.c' 'back\slash.c'; do
+for name in "a b.c" "é ü.c" "it's.c" 'q"q.c' 'a,b.c' '-minus.c' 'x.y.c' '$HOME.c' 'back\slash.c'; do
   cp here.c "./$name"
   "$redcc_cc" -Iinc -I. -c "./$name" 2>messages || fail "$case_name: $name: $(cat messages)"
   nm "./${name%.c}.o" 2>/dev/null | grep -q redcc_fake_mark || fail "$case_name: $name not translated"
 done
+sed 's/main(void) {/& puts(__BASE_FILE__);/' here.c >'a=b.c' # no prefix map can name it
+"$redcc_cc" -Iinc -I. -v 'a=b.c' -o p 2>messages || fail "$case_name: a=b.c: $(cat messages)"
+expect_match messages "holds a '='"
+expect_equal "$case_name" 'a=b.c' "$(./p | grep = | sort -u)"
 end
 
 finish

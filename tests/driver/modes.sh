@@ -130,6 +130,10 @@ printf '%s\n' '-O1 "my x.c"' '-o my\ p @more' >args
 echo "'-DFOO=a b'" >more
 "$redcc_cc" @args || fail "$case_name"
 expect_equal "$case_name" "translated ran" "$('./my p' | paste -sd' ')"
+printf '%s\n' "-include stdio.h '-DMARKED=puts(\"a\\\\tb\")' 'my x.c' -o quoted" >args
+sed -i 's/MARK;/&\n    MARKED;/' 'my x.c'
+cc @args -o by_compiler && "$redcc_cc" @args || fail "$case_name: quotes"
+expect_equal "$case_name" "translated $(./by_compiler | paste -sd' ')" "$(./quoted | paste -sd' ')"
 "$redcc_cc" -c @missing 2>messages && fail "$case_name: accepted"
 expect_match messages '@missing'
 end

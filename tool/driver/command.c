@@ -70,6 +70,8 @@ static unsigned meaning_with_argument(const option *found, const item *i) {
         return found->meaning & ~(unsigned)OPTION_AUXILIARY; /* writes no file, but messages */
     if (strcmp(found->name, "-ftree-parallelize-loops=") == 0 && strcmp(argument, "1") == 0)
         return found->meaning & ~(unsigned)OPTION_THREADS;
+    if (strcmp(found->name, "-fsanitize=") == 0 && strstr(argument, "thread"))
+        return found->meaning | OPTION_GIVE_UP; /* it does not see what OpenMP's threads wait for */
     if (strcmp(found->name, "-MF") == 0 &&
         (strcmp(argument, "-") == 0 || strncmp(argument, "/dev/", 5) == 0) &&
         strcmp(argument, "/dev/null") != 0)

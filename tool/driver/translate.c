@@ -161,6 +161,8 @@ static const char *obstacle(session *s, translation *t) {
         return "its headers could not be listed";
     if (s->show)
         return NULL;
+    if (strchr(t->text, '=')) /* a prefix map would part at it */
+        return "its name, or that of the temporary folder, holds a '='";
     if (!compiler_openmp(s->memory, &s->real, t->folder))
         return "the compiler has no OpenMP library";
     const char *precompiled = precompiled_header(s, t);
@@ -298,7 +300,7 @@ void translation_add_after(session *s, word_list *list, const translation *t) {
     add_code_options(s, list);
     words_add(a, list, "-idirafter");
     words_add(a, list, s->tools.include);
-    if (!t->is_input && !strchr(t->text, '=')) /* the compiler takes what stands before a '=' */
+    if (!t->is_input)
         add_prefix_maps(s, list, t);
     words_add(a, list, "-MD");
     words_add(a, list, "-MF");

@@ -26,11 +26,12 @@ char **words_argv(arena *a, const word_list *list) {
     return argv;
 }
 
-/* Reads one word that begins at `text`; returns where it ends. */
-static const char *read_word(const char *text, buffer *word) {
+/* Reads one word that begins at `text`; returns where it ends. A backslash between single quotes
+ * stands for itself to a shell only. */
+static const char *read_word(const char *text, bool is_shell, buffer *word) {
     char quote = 0;
     for (; *text && (quote || !isspace((unsigned char)*text)); text++) {
-        if (*text == '\\' && quote != '\'' && text[1])
+        if (*text == '\\' && !(is_shell && quote == '\'') && text[1])
             buffer_byte(word, *++text);
         else if (quote && *text == quote)
             quote = 0;
@@ -42,17 +43,21 @@ static const char *read_word(const char *text, buffer *word) {
     return text;
 }
 
-void words_split(arena *a, const char *text, word_list *list) {
+static void split(arena *a, const char *text, bool is_shell, word_list *list) {
     for (;;) {
         while (isspace((unsigned char)*text))
             text++;
         if (!*text)
             return;
         buffer word = {0};
-        text = read_word(text, &word);
+        text = read_word(text, is_shell, &word);
         words_add(a, list, word.data ? arena_copy(a, word.data, word.length) : "");
         buffer_free(&word);
     }
+}
+
+void words_split(arena *a, const char *text, word_list *list) {
+    split(a, text, true, list);
 }
 
 static bool expand_word(arena *a, const char *word, word_list *list, unsigned *files) {
@@ -67,7 +72,7 @@ static bool expand_word(arena *a, const char *word, word_list *list, unsigned *f
     }
     ++*files;
     word_list inner = {0};
-    words_split(a, text, &inner);
+    split(a, text, false, &inner);
     for (unsigned i = 0; i < inner.count; i++)
         expand_word(a, inner.items[i], list, files);
     return true;
