@@ -3,10 +3,12 @@
 # CSparse's cs_gaxpy, its file as it is, compiled by gcc and by redcc-cc: y = A*x + y for a matrix of
 # a million rows and ten million entries, of four shapes (bench/gaxpy.c). Rounds are interleaved;
 # ratios are of one round. The source comes from Debian (build/packages; the first time by network).
-#   ROUNDS=5 CALLS=9 SIDE=1000 SHAPES="banded mesh shuffled random"
+# By default subscripts that nobody writes to are watched from the 14th call on and not read any
+# more (docs/decisions/0007), which the median of so many calls shows; compared: with REDCC_WATCH=off.
+#   ROUNDS=5 CALLS=41 SIDE=1000 SHAPES="banded mesh shuffled random"
 . bench/common.sh
 rounds=${ROUNDS:-5}
-calls=${CALLS:-9}
+calls=${CALLS:-41}
 side=${SIDE:-1000}
 read -r -a shapes <<<"${SHAPES:-banded mesh shuffled random}"
 csv=$results/gaxpy.csv
@@ -59,6 +61,7 @@ for shape in "${shapes[@]}"; do
     for threads in 1 2; do
       run "$shape" "threads-$threads" "$round" env OMP_NUM_THREADS=$threads "$work/redcc"
     done
+    run "$shape" compared-2 "$round" env OMP_NUM_THREADS=2 REDCC_WATCH=off "$work/redcc"
     run_crowd "$shape" "$round"
   done
 done
@@ -70,7 +73,7 @@ ratios() {
 }
 echo "seconds of a call (median), plain over variant round by round (median, least to greatest), first call"
 for shape in "${shapes[@]}"; do
-  for variant in plain threads-1 threads-2 crowd; do
+  for variant in plain threads-1 threads-2 compared-2 crowd; do
     printf '%-9s %-10s %9.4f s   ratio %.3f  (%.3f to %.3f)   first %9.4f s   %s\n' "$shape" "$variant" \
       "$(column "$shape" $variant 4 | median)" "$(ratios "$shape" $variant | median)" \
       "$(ratios "$shape" $variant | minimum)" "$(ratios "$shape" $variant | maximum)" \

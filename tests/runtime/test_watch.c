@@ -106,7 +106,7 @@ static void freed_and_taken_again(void **unused) {
     need_watching();
     struct fixture fixture;
     fixture_begin_at(&fixture, malloc(TRIP * sizeof(int)));
-    run_until_watched(&fixture);
+    run_and_share(&fixture);
     int *const old = fixture.problem.row;
     free(old);
     fixture.problem.row = malloc(TRIP * sizeof(int));
@@ -160,7 +160,7 @@ static void descriptors_stay_low(void **unused) {
     close(before);
     struct fixture fixture;
     fixture_begin(&fixture);
-    run_until_watched(&fixture);
+    run_and_share(&fixture);
     const int after = dup(0);
     close(after);
     assert_int_equal(before, after);
@@ -207,7 +207,7 @@ static void forked(void **unused) {
     need_watching();
     struct fixture fixture;
     fixture_begin(&fixture);
-    run_until_watched(&fixture);
+    run_and_share(&fixture);
     assert_true(in_child(in_a_child, &fixture)); /* its store is not the parent's */
     assert_true(run_right(&fixture));
     assert_int_equal(sources_watched(&fixture), 2);
@@ -364,7 +364,7 @@ static void subscripts_in_the_heap(void **unused) {
     }
     struct fixture fixture;
     fixture_begin_at(&fixture, (int *)(void *)begin);
-    run_until_watched(&fixture);
+    run_and_share(&fixture);
     assert_ptr_equal(sbrk(bytes), begin + bytes); /* grows beyond what is watched */
     memset(begin + bytes, 1, (size_t)bytes);
     assert_true(run_right(&fixture));

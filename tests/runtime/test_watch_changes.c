@@ -240,7 +240,7 @@ static void changes_are_noticed(void **unused) {
     for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
         struct fixture fixture;
         fixture_begin(&fixture);
-        run_until_watched(&fixture);
+        run_and_share(&fixture);
         ways[way].change(&fixture);
         run_right(&fixture);
         if (statistics_of(&fixture)->plans_built != 2)

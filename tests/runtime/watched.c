@@ -106,6 +106,18 @@ struct range rows_of(const struct fixture *fixture) {
     return redcc_whole_pages((struct range){(uintptr_t)row, (uintptr_t)(row + TRIP)});
 }
 
+void run_and_share(struct fixture *fixture) {
+    const int *start = fixture->problem.start;
+    const struct range starts = {(uintptr_t)start, (uintptr_t)(start + TRIP + 1)};
+    assert_true(redcc_watch_begin(rows_of(fixture)) > 0);
+    assert_true(redcc_watch_begin(redcc_whole_pages(starts)) > 0);
+    assert_false(run_right(fixture));
+    assert_false(run_right(fixture));
+    assert_true(run_right(fixture));
+    assert_int_equal(sources_watched(fixture), 2);
+    assert_int_equal(statistics_of(fixture)->plans_built, 1);
+}
+
 int other(const struct fixture *fixture) {
     return (fixture->problem.row[AT] + 1) % ROWS;
 }

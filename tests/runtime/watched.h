@@ -55,6 +55,9 @@ void run_until_watched(struct fixture *fixture);
 /** The whole pages of the subscripts. */
 struct range rows_of(const struct fixture *fixture);
 
+/** The same as run_until_watched, but without waiting: as if another loop had begun to watch. */
+void run_and_share(struct fixture *fixture);
+
 /** Another subscript than the one at AT. */
 int other(const struct fixture *fixture);
 
