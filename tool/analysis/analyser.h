@@ -102,4 +102,11 @@ bool judge_sources(judgement *j);
 /** What computes rows and touched sources, and whether a plan may be kept. */
 bool judge_slice(judgement *j);
 
+/** All of these steps for one loop. */
+loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);
+
+/** Of a loop that the user wants left alone, and all in it, by this pragma. */
+loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
+                             const user_pragma *pragma);
+
 #endif

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* All loops of a unit: which are judged, in which order, and what is said of them. */
-#include <stdlib.h>
-#include <string.h>
-
+/* One loop: the steps of its judgement in turn, and what is said of it. */
 #include "analysis/analyser.h"
-#include "analysis/candidate.h"
 #include "analysis/expression.h"
 #include "analysis/reason.h"
 #include "analysis/scalars.h"
@@ -217,7 +213,7 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
     return own;
 }
 
-static loop_verdict judge(const analyser *whole, ir_function *function, ir_node *loop) {
+loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
     judgement *j = ARENA_NEW(an->memory, judgement);
     j->an = an;
@@ -241,272 +237,17 @@ static loop_verdict judge(const analyser *whole, ir_function *function, ir_node 
                           .facts = finish_facts(j)};
 }
 
-/* ---- which loops ------------------------------------------------------------------------------
- */
-
-typedef struct loop_search {
-    const analyser *an;
-    ir_function *function;
-    VECTOR(loop_verdict) verdicts;
-} loop_search;
-
-/* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
-static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
-    if (node->kind == IR_EXPRESSION)
-        node = node->children[0];
-    if (node->kind == IR_ASSIGN && node->children[0]->kind != IR_VARIABLE &&
-        expression_occurrences(condition, node->children[0]))
-        return node->children[0];
-    const ir_node *found = NULL;
-    for (unsigned i = 0; node->kind == IR_BLOCK && i < node->child_count && !found; i++)
-        if (node->children[i]->kind == IR_EXPRESSION)
-            found = stored_if(condition, node->children[i]);
-    return found;
-}
-
-/* What an update looks like whose loop is listed: its target; or NULL. */
-static const ir_node *updated_target(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
-        update_form form = update_form_of(node);
-        if (form.is_update && form.target->kind != IR_VARIABLE)
-            return form.target;
-    }
-    return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
-}
-
-/* Does the call update, through a pointer given to it, an element that is irregular in `loop`? */
-static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call) {
-    access_list list = {0};
-    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
-        return false;
-    access_collect(an->effects, call, &list);
-    for (unsigned i = 0; i < list.items.count; i++) {
-        const access *a = &list.items.items[i];
-        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            variation_is_irregular(an->facts, loop, a->lvalue))
-            return true;
-    }
-    return false;
-}
-
-static bool is_irregular_update(const analyser *an, const ir_node *loop, const ir_node *node) {
-    if (node->kind == IR_CALL)
-        return call_updates(an, loop, node);
-    const ir_node *target = updated_target(node);
-    if (!target || !variation_is_irregular(an->facts, loop, target))
-        return false;
-    const ir_variable *object = location_of(an->facts, target, loop).object;
-    const ir_node *declarator = object ? variable_fact_of(an->facts, object)->declarator : NULL;
-    return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
-}
-
-/* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
- * inside of it. */
-static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
-                          bool innermost) {
-    if (is_irregular_update(an, loop, node)) {
-        if (!innermost)
-            return true;
-        const ir_node *inner = node->parent;
-        while (inner != loop && !(ir_is_loop(inner) && is_irregular_update(an, inner, node)))
-            inner = inner->parent;
-        if (inner == loop)
-            return true;
-    }
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_irregular(an, loop, node->children[i], innermost))
-            return true;
-    return false;
-}
-
-static bool is_inside_loop(const ir_node *loop) {
-    for (const ir_node *outer = loop->parent; outer; outer = outer->parent)
-        if (ir_is_loop(outer))
-            return true;
-    return false;
-}
-
-static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
-    for (unsigned i = 0; i < node->child_count; i++) {
-        const ir_node *child = node->children[i];
-        if ((ir_is_loop(child) && !candidate_is_tiny(child) &&
-             has_irregular(an, child, child, false)) ||
-            has_irregular_loop_inside(an, child))
-            return true;
-    }
-    return false;
-}
-
-/* Loops of a few iterations around or inside others are not worth a parallel region, and loops that
- * only repeat what is inside have nothing to share out. */
-static bool is_candidate(const analyser *an, const ir_node *loop) {
-    if (candidate_is_tiny(loop) && is_inside_loop(loop))
-        return false;
-    if (!has_irregular_loop_inside(an, loop))
-        return true;
-    return !candidate_is_tiny(loop) && candidate_varies(an, loop);
-}
-
-static bool has_accepted_inside(const loop_search *s, unsigned from, const ir_node *loop) {
-    for (unsigned i = from; i < s->verdicts.count; i++)
-        if (s->verdicts.items[i].kind != VERDICT_NOT_A_REDUCTION &&
-            ir_contains(loop, s->verdicts.items[i].loop))
-            return true;
-    return false;
-}
-
-static void add_not_a_reduction(loop_search *s, ir_node *loop) {
-    if (!s->an->options || !s->an->options->report_all)
-        return;
-    loop_facts *facts = ARENA_NEW(s->an->memory, loop_facts);
-    facts->loop = loop;
-    facts->function = s->function;
-    loop_verdict verdict = {
-        .kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = s->function, .facts = facts};
-    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
-}
-
-/* The user wants the loop left alone, and all in it. */
-static void add_ignored(loop_search *s, ir_node *loop, const user_pragma *pragma) {
-    judgement *j = ARENA_NEW(s->an->memory, judgement);
-    j->an = s->an;
-    j->function = s->function;
+loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
+                             const user_pragma *pragma) {
+    judgement *j = ARENA_NEW(an->memory, judgement);
+    j->an = an;
+    j->function = function;
     j->loop = loop;
-    judgement_refuse(j, REASON_IGNORED, loop,
-                     arena_format(s->an->memory, "redcc %s", pragma->text));
+    judgement_refuse(j, REASON_IGNORED, loop, arena_format(an->memory, "redcc %s", pragma->text));
     note_irregular_arrays(j);
-    loop_verdict verdict = {.kind = VERDICT_REFUSE,
-                            .loop = loop,
-                            .function = s->function,
-                            .why = j->why,
-                            .facts = finish_facts(j)};
-    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
-}
-
-/* Judges the loops below `node`, outermost first; what is accepted covers all inside of it. */
-static void search(loop_search *s, ir_node *node) {
-    if (!ir_is_loop(node)) {
-        for (unsigned i = 0; i < node->child_count; i++)
-            search(s, node->children[i]);
-        return;
-    }
-    bool is_irregular = has_irregular(s->an, node, node, false);
-    loop_verdict verdict = {0};
-    unsigned from = s->verdicts.count;
-    const user_pragma *ignored = pragma_above(s->an->pragmas, node, PRAGMA_IGNORE);
-    if (is_irregular && ignored) {
-        add_ignored(s, node, ignored);
-        return;
-    }
-    if (!is_irregular) {
-        add_not_a_reduction(s, node);
-    } else if (is_candidate(s->an, node)) {
-        verdict = judge(s->an, s->function, node);
-        if (verdict.kind == VERDICT_TRANSFORM) {
-            VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
-            return;
-        }
-    }
-    for (unsigned i = 0; i < node->child_count; i++)
-        search(s, node->children[i]);
-    if (!is_irregular)
-        return;
-    if (verdict.loop && verdict.kind == VERDICT_NOT_A_REDUCTION) {
-        add_not_a_reduction(s, node);
-        return;
-    }
-    /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
-     * loop leaves that to the loop around it.) */
-    if (verdict.loop &&
-        (has_irregular(s->an, node, node, true) || !has_accepted_inside(s, from, node)))
-        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
-}
-
-static int by_position(const void *a, const void *b) {
-    const ir_node *x = ((const loop_verdict *)a)->loop;
-    const ir_node *y = ((const loop_verdict *)b)->loop;
-    if (x->range.begin != y->range.begin)
-        return x->range.begin < y->range.begin ? -1 : 1;
-    return x->id < y->id ? -1 : x->id > y->id;
-}
-
-static void judge_function(loop_search *s, ir_function *function) {
-    unsigned from = s->verdicts.count;
-    s->function = function;
-    search(s, function->body);
-    if (s->verdicts.count > from)
-        qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
-              by_position);
-}
-
-/* ---- the user's word --------------------------------------------------------------------------
- */
-
-typedef struct pragma_use {
-    const user_pragma *pragma;
-    bool is_found;
-} pragma_use;
-
-static bool find_pure_call(ir_node *node, void *context) {
-    pragma_use *use = context;
-    use->is_found |= node->kind == IR_FUNCTION && pragma_names(use->pragma, node->function->name);
-    return !use->is_found;
-}
-
-static bool concerns(const user_pragma *pragma, const ir_node *loop) {
-    if (pragma->word != PRAGMA_PURE)
-        return pragma->loop == loop;
-    pragma_use use = {.pragma = pragma};
-    ir_walk((ir_node *)loop, find_pure_call, &use);
-    return use.is_found;
-}
-
-static void note_pragmas(const analyser *an, loop_verdict *verdict) {
-    VECTOR(user_pragma) found = {0};
-    for (unsigned i = 0; i < an->pragmas->count; i++)
-        if (concerns(&an->pragmas->items[i], verdict->loop))
-            VECTOR_PUSH(an->memory, &found, an->pragmas->items[i]);
-    verdict->pragmas = found.items;
-    verdict->pragma_count = found.count;
-}
-
-/* The options, with the functions that pragmas call pure. */
-static const analysis_options *with_pragmas(arena *a, const analysis_options *options,
-                                            const user_pragmas *pragmas) {
-    VECTOR(const char *) pure = {0};
-    for (unsigned i = 0; i < options->pure_count; i++)
-        VECTOR_PUSH(a, &pure, options->pure[i]);
-    for (unsigned i = 0; i < pragmas->count; i++)
-        for (unsigned k = 0; k < pragmas->items[i].name_count; k++)
-            if (pragmas->items[i].word == PRAGMA_PURE)
-                VECTOR_PUSH(a, &pure, pragmas->items[i].names[k]);
-    analysis_options *all = ARENA_NEW(a, analysis_options);
-    *all = *options;
-    all->pure_count = pure.count;
-    all->pure = pure.items;
-    return all;
-}
-
-analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
-    static const analysis_options no_options;
-    const user_pragmas pragmas = pragmas_of_unit(a, unit);
-    const analysis_options *options = with_pragmas(a, given ? given : &no_options, &pragmas);
-    must_write *prover = must_write_new(a, unit, options);
-    variable_facts *facts = variable_facts_new(a, unit, prover);
-    analyser an = {.memory = a,
-                   .unit = unit,
-                   .options = options,
-                   .prover = prover,
-                   .facts = facts,
-                   .effects = effects_new(a, unit, options, facts),
-                   .rules = {facts, unit->strict_aliasing, options->assume_noalias},
-                   .text = unit_text_new(a, unit),
-                   .pragmas = &pragmas};
-    loop_search search_state = {.an = &an};
-    for (unsigned i = 0; i < unit->function_count; i++)
-        if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
-            judge_function(&search_state, unit->functions[i]);
-    for (unsigned i = 0; i < search_state.verdicts.count; i++)
-        note_pragmas(&an, &search_state.verdicts.items[i]);
-    return (analysis_result){search_state.verdicts.count, search_state.verdicts.items};
+    return (loop_verdict){.kind = VERDICT_REFUSE,
+                          .loop = loop,
+                          .function = function,
+                          .why = j->why,
+                          .facts = finish_facts(j)};
 }

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* All loops of a unit, with what the user says of them. */
+#include "analysis/analyser.h"
+#include "analysis/nest.h"
+
+typedef struct pragma_use {
+    const user_pragma *pragma;
+    bool is_found;
+} pragma_use;
+
+static bool find_pure_call(ir_node *node, void *context) {
+    pragma_use *use = context;
+    use->is_found |= node->kind == IR_FUNCTION && pragma_names(use->pragma, node->function->name);
+    return !use->is_found;
+}
+
+static bool concerns(const user_pragma *pragma, const ir_node *loop) {
+    if (pragma->word != PRAGMA_PURE)
+        return pragma->loop == loop;
+    pragma_use use = {.pragma = pragma};
+    ir_walk((ir_node *)loop, find_pure_call, &use);
+    return use.is_found;
+}
+
+static void note_pragmas(const analyser *an, loop_verdict *verdict) {
+    VECTOR(user_pragma) found = {0};
+    for (unsigned i = 0; i < an->pragmas->count; i++)
+        if (concerns(&an->pragmas->items[i], verdict->loop))
+            VECTOR_PUSH(an->memory, &found, an->pragmas->items[i]);
+    verdict->pragmas = found.items;
+    verdict->pragma_count = found.count;
+}
+
+/* The options, with the functions that pragmas call pure. */
+static const analysis_options *with_pragmas(arena *a, const analysis_options *options,
+                                            const user_pragmas *pragmas) {
+    VECTOR(const char *) pure = {0};
+    for (unsigned i = 0; i < options->pure_count; i++)
+        VECTOR_PUSH(a, &pure, options->pure[i]);
+    for (unsigned i = 0; i < pragmas->count; i++)
+        for (unsigned k = 0; k < pragmas->items[i].name_count; k++)
+            if (pragmas->items[i].word == PRAGMA_PURE)
+                VECTOR_PUSH(a, &pure, pragmas->items[i].names[k]);
+    analysis_options *all = ARENA_NEW(a, analysis_options);
+    *all = *options;
+    all->pure_count = pure.count;
+    all->pure = pure.items;
+    return all;
+}
+
+analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *given) {
+    static const analysis_options no_options;
+    const user_pragmas pragmas = pragmas_of_unit(a, unit);
+    const analysis_options *options = with_pragmas(a, given ? given : &no_options, &pragmas);
+    must_write *prover = must_write_new(a, unit, options);
+    variable_facts *facts = variable_facts_new(a, unit, prover);
+    analyser an = {.memory = a,
+                   .unit = unit,
+                   .options = options,
+                   .prover = prover,
+                   .facts = facts,
+                   .effects = effects_new(a, unit, options, facts),
+                   .rules = {facts, unit->strict_aliasing, options->assume_noalias},
+                   .text = unit_text_new(a, unit),
+                   .pragmas = &pragmas};
+    loop_search loops = {.an = &an};
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
+            judge_loops(&loops, unit->functions[i]);
+    for (unsigned i = 0; i < loops.verdicts.count; i++)
+        note_pragmas(&an, &loops.verdicts.items[i]);
+    return (analysis_result){loops.verdicts.count, loops.verdicts.items};
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* All loops of a function: which of a nest are judged, and of which something is said. */
+#include "analysis/nest.h"
+
+#include <stdlib.h>
+
+#include "analysis/candidate.h"
+#include "analysis/expression.h"
+#include "analysis/variation.h"
+
+/* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
+static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
+    if (node->kind == IR_EXPRESSION)
+        node = node->children[0];
+    if (node->kind == IR_ASSIGN && node->children[0]->kind != IR_VARIABLE &&
+        expression_occurrences(condition, node->children[0]))
+        return node->children[0];
+    const ir_node *found = NULL;
+    for (unsigned i = 0; node->kind == IR_BLOCK && i < node->child_count && !found; i++)
+        if (node->children[i]->kind == IR_EXPRESSION)
+            found = stored_if(condition, node->children[i]);
+    return found;
+}
+
+/* What an update looks like whose loop is listed: its target; or NULL. */
+static const ir_node *updated_target(const ir_node *node) {
+    if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
+        update_form form = update_form_of(node);
+        if (form.is_update && form.target->kind != IR_VARIABLE)
+            return form.target;
+    }
+    return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
+}
+
+/* Does the call update, through a pointer given to it, an element that is irregular in `loop`? */
+static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call) {
+    access_list list = {0};
+    if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
+        return false;
+    access_collect(an->effects, call, &list);
+    for (unsigned i = 0; i < list.items.count; i++) {
+        const access *a = &list.items.items[i];
+        if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
+            variation_is_irregular(an->facts, loop, a->lvalue))
+            return true;
+    }
+    return false;
+}
+
+static bool is_irregular_update(const analyser *an, const ir_node *loop, const ir_node *node) {
+    if (node->kind == IR_CALL)
+        return call_updates(an, loop, node);
+    const ir_node *target = updated_target(node);
+    if (!target || !variation_is_irregular(an->facts, loop, target))
+        return false;
+    const ir_variable *object = location_of(an->facts, target, loop).object;
+    const ir_node *declarator = object ? variable_fact_of(an->facts, object)->declarator : NULL;
+    return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
+}
+
+/* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
+ * inside of it. */
+static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
+                          bool innermost) {
+    if (is_irregular_update(an, loop, node)) {
+        if (!innermost)
+            return true;
+        const ir_node *inner = node->parent;
+        while (inner != loop && !(ir_is_loop(inner) && is_irregular_update(an, inner, node)))
+            inner = inner->parent;
+        if (inner == loop)
+            return true;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_irregular(an, loop, node->children[i], innermost))
+            return true;
+    return false;
+}
+
+static bool is_inside_loop(const ir_node *loop) {
+    for (const ir_node *outer = loop->parent; outer; outer = outer->parent)
+        if (ir_is_loop(outer))
+            return true;
+    return false;
+}
+
+static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        if ((ir_is_loop(child) && !candidate_is_tiny(child) &&
+             has_irregular(an, child, child, false)) ||
+            has_irregular_loop_inside(an, child))
+            return true;
+    }
+    return false;
+}
+
+/* Loops of a few iterations around or inside others are not worth a parallel region, and loops that
+ * only repeat what is inside have nothing to share out. */
+static bool is_candidate(const analyser *an, const ir_node *loop) {
+    if (candidate_is_tiny(loop) && is_inside_loop(loop))
+        return false;
+    if (!has_irregular_loop_inside(an, loop))
+        return true;
+    return !candidate_is_tiny(loop) && candidate_varies(an, loop);
+}
+
+static bool has_accepted_inside(const loop_search *s, unsigned from, const ir_node *loop) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].kind != VERDICT_NOT_A_REDUCTION &&
+            ir_contains(loop, s->verdicts.items[i].loop))
+            return true;
+    return false;
+}
+
+static void add_not_a_reduction(loop_search *s, ir_node *loop) {
+    if (!s->an->options || !s->an->options->report_all)
+        return;
+    loop_facts *facts = ARENA_NEW(s->an->memory, loop_facts);
+    facts->loop = loop;
+    facts->function = s->function;
+    loop_verdict verdict = {
+        .kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = s->function, .facts = facts};
+    VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+/* Judges the loops below `node`, outermost first; what is accepted covers all inside of it. */
+static void search(loop_search *s, ir_node *node) {
+    if (!ir_is_loop(node)) {
+        for (unsigned i = 0; i < node->child_count; i++)
+            search(s, node->children[i]);
+        return;
+    }
+    bool is_irregular = has_irregular(s->an, node, node, false);
+    loop_verdict verdict = {0};
+    unsigned from = s->verdicts.count;
+    const user_pragma *ignored = pragma_above(s->an->pragmas, node, PRAGMA_IGNORE);
+    if (is_irregular && ignored) {
+        loop_verdict left = verdict_ignored(s->an, s->function, node, ignored);
+        VECTOR_PUSH(s->an->memory, &s->verdicts, left);
+        return;
+    }
+    if (!is_irregular) {
+        add_not_a_reduction(s, node);
+    } else if (is_candidate(s->an, node)) {
+        verdict = verdict_of(s->an, s->function, node);
+        if (verdict.kind == VERDICT_TRANSFORM) {
+            VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+            return;
+        }
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        search(s, node->children[i]);
+    if (!is_irregular)
+        return;
+    if (verdict.loop && verdict.kind == VERDICT_NOT_A_REDUCTION) {
+        add_not_a_reduction(s, node);
+        return;
+    }
+    /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
+     * loop leaves that to the loop around it.) */
+    if (verdict.loop &&
+        (has_irregular(s->an, node, node, true) || !has_accepted_inside(s, from, node)))
+        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+}
+
+static int by_position(const void *a, const void *b) {
+    const ir_node *x = ((const loop_verdict *)a)->loop;
+    const ir_node *y = ((const loop_verdict *)b)->loop;
+    if (x->range.begin != y->range.begin)
+        return x->range.begin < y->range.begin ? -1 : 1;
+    return x->id < y->id ? -1 : x->id > y->id;
+}
+
+void judge_loops(loop_search *s, ir_function *function) {
+    unsigned from = s->verdicts.count;
+    s->function = function;
+    search(s, function->body);
+    if (s->verdicts.count > from)
+        qsort(s->verdicts.items + from, s->verdicts.count - from, sizeof(loop_verdict),
+              by_position);
+}
