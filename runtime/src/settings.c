@@ -12,6 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* 128 iterations at a memory access or two take some microseconds, as beginning and ending a
+ * parallel region does. */
+enum { LEAST_TRIP = 128 };
+
+redcc_int redcc_least_trip;
+
 static struct settings settings;
 static char complaint[1024]; /* what the environment says that is unknown; "": nothing */
 
@@ -207,6 +213,8 @@ static void read_environment(void) {
     read_watch(getenv("REDCC_WATCH"));
     read_trace(getenv("REDCC_TRACE"));
     read_memory_limit(getenv("REDCC_MEMORY_LIMIT"));
+    if (!settings.method && !settings.compensated && !settings.validate)
+        __atomic_store_n(&redcc_least_trip, LEAST_TRIP, __ATOMIC_RELAXED);
     const char *report = getenv("REDCC_REPORT");
     if (report && *report && (settings.report = strdup(report)) != NULL)
         atexit(redcc_report_write);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The example of docs/generated-code.md, its dots filled in, in a program: springs N THREADS CALLS
- * prints a checksum of the bits of the result, which must be the serial loop's. */
+ * prints a checksum of the bits of the result, which must be the serial loop's; with one argument
+ * more, the trip count from which on loops of short iterations are worth entering. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -166,6 +167,14 @@ int main(int count, char **arguments) {
             sum = (sum ^ bits) * 0x9e3779b97f4a7c15u;
         }
     printf("%016lx\n", sum);
+#ifdef _OPENMP
+    if (count > 3)
+        for (redcc_int trip = 0; trip < 1000; trip++)
+            if (redcc_is_worth_entering(trip)) {
+                printf("from %lld\n", (long long)trip);
+                break;
+            }
+#endif
     free(edge);
     free(x);
     free(s.b);

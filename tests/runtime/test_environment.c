@@ -264,6 +264,23 @@ static void compensated_sums_of_few_iterations(void **unused) {
         threads_of("REDCC_SUM=compensated REDCC_METHOD=localwrite OMP_NUM_THREADS=2", "20 9"), 2);
 }
 
+static void expect_least_trip(const char *variables, const char *expected) {
+    const struct outcome found = run(variables, programs[0], "20 1 and");
+    assert_int_equal(found.status, 0);
+    if (!strstr(found.text, expected))
+        fail_msg("%s: not '%s': %s", variables, expected, found.text);
+}
+
+/* What is asked for by name is done at any trip count. */
+static void few_short_iterations(void **unused) {
+    (void)unused;
+    expect_least_trip("", "from 128\n");
+    expect_least_trip("REDCC_METHOD=auto REDCC_ORDER=any", "from 128\n");
+    expect_least_trip("REDCC_METHOD=localwrite", "from 0\n");
+    expect_least_trip("REDCC_SUM=compensated", "from 0\n");
+    expect_least_trip("REDCC_VALIDATE=1", "from 0\n");
+}
+
 static void expect_fallback(const char *variables, const char *reason, long count) {
     json_t *report = report_of(variables, "2000 5");
     const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
@@ -324,6 +341,7 @@ int main(int count, char **arguments) {
         cmocka_unit_test(what_is_traced),
         cmocka_unit_test(compensated_sums),
         cmocka_unit_test(compensated_sums_of_few_iterations),
+        cmocka_unit_test(few_short_iterations),
         cmocka_unit_test(an_order_and_a_method_that_cannot_keep_it),
         cmocka_unit_test(the_report_says_what_was_done),
         cmocka_unit_test(the_report_says_what_binds_the_threads),

@@ -128,11 +128,13 @@ typedef enum operand_type { OPERAND_INTEGER, OPERAND_FLOAT, OPERAND_DOUBLE } ope
  *  kept, and all are applied in order after the loop. */
 typedef struct scalar_update {
     ir_variable *variable;
-    const ir_node *statement; /* IR_EXPRESSION; executed at most once in an iteration */
+    const ir_node *statement; /* IR_EXPRESSION */
     const ir_node *value;     /* the operand; NULL: 1 */
     ir_operator op;           /* + - * & | ^ */
     operand_type operand;
     bool is_conditional; /* not executed in each iteration */
+    bool is_repeated;    /* executed several times in one, in a loop inside: of integers, whose
+                            operands an iteration may put together before */
 } scalar_update;
 
 /** target = value, of an element that the iteration reads again below: wherever else the loop's
@@ -149,6 +151,7 @@ typedef struct loop_facts {
     ir_function *function;
     counted_loop counted;
     bool counter_is_live_after;
+    bool has_short_iterations; /* a few of them are not worth asking the runtime */
     unsigned array_count;
     const reduction_array *arrays;
     unsigned update_count;

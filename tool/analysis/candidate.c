@@ -7,6 +7,7 @@
 #include "analysis/candidate.h"
 
 #include "analysis/expression.h"
+#include "analysis/library.h"
 #include "support/vector.h"
 
 typedef struct dependence {
@@ -21,6 +22,18 @@ bool candidate_is_tiny(const ir_node *loop) {
     const ir_variable *counter;
     int64_t first, last;
     return counted_constant(loop, &counter, &first, &last) && last - first < TINY;
+}
+
+bool candidate_is_short(const ir_node *body) {
+    if (ir_is_loop(body) && !candidate_is_tiny(body))
+        return false;
+    const ir_node *callee = body->kind == IR_CALL ? body->children[0] : NULL;
+    if (callee && (callee->kind != IR_FUNCTION || !library_find(callee->function->name)))
+        return false;
+    for (unsigned i = 0; i < body->child_count; i++)
+        if (!candidate_is_short(body->children[i]))
+            return false;
+    return true;
 }
 
 static bool depends(const dependence *d, const ir_node *node) {

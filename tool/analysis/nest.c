@@ -105,11 +105,28 @@ static bool is_candidate(const analyser *an, const ir_node *loop) {
     return !candidate_is_tiny(loop) && candidate_varies(an, loop);
 }
 
-static bool has_accepted_inside(const loop_search *s, unsigned from, const ir_node *loop) {
+static bool has_listed_inside(const loop_search *s, unsigned from, const ir_node *loop) {
     for (unsigned i = from; i < s->verdicts.count; i++)
         if (s->verdicts.items[i].kind != VERDICT_NOT_A_REDUCTION &&
             ir_contains(loop, s->verdicts.items[i].loop))
             return true;
+    return false;
+}
+
+static const ir_node *loop_around(const ir_node *loop) {
+    const ir_node *outer = loop->parent;
+    while (outer && !ir_is_loop(outer))
+        outer = outer->parent;
+    return outer;
+}
+
+/* Was a loop directly inside accepted in its place? It has far fewer iterations to share out at a
+ * time: whoever wonders why nothing is gained is to learn what was in the way. */
+static bool gives_way(const loop_search *s, unsigned from, const loop_verdict *refused) {
+    for (unsigned i = from; i < s->verdicts.count; i++)
+        if (s->verdicts.items[i].kind == VERDICT_TRANSFORM &&
+            loop_around(s->verdicts.items[i].loop) == refused->loop)
+            return refused->why.id != REASON_TRIP_COUNT;
     return false;
 }
 
@@ -157,10 +174,10 @@ static void search(loop_search *s, ir_node *node) {
         add_not_a_reduction(s, node);
         return;
     }
-    /* Refused: this loop is named where it is the innermost around one of its updates. (A tiny
-     * loop leaves that to the loop around it.) */
-    if (verdict.loop &&
-        (has_irregular(s->an, node, node, true) || !has_accepted_inside(s, from, node)))
+    /* Refused: this loop is named where it is the innermost around one of its updates (a tiny loop
+     * leaves that to the loop around it), or where nothing but a loop in it was accepted. */
+    if (verdict.loop && (has_irregular(s->an, node, node, true) ||
+                         !has_listed_inside(s, from, node) || gives_way(s, from, &verdict)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 

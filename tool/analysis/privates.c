@@ -56,11 +56,19 @@ static bool is_known(const judgement *j, const ir_variable *variable) {
     return variable == j->counted.counter;
 }
 
+/* Of a record that the loop only reads each thread may have a copy, as of a scalar. */
+static bool may_be_copied(const judgement *j, const ir_variable *variable) {
+    if (variable->type->kind != IR_RECORD)
+        return ir_type_is_scalar(variable->type);
+    return !variable->address_taken && variable->storage != IR_THREAD_LOCAL &&
+           !variable_written_in(j->an->facts, j->loop, variable);
+}
+
 static bool capture(ir_node *node, void *context) {
     judgement *j = context;
     ir_variable *variable = node->variable;
     if (node->kind != IR_VARIABLE || !variable || is_known(j, variable) ||
-        !ir_type_is_scalar(variable->type))
+        !may_be_copied(j, variable))
         return true;
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     if (!declarator || !ir_contains(j->loop, declarator))

@@ -3,6 +3,8 @@
  * The value of a scalar that the loop accumulates into does not matter while the loop runs, where
  * nothing else reads it: only the operands do. Each iteration keeps its own; after the loop they
  * are applied one after the other, which gives what the sequential loop gives, bit for bit.
+ * Integers may be put together within an iteration as well: modulo 2^64 their sums do not depend on
+ * the order.
  */
 #include "analysis/scalars.h"
 
@@ -103,14 +105,16 @@ bool scalar_take_update(judgement *j, judged_access *write) {
     const ir_variable *s = target->variable;
     scalar_update found = {.variable = target->variable, .statement = statement};
     if (!statement || statement->kind != IR_EXPRESSION || ir_value_is_used(assignment) ||
-        statement->range.begin >= statement->range.end || !is_outside_inner_loops(j, statement) ||
-        !recognise(assignment, s, &found) || !find_operand_type(s, &found) ||
-        has_other_write(j, statement, write))
+        statement->range.begin >= statement->range.end || !recognise(assignment, s, &found) ||
+        !find_operand_type(s, &found) || has_other_write(j, statement, write))
+        return false;
+    found.is_repeated = !is_outside_inner_loops(j, statement);
+    if (found.is_repeated && found.operand != OPERAND_INTEGER)
         return false;
     const ir_node *declarator = variable_fact_of(j->an->facts, s)->declarator;
     if (s->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator)))
         return false;
-    found.is_conditional = write->access.is_conditional;
+    found.is_conditional = write->access.is_conditional || found.is_repeated;
     for (unsigned i = 0; i < j->access_count; i++) {
         judged_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
@@ -126,9 +130,26 @@ static bool is_own_access(const judged_access *a, const ir_variable *s) {
     return a->class == CLASS_SELF && a->access.lvalue && is_variable(a->access.lvalue, s);
 }
 
+static ir_operator inverted(ir_operator op) {
+    return op == IR_OP_SUBTRACT ? IR_OP_ADD : op;
+}
+
+/* What an iteration puts together must commute with all else that is done to the scalar. */
+static bool judge_repeated(judgement *j, const scalar_update *repeated) {
+    for (unsigned i = 0; i < j->scalars.count; i++) {
+        const scalar_update *other = &j->scalars.items[i];
+        if (other->variable == repeated->variable && inverted(other->op) != inverted(repeated->op))
+            return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+                                    other->variable->name);
+    }
+    return true;
+}
+
 bool judge_scalars(judgement *j) {
     for (unsigned k = 0; k < j->scalars.count; k++) {
         const scalar_update *update = &j->scalars.items[k];
+        if (update->is_repeated && !judge_repeated(j, update))
+            return false;
         const ir_node *assignment = update->statement->children[0];
         location where = location_of(j->an->facts, assignment->children[0], j->loop);
         for (unsigned i = 0; i < j->access_count; i++) {

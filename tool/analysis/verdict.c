@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One loop: the steps of its judgement in turn, and what is said of it. */
 #include "analysis/analyser.h"
+#include "analysis/candidate.h"
 #include "analysis/expression.h"
 #include "analysis/reason.h"
 #include "analysis/scalars.h"
@@ -174,6 +175,7 @@ static loop_facts *finish_facts(judgement *j) {
     if (j->why.id != REASON_NONE)
         return facts;
     facts->counter_is_live_after = j->counter_is_live_after;
+    facts->has_short_iterations = candidate_is_short(j->counted.body);
     facts->updates = j->updates.items;
     facts->update_count = j->updates.count;
     facts->scalars = j->scalars.items;

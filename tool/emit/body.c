@@ -349,6 +349,7 @@ static void declare_variables(loop_text *loop, writer *out) {
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))");
     }
     declare_forwards(loop, out, false);
+    declare_repeated_operands(loop, out);
 }
 
 void write_iteration(loop_text *loop, writer *out, bool is_guarded) {

@@ -81,8 +81,9 @@ bool can_be_read_ahead(const loop_facts *facts, const ir_node *base);
  *  memory for it, as a condition (NULL: there are no such updates); */
 void declare_operands(loop_text *loop, writer *out);
 const char *operands_are_there(loop_text *loop);
-/** in an iteration, what updates that may not be executed leave behind, and what number `number`
- *  does; */
+/** in an iteration, variables for what is put together, what updates that may not be executed leave
+ *  behind, and what number `number` does; */
+void declare_repeated_operands(loop_text *loop, writer *out);
 void write_neutral_operands(loop_text *loop, writer *out);
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** after the loop, the updates themselves. */

@@ -71,6 +71,14 @@ static void store_operand(loop_text *loop, writer *out, unsigned number, const c
                 type, type, value, number);
 }
 
+/** What an iteration puts together of an update in a loop inside: redcc__so_far_N. */
+void declare_repeated_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_repeated)
+            writer_line(out, "redcc_word redcc__so_far_%u = %s;", i,
+                        neutral_of(&loop->facts->scalars[i]));
+}
+
 void write_neutral_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
         if (loop->facts->scalars[i].is_conditional)
@@ -79,7 +87,13 @@ void write_neutral_operands(loop_text *loop, writer *out) {
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
-    store_operand(loop, out, number, arena_format(loop->arena, "(%s)", value));
+    const scalar_update *update = &loop->facts->scalars[number];
+    const char sign = update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op);
+    const char *operand = arena_format(loop->arena, "(%s)", value);
+    if (update->is_repeated)
+        operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number, sign,
+                               operand);
+    store_operand(loop, out, number, operand);
 }
 
 int scalar_update_at(const loop_facts *facts, const ir_node *statement) {

@@ -211,6 +211,8 @@ const char *write_trip_count(loop_text *loop, writer *out) {
 
     conditions entry = {0};
     require(&entry, "redcc__trip > 0");
+    if (loop->facts->has_short_iterations)
+        require(&entry, "redcc_is_worth_entering(redcc__trip)");
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
     if (entry.text.length > before || has_affine_extents(loop) || counter_outlives(loop->facts))

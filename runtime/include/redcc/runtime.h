@@ -4,6 +4,7 @@
  *
  * The life of one execution of a transformed loop:
  *
+ *     redcc_is_worth_entering       where iterations are short: are they enough?
  *     redcc_enter      one thread   may it run in parallel at all? how many threads?
  *     redcc_join       each thread  of the parallel region
  *     redcc_inspect    each thread  hands out blocks of iterations whose addresses are to be told
@@ -247,6 +248,11 @@ typedef struct redcc_worker {
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
+/** From so many iterations on a loop of short iterations (without loops or calls inside) is worth
+ *  redcc_enter, by which alone a few of them would take twice as long. Set by the first redcc_enter;
+ *  until then, and where a method is named, sums are compensated or results are validated, 0. */
+extern redcc_int redcc_least_trip;
+
 /** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads().
  */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);
@@ -276,6 +282,12 @@ int redcc_leave(redcc_call *call);
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif
+
+/** Is a loop of `trip` short iterations worth redcc_enter? Otherwise the original loop runs, and
+ *  nothing is reported. Thread-safe. */
+static __inline__ int redcc_is_worth_entering(redcc_int trip) {
+    return trip >= __atomic_load_n(&redcc_least_trip, __ATOMIC_RELAXED);
+}
 
 /** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
 static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,

@@ -46,7 +46,7 @@ void regular(int n, double *h) {
 }
 
 void inner_only(int n, const int *start, const int *col, double *restrict y) {
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse array-stored
         y[0] = i;
         for (int p = start[i]; p < start[i + 1]; p++) // EXPECT: transform y(+)
             y[col[p]] += 1.0;
