@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The bound is declared in the loop's header.
+// Several declarators in one declaration: the bound in the loop's header, subscripts from each other.
 // covers: row 8
 // CFLAGS: -Wno-unused-variable
 #include "case.h"
@@ -31,6 +31,13 @@ static void unused(int n) {
         h[s[t]] += w[t];
 }
 
+static void chained(int n, const int *from, const int *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = from[t], j = to[i], k = to[j] + 0 * i, *p = &to[k], l = *p;
+        h[l] += w[t];
+    }
+}
+
 int main(void) {
     const struct list l = {N, s};
     case_values(w, N);
@@ -40,6 +47,7 @@ int main(void) {
         several(-3);
         members(&l);
         unused(N);
+        chained(N, s, s);
         CASE_PRINT(h);
     }
     return 0;

@@ -99,6 +99,8 @@ affine_form variation_affine(variable_facts *facts, const ir_node *loop, const i
 
 /* ---- irregular ------------------------------------------------------------------------------ */
 
+enum { DEEPEST = 8 }; /* definitions that are followed */
+
 typedef struct regularity {
     variable_facts *facts;
     const ir_node *loop;
@@ -133,15 +135,58 @@ static bool is_counter(const regularity *r, const ir_variable *variable) {
     return true;
 }
 
+static bool is_irregular_place(regularity *r, const ir_node *lvalue);
+
+/* What a write in the head of a for sets a counter to; NULL: it steps it. */
+static const ir_node *first_value(const ir_node *write) {
+    if (write->kind == IR_DECLARATOR)
+        return write->child_count ? write->children[0] : NULL;
+    return write->kind == IR_ASSIGN && write->op == IR_OP_NONE ? write->children[1] : NULL;
+}
+
+/* Does the value come from an element that is itself found through a table: start[row[t]]? Not so
+ * start[t], where the t-th of segments begins that lie one behind the other. */
+static bool is_looked_up(regularity *r, const ir_node *value) {
+    if ((value->kind == IR_INDEX || value->kind == IR_MEMBER || value->kind == IR_UNARY) &&
+        is_irregular_place(r, value))
+        return true;
+    if (value->kind == IR_VARIABLE) {
+        const ir_node *definition = variable_single_definition(r->facts, value->variable);
+        if (!definition || r->depth >= DEEPEST || !ir_contains(r->loop, definition))
+            return false;
+        r->depth++;
+        const bool result = is_looked_up(r, definition);
+        r->depth--;
+        return result;
+    }
+    for (unsigned i = 0; i < value->child_count; i++)
+        if (is_looked_up(r, value->children[i]))
+            return true;
+    return false;
+}
+
+/* for (k = start[row[t]]; ...): a counter, but of elements that are found through a table. */
+static bool begins_irregularly(regularity *r, const ir_variable *counter) {
+    const variable_fact *fact = variable_fact_of(r->facts, counter);
+    bool result = false;
+    r->depth++;
+    for (unsigned i = 0; i < fact->writes.count && r->depth <= DEEPEST && !result; i++) {
+        const ir_node *value = first_value(fact->writes.items[i]);
+        result = value && ir_contains(r->loop, value) && is_looked_up(r, value);
+    }
+    r->depth--;
+    return result;
+}
+
 static bool is_irregular_value(regularity *r, const ir_node *node) {
     if (!is_varying(r, node))
         return false;
     switch (node->kind) {
     case IR_VARIABLE: {
         if (is_counter(r, node->variable))
-            return false;
+            return begins_irregularly(r, node->variable);
         const ir_node *value = variable_single_definition(r->facts, node->variable);
-        if (!value || r->depth > 8 || !ir_contains(r->loop, value))
+        if (!value || r->depth >= DEEPEST || !ir_contains(r->loop, value))
             return true;
         r->depth++;
         bool result = is_irregular_value(r, value);
@@ -163,7 +208,7 @@ static bool is_irregular_value(regularity *r, const ir_node *node) {
         if (node->op == IR_OP_MINUS || node->op == IR_OP_PLUS)
             return is_irregular_value(r, node->children[0]);
         if (node->op == IR_OP_ADDRESS)
-            return variation_is_irregular(r->facts, r->loop, node->children[0]);
+            return is_irregular_place(r, node->children[0]);
         if (node->op >= IR_OP_PRE_INCREMENT)
             return is_irregular_value(r, node->children[0]);
         return true;
@@ -176,8 +221,7 @@ static bool is_varying(regularity *r, const ir_node *node) {
     return !variation_is_invariant(r->facts, r->loop, node);
 }
 
-bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
-    regularity r = {facts, loop, 0};
+static bool is_irregular_place(regularity *r, const ir_node *lvalue) {
     const ir_node *node = lvalue;
     bool has_subscript = false;
     unsigned hops = 0;
@@ -185,7 +229,7 @@ bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir
         switch (node->kind) {
         case IR_INDEX:
             has_subscript = true;
-            if (is_irregular_value(&r, node->children[1]))
+            if (is_irregular_value(r, node->children[1]))
                 return true;
             node = node->children[0];
             break;
@@ -199,9 +243,9 @@ bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir
             node = node->children[0];
             break;
         case IR_BINARY: /* *(p + k) */
-            if (is_irregular_value(&r, node->children[1]) ||
+            if (is_irregular_value(r, node->children[1]) ||
                 (node->children[1]->type && node->children[1]->type->kind == IR_POINTER &&
-                 is_irregular_value(&r, node->children[0])))
+                 is_irregular_value(r, node->children[0])))
                 return true;
             node = node->children[node->children[1]->type &&
                                           node->children[1]->type->kind == IR_POINTER
@@ -210,15 +254,15 @@ bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir
             has_subscript = true;
             break;
         case IR_VARIABLE: {
-            if (!is_varying(&r, node))
+            if (!is_varying(r, node))
                 return false;
-            const ir_node *value = variable_single_definition(facts, node->variable);
-            if (value && ir_contains(loop, value) && node->variable->type->kind == IR_POINTER) {
+            const ir_node *value = variable_single_definition(r->facts, node->variable);
+            if (value && ir_contains(r->loop, value) && node->variable->type->kind == IR_POINTER) {
                 node = value;
                 break;
             }
             return has_subscript && node->variable->type->kind == IR_POINTER &&
-                   !is_counter(&r, node->variable);
+                   !is_counter(r, node->variable);
         }
         case IR_CALL:
             return true;
@@ -227,4 +271,9 @@ bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir
         }
     }
     return false;
+}
+
+bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue) {
+    regularity r = {facts, loop, 0};
+    return is_irregular_place(&r, lvalue);
 }

@@ -99,12 +99,19 @@ static void tell_read(inspector *self, const loop_source *read, int number) {
     remember(self, item);
 }
 
-/** Is this the statement before which the source's address is to be told? */
+static bool is_declared_in_block(const ir_node *node) {
+    return node->kind == IR_DECLARATOR && node->parent->kind == IR_DECLARATION &&
+           node->parent->parent && node->parent->parent->kind == IR_BLOCK;
+}
+
+/** Is this the statement before which the source's address is to be told, or the declarator? Those
+ *  before it in its declaration may be needed for the address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
-    return read->place == statement ||
-           syntax_enclosing_statement(read->place, facts->counted.body) == statement;
+    if (read->place == statement || is_declared_in_block(read->place))
+        return read->place == statement;
+    return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
 }
 
 static bool before_statement(printer *p, const ir_node *statement) {

@@ -86,17 +86,21 @@ static void print_children(printer *p, const ir_node *block) {
             print_statement(p, child);
             continue;
         }
-        const size_t length = p->out->out.length;
+        size_t length = p->out->out.length;
         if (p->before && p->before(p, child))
             continue;
-        if (!declares_kept(p, child))
-            continue;
-        if (length != after_declarations || p->out->out.length != length) {
-            open_block(p, "{");
-            opened++;
+        for (unsigned k = 0; k < child->child_count; k++) {
+            if (p->before)
+                p->before(p, child->children[k]);
+            if (!is_kept(p, child->children[k]))
+                continue;
+            if (length != after_declarations || p->out->out.length != length) {
+                open_block(p, "{");
+                opened++;
+            }
+            print_declarator(p, child->children[k]);
+            length = after_declarations = p->out->out.length;
         }
-        print_declaration(p, child);
-        after_declarations = p->out->out.length;
     }
     while (opened-- > 0)
         close_block(p, "}");

@@ -13,7 +13,8 @@ struct printer {
                            the parts below it are printed as if always executed, once */
     ir_c_rename rename; /* as ir_c_expression takes it */
     void *context;
-    /** Called before each statement, kept or not; true: nothing more is to be printed for it. */
+    /** Called before each statement, kept or not; true: nothing more is to be printed for it. Also
+     * before each declarator of a block's declarations, where what it gives does not count. */
     bool (*before)(printer *p, const ir_node *statement);
     const char *problem; /* the first thing that cannot be printed, or NULL */
     bool continues;      /* a `continue` of the loop around the whole was printed */

@@ -249,8 +249,9 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
                 const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
 /** From so many iterations on a loop of short iterations (without loops or calls inside) is worth
- *  redcc_enter, by which alone a few of them would take twice as long. Set by the first redcc_enter;
- *  until then, and where a method is named, sums are compensated or results are validated, 0. */
+ *  redcc_enter, by which alone a few of them would take twice as long. Set by the first
+ * redcc_enter; until then, and where a method is named, sums are compensated or results are
+ * validated, 0. */
 extern redcc_int redcc_least_trip;
 
 /** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads().
