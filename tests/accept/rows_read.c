@@ -35,6 +35,11 @@ static void of_members(int n, double **to) {
     }
 }
 
+static void restricted(int n, double *restrict *restrict to, double *restrict const *from) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        to[member[i]][0] += from[i][4];
+}
+
 static void by_way_of_local(int n, double **to, double **from) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         double *row = to[member[i]];
@@ -49,6 +54,7 @@ static void all_loops(void) {
     into_array(POINTS, feature);
     of_members(POINTS, centre);
     by_way_of_local(POINTS, centre, feature);
+    restricted(POINTS, (double *restrict *)centre, (double *restrict const *)feature);
 }
 
 static void twice(const char *name) {

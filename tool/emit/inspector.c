@@ -67,19 +67,20 @@ static void tell_row(inspector *self, const ir_node *row, bool is_update, unsign
                      const ir_node *base) {
     const char *what = is_update ? "touch" : "read";
     const char *text = row_text(self, row);
+    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
     writer *out = self->printer.out;
     if (!self->probes)
-        writer_line(out, "redcc_%s(&redcc__worker, %u, &%s, sizeof(%s));", what, number, text,
-                    text);
+        writer_line(out, "redcc_%s(&redcc__worker, %u, %s&%s, sizeof(%s));", what, number, plain,
+                    text, text);
     else if (base && is_numbered(row, base))
         writer_line(out,
-                    "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s, (redcc_int)%s, "
+                    "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s%s, (redcc_int)%s, "
                     "sizeof(%s));",
-                    what, number, row_text(self, row->children[0]),
+                    what, number, plain, row_text(self, row->children[0]),
                     row_text(self, row->children[1]), text);
     else
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, &%s, sizeof(%s));",
-                    what, number, text, text);
+        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s&%s, sizeof(%s));",
+                    what, number, plain, text, text);
 }
 
 static void tell_update(inspector *self, const reduction_update *update) {
