@@ -105,8 +105,10 @@ static void change(void) {
         often[draw(sizeof often / sizeof *often)]();
 }
 
+/* Every other range from quarter to quarter, so that some are the same. */
 static void watch(struct kept *kept) {
-    const size_t first = draw(PAGES), count = draw(PAGES - first) + 1;
+    const size_t grain = draw(2) ? 1 : PAGES / 4, first = draw(PAGES / grain) * grain;
+    const size_t count = (draw((PAGES - first) / grain) + 1) * grain;
     if (!kept->version || draw(2))
         kept->pages = (struct range){(uintptr_t)place + first * page,
                                      (uintptr_t)place + (first + count) * page};
@@ -139,11 +141,12 @@ static void what_is_untouched_is_what_it_was(void **unused) {
         watched += kept[number].version > 0;
         for (size_t changes = draw(3); changes > 0; changes--)
             change();
-        for (int i = 0; i < RANGES; i++)
-            untouched += check(&kept[i]);
+        untouched += check(&kept[draw(RANGES)]); /* not all: what is asked once is settled */
     }
+    for (int i = 0; i < RANGES; i++)
+        untouched += check(&kept[i]);
     assert_true(watched > STEPS / 20);
-    assert_true(untouched > STEPS / 20);
+    assert_true(untouched > STEPS / 50);
     for (int i = 0; i < RANGES; i++)
         free(kept[i].copy);
     munmap(place, PAGES * page);
