@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { N = 6000, ROWS = 90, WIDTH = 12 };
+enum { N = 2500, ROWS = 60, WIDTH = 10 };
 typedef double *row_pointer;
 struct table {
     int width;

@@ -3,7 +3,7 @@
 // covers: row 48
 #include "case.h"
 
-enum { POINTS = 4000, FEATURES = 5, CLUSTERS = 40 };
+enum { POINTS = 2000, FEATURES = 5, CLUSTERS = 40 };
 struct sample {
     double *value;
     double weight;
