@@ -45,7 +45,7 @@ static void count_input(unsigned number, const void *result, int ended_by, void 
 static int translate_inputs(const options *o) {
     inputs all = {.options = o};
     const workers how = {.count = o->inputs.count,
-                         .at_once = 1,
+                         .at_once = o->in_process ? 0 : 1,
                          .result_size = sizeof(file_outcome),
                          .work = translate_input,
                          .done = count_input,

@@ -35,6 +35,7 @@ const char options_help[] =
     "                       must be all of it) and compare what they print\n"
     "  --all                report loops without an irregular update too\n"
     "  --dump=ir            print what the translator understood of the source, for debugging\n"
+    "  --in-process         do without the process that guards against a parser that crashes\n"
     "  --help, --version\n"
     "\n"
     "To compile the result:\n"
@@ -55,6 +56,7 @@ typedef enum option_name {
     OPTION_COMPILER,
     OPTION_DUMP,
     OPTION_HELP,
+    OPTION_IN_PROCESS,
     OPTION_ORDER,
     OPTION_PREDEFINED,
     OPTION_PURE,
@@ -76,6 +78,7 @@ static const struct long_option {
     {"--compiler=", OPTION_COMPILER},
     {"--dump=", OPTION_DUMP},
     {"--help", OPTION_HELP},
+    {"--in-process", OPTION_IN_PROCESS},
     {"--order=", OPTION_ORDER},
     {"--predefined=", OPTION_PREDEFINED},
     {"--pure=", OPTION_PURE},
@@ -222,6 +225,9 @@ static const char *set_option(arena *a, options *o, option_name name, const char
         return read_dump(a, o, value);
     case OPTION_HELP:
         o->help = true;
+        return NULL;
+    case OPTION_IN_PROCESS:
+        o->in_process = true;
         return NULL;
     case OPTION_ORDER:
         return read_order(a, o, value);

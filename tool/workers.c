@@ -111,7 +111,22 @@ static void show_ended(pool *all) {
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
+/* The pages that loading a large library has written need not be copied then. */
+static bool work_in_process(const workers *w) {
+    for (unsigned i = 0; i < w->count; i++) {
+        void *result = calloc(1, w->result_size);
+        if (!result)
+            return false;
+        w->work(i, result, w->context);
+        w->done(i, result, 0, w->context);
+        free(result);
+    }
+    return true;
+}
+
 bool workers_run(const workers *w) {
+    if (w->at_once == 0)
+        return work_in_process(w);
     const size_t bytes = w->count * w->result_size + 1;
     pool all = {.w = w, .pieces = calloc(w->count + 1, sizeof(piece))};
     void *shared = mmap(NULL, bytes, PROT_READ | PROT_WRITE,

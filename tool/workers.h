@@ -8,7 +8,7 @@
 
 typedef struct workers {
     unsigned count;     /* pieces of work, numbered from 0 */
-    unsigned at_once;   /* processes */
+    unsigned at_once;   /* processes; 0: the caller's own, which is to end as the work does */
     size_t result_size; /* bytes of a result: no pointers in it */
     bool keeps_output;  /* show what a piece prints only after the pieces before it, each at once */
     /** In a process of its own: does the piece and fills in *result, which is zeroed before. */

@@ -28,8 +28,8 @@ for status in 2 3 126 127 134; do
   expect_equal "$case_name" 1 "$(wc -l <messages)"
 done
 printf '#!/bin/bash\nkill -SEGV $$\n' >"$work/root/bin/redcc"
-expect_untranslated
-expect_match messages 'redcc failed'
+expect_untranslated # some sources make the parser crash: that is worth a line for who asks by -v
+expect_empty messages
 printf 'no program' >"$work/root/bin/redcc"
 expect_untranslated
 expect_match messages 'redcc failed'

@@ -45,6 +45,7 @@ static int run_translator(session *s, const translation *t, const char *messages
     words_add(a, &words, "-o");
     words_add(a, &words, t->text);
     words_add_all(a, &words, &s->options);
+    words_add(a, &words, "--in-process"); /* this process stands behind it */
     words_add(a, &words,
               t->predefined ? arena_format(a, "--predefined=%s", t->predefined)
                             : "--compiler=known"); /* translate_for_compiler looks */
@@ -72,8 +73,9 @@ static outcome try_translator(session *s, const translation *t) {
         return OUTCOME_FAILED;
     if (s->show)
         return OUTCOME_CHANGED;
-    if (status == 1) {
-        /* most often the source has an error, which the compiler is about to show */
+    if (status == 1 || status < 0) {
+        /* most often the source has an error, which the compiler is about to show; or the parser
+         * came to its end with it */
         session_explain(s, "%s: compiled as it is: redcc: %s", t->source->text,
                         first_line(s, messages));
         return OUTCOME_FAILED;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "frontend/frontend.h"
 
+#include <malloc.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -296,12 +297,22 @@ static void run(void *data) {
     clang_disposeIndex(index);
 }
 
+/* A thread's own heap would grow by a system call for each 128 KB. */
+static void use_one_heap(void) {
+#ifdef __GLIBC__
+    enum { GROWTH = 16 << 20 };
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_TOP_PAD, GROWTH);
+#endif
+}
+
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags) {
     task t = {.arena = a, .source = src, .flag_count = flag_count, .flags = flags};
     /* libclang would parse on a thread of its own with 8 MB of stack, which some hundred nested
      * parentheses use up, and that ends the process. */
     setenv("LIBCLANG_NOTHREADS", "1", 0);
+    use_one_heap();
     clang_executeOnThread(run, &t, STACK_SIZE);
     return t.result;
 }
