@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Several declarators in one declaration: the bound in the loop's header, subscripts from each other.
+// Several declarators in one declaration: a bound in the header, subscripts from each other.
 // covers: row 8
 // CFLAGS: -Wno-unused-variable
 #include "case.h"
