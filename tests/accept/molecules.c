@@ -13,7 +13,7 @@ typedef struct vector3 {
 
 static vector3 at[ATOMS], force[ATOMS];
 static int list[PAIRS][2], element[ELEMENTS][4];
-static double load[NODES], diagonal[NODES], position[NODES][2];
+static double load[NODES], diagonal[NODES], position[NODES][2], near[ATOMS][1];
 
 static vector3 difference(vector3 a, vector3 b) {
     vector3 d = {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -37,6 +37,25 @@ static void forces(int pairs) {
     }
 }
 
+struct places {
+    int of[2][1];
+};
+
+/* Whether a pair is near is found out from an array with an initialiser, in the inspector as well.
+ */
+static void densities(int pairs, double (*density)[1]) {
+    for (int p = 0; p < pairs; p++) { // EXPECT: transformed
+        const int i = list[p][0], j = list[p][1];
+        const double d[3] = {at[i].x - at[j].x, at[i].y - at[j].y, at[i].z - at[j].z};
+        const struct places pair = {{{i}, {j}}};
+        const double q = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        if (q >= 1.5)
+            continue;
+        density[pair.of[0][0]][0] += 1.5 - q;
+        density[pair.of[1][0]][0] += 1.5 - q;
+    }
+}
+
 static void stiffness(const double corner[4][2], double k[4][4], double f[4]) {
     for (int a = 0; a < 4; a++) {
         f[a] = 0.0;
@@ -54,7 +73,7 @@ static void assemble(int elements) {
             corner[a][0] = position[element[e][a]][0];
             corner[a][1] = position[element[e][a]][1];
         }
-        stiffness((const double (*)[2])corner, k, f);
+        stiffness((const double(*)[2])corner, k, f);
         for (int a = 0; a < 4; a++) {
             load[element[e][a]] += f[a];
             diagonal[element[e][a]] += k[a][a] + k[a][(a + 1) % 4];
@@ -71,9 +90,11 @@ int main(void) {
         case_near_subscripts(&element[0][0], 4 * ELEMENTS, NODES);
         forces(PAIRS);
         assemble(ELEMENTS);
+        densities(PAIRS, near);
         CASE_PRINT(force);
         CASE_PRINT(load);
         CASE_PRINT(diagonal);
+        CASE_PRINT(near);
     }
     return 0;
 }

@@ -216,7 +216,7 @@ static bool print_type(c_printer *p, const ir_type *type) {
     return true;
 }
 
-/* { values }, alone good only inside a compound literal. */
+/* { values }, of a compound literal or of a declaration. */
 static bool print_braces(c_printer *p, const ir_node *node) {
     if (node->flags & IR_DESIGNATED)
         return false;
@@ -289,7 +289,7 @@ static bool print_bare(c_printer *p, const ir_node *node) {
     case IR_CAST:
         return print_type(p, node->type) && print(p, node->children[0], LEVEL_UNARY);
     case IR_INITIALIZERS:
-        return (node->flags & IR_COMPOUND_LITERAL) && print_type(p, node->type) &&
+        return (!(node->flags & IR_COMPOUND_LITERAL) || print_type(p, node->type)) &&
                print_braces(p, node);
     default:
         return false;

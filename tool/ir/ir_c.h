@@ -10,7 +10,8 @@
  *  primary expression, or NULL for the node's own. */
 typedef const char *(*ir_c_rename)(const ir_node *node, void *context);
 
-/** Appends the expression as C, parenthesised where precedence needs it. Returns false, and
+/** Appends the expression, or the initialiser of a declaration in braces, as C, parenthesised where
+ *  precedence needs it. Returns false, and
  *  appends nothing, where it cannot be spelled (opaque nodes, types without a name). */
 bool ir_c_expression(buffer *out, const ir_node *expression, ir_c_rename rename, void *context);
 
