@@ -89,7 +89,7 @@ static void test_what_cannot_be_spelled(void **state) {
     static const char *const cases[] = {
         "(+ a (opaque \"a ?: b\" :int))",
         "(cast :unnamed(struct(s)) a)",
-        "(initializers :array(2,int) a b)",
+        "(initializers :array(2,int) !designated a b)",
         "(initializers :array(2,int) !literal !designated a b)",
         "(member #1 s)",
     };
