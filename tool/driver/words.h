@@ -18,8 +18,8 @@ void words_add_all(arena *a, word_list *list, const word_list *more);
 /** The list as execvp takes it: items, then NULL. */
 char **words_argv(arena *a, const word_list *list);
 
-/** Adds the words of `text`: parted by white space, quoted with ' or ", or by a backslash, much as a
- *  shell has it. */
+/** Adds the words of `text`: parted by white space, quoted with ' or ", or by a backslash, much as
+ * a shell has it. */
 void words_split(arena *a, const char *text, word_list *list);
 
 /** Adds `count` words, each @FILE replaced by what the file holds, as gcc does (in its
