@@ -4,16 +4,13 @@
 #include <string.h>
 
 #include "frontend/frontend.h"
+#include "frontend/predefined.h"
 #include "ir/ir_text.h"
 
-/* gcc, with -fopenmp, as its macros show it. Its headers then use types that clang has no names
- * for.
- */
+/* gcc, with -fopenmp, as its macros show it. */
 #define AS_GCC                                                                                     \
-    "-D_REENTRANT=1", "-fgnuc-version=" REDCC_GCC_VERSION, "-U__clang__", "-U__clang_major__",     \
-        "-U__clang_minor__", "-U__clang_patchlevel__", "-U__clang_version__", "-U__llvm__",        \
-        "-D__has_feature(x)=0", "-D__has_extension(x)=0", "-D_Float32=float", "-D_Float64=double", \
-        "-D_Float32x=double", "-D_Float64x=long double", "-D_Float128=__float128"
+    "-D_REENTRANT=1", "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG,                    \
+        FLAGS_WITHOUT_FEATURES, FLAGS_OF_GCC_TYPES
 
 /* What gcc would answer to these is not known here: the answer must not matter. */
 #define WITHOUT_ANSWERS "-D__has_builtin(x)=0", "-D__has_attribute(x)=0", "-D__has_c_attribute(x)=0"

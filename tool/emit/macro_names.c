@@ -112,10 +112,6 @@ static bool is_own(const ir_unit *unit, const char *name) {
     return false;
 }
 
-static bool starts_with(const char *text, const char *prefix) {
-    return strncmp(text, prefix, strlen(prefix)) == 0;
-}
-
 static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
@@ -136,9 +132,9 @@ const char *taken_name(const ir_unit *unit) {
     const bool is_searched = strstr(unit->source->text, "redcc_") != NULL;
     for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
         const char *word = words_of_header[i];
-        if ((starts_with(word, "redcc_") || starts_with(word, "REDCC_"))
+        if ((source_starts_with(word, "redcc_") || source_starts_with(word, "REDCC_"))
                 ? is_taken_from_runtime(unit, word, is_searched)
-                : starts_with(word, "omp_") && is_taken_from_openmp(unit, word))
+                : source_starts_with(word, "omp_") && is_taken_from_openmp(unit, word))
             return word;
     }
     return NULL;

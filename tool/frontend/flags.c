@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "frontend/predefined.h"
+#include "support/source.h"
 
 /* How a flag that is passed on looks; all others are left out. */
 typedef enum flag_form {
@@ -52,17 +53,13 @@ static const char *const dropped_with_argument[] = {
     "-aux-info", "-l", "-o",  "-u",  "-x",  "-z",
 };
 
-static bool starts_with(const char *text, const char *prefix) {
-    return strncmp(text, prefix, strlen(prefix)) == 0;
-}
-
 static bool has_form(const char *flag, unsigned row) {
     const char *name = passed_on[row].name;
     switch (passed_on[row].form) {
     case EXACT:
         return strcmp(flag, name) == 0;
     default:
-        return starts_with(flag, name);
+        return source_starts_with(flag, name);
     }
 }
 
@@ -153,7 +150,7 @@ void remove_machine_flags(parse_flags *flags) {
     unsigned kept = 0;
     for (unsigned i = 0; i < flags->items.count; i++) {
         const char *flag = flags->items.items[i];
-        if (!starts_with(flag, "-m") || sets_word_size(flag))
+        if (!source_starts_with(flag, "-m") || sets_word_size(flag))
             flags->items.items[kept++] = flag;
     }
     flags->items.count = kept;
@@ -161,7 +158,7 @@ void remove_machine_flags(parse_flags *flags) {
 
 /* The runtime's own structures and numbers would be others than the library's. */
 static bool changes_layout(const char *flag) {
-    return starts_with(flag, "-fpack-struct") || strcmp(flag, "-mlong-double-128") == 0;
+    return source_starts_with(flag, "-fpack-struct") || strcmp(flag, "-mlong-double-128") == 0;
 }
 
 /* The user's own flags come after the compiler's macros, which they may change. */
@@ -169,10 +166,10 @@ static void choose_predefined(arena *a, parse_flags *chosen, unsigned count,
                               const char *const *flags) {
     static const char name[] = "--predefined=";
     for (unsigned i = 0; i < count; i++)
-        if (starts_with(flags[i], name))
+        if (source_starts_with(flags[i], name))
             add_predefined(a, chosen, flags[i] + sizeof name - 1);
     for (unsigned i = 0; i < count; i++)
-        if (starts_with(flags[i], "-D") || starts_with(flags[i], "-U"))
+        if (source_starts_with(flags[i], "-D") || source_starts_with(flags[i], "-U"))
             forget_predefined(chosen, flags[i][2] || i + 1 == count ? flags[i] : flags[i + 1]);
 }
 
@@ -186,7 +183,7 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
     choose_predefined(a, &chosen, count, flags);
     for (unsigned i = 0; i < count; i++) {
         const char *flag = flags[i];
-        if (starts_with(flag, "-fopenmp") && strcmp(flag, "-fopenmp-simd") != 0)
+        if (source_starts_with(flag, "-fopenmp") && strcmp(flag, "-fopenmp-simd") != 0)
             has_openmp = true;
         else if (strcmp(flag, "-fno-openmp") == 0)
             has_openmp = false;

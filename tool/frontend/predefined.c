@@ -5,18 +5,11 @@
 
 #include "support/source.h"
 
-/* By which clang is known; gcc has none of them. What else only clang defines stays, for clang's
- * own headers: a program that names it is not judged (compiler_words.c). */
-static const char *const names_of_clang[] = {
-    "__clang__",         "__clang_major__", "__clang_minor__", "__clang_patchlevel__",
-    "__clang_version__", "__llvm__",
-};
-
-/* gcc's headers use types for which clang has no names. */
-static const char *const types_of_gcc[] = {
-    "-D_Float32=float",        "-D_Float64=double",      "-D_Float32x=double",
-    "-D_Float64x=long double", "-D_Float128=__float128",
-};
+/* What else only clang defines stays, for clang's own headers: a program that names it is not
+ * judged (compiler_words.c). */
+static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
+static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
+static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};
 
 /* Operators of #if; clang's headers call them without asking whether they are there. */
 static const char *const questions[] = {
@@ -83,8 +76,8 @@ void add_predefined(arena *a, parse_flags *flags, const char *path) {
         flags->unseen = path;
         return;
     }
-    for (size_t i = 0; i < sizeof names_of_clang / sizeof *names_of_clang; i++)
-        add(a, flags, arena_format(a, "-U%s", names_of_clang[i]));
+    for (size_t i = 0; i < sizeof without_clang / sizeof *without_clang; i++)
+        add(a, flags, without_clang[i]);
     bool is_clang = false;
     for (const char *line = file->text; *line;) {
         const char *end = strchr(line, '\n');
@@ -95,10 +88,8 @@ void add_predefined(arena *a, parse_flags *flags, const char *path) {
     }
     for (size_t i = 0; !is_clang && i < sizeof types_of_gcc / sizeof *types_of_gcc; i++)
         add(a, flags, types_of_gcc[i]);
-    if (!is_clang) { /* gcc 12 knows neither */
-        VECTOR_PUSH(a, &flags->items, "-D__has_feature(x)=0");
-        VECTOR_PUSH(a, &flags->items, "-D__has_extension(x)=0");
-    }
+    for (size_t i = 0; !is_clang && i < sizeof without_features / sizeof *without_features; i++)
+        VECTOR_PUSH(a, &flags->items, without_features[i]);
 }
 
 void forget_predefined(parse_flags *flags, const char *definition) {

@@ -111,3 +111,7 @@ uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
 bool source_is_name_byte(char c) {
     return isalnum((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
 }
+
+bool source_starts_with(const char *text, const char *prefix) {
+    return strncmp(text, prefix, strlen(prefix)) == 0;
+}

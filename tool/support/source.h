@@ -32,5 +32,6 @@ uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
 /** May the byte stand in a name: letters, digits, `_`, and what compilers take as well, `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
+bool source_starts_with(const char *text, const char *prefix);
 
 #endif
