@@ -80,6 +80,9 @@ bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const ch
  *  `&h[i] - q`? A function that gets it is judged by what it reaches. */
 bool judgement_has_address_as_value(const ir_node *node, const ir_node *base);
 
+/** Is this statement one of the updates found? */
+bool judgement_is_update(const judgement *j, const ir_node *statement);
+
 /** A name for messages: the text of the lvalue's base, or its root variable. */
 const char *judgement_name(const judgement *j, const ir_node *lvalue);
 

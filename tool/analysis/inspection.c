@@ -48,16 +48,10 @@ static bool is_of_iteration(const judgement *j, const location *where) {
     return declarator && ir_contains(j->loop, declarator);
 }
 
-static bool is_update(const judgement *j, const ir_node *statement) {
-    for (unsigned i = 0; i < j->updates.count; i++)
-        if (j->updates.items[i].statement == statement)
-            return true;
-    return false;
-}
-
 /* Is the base handed to a function that may compute something from it: other than to update? */
 static bool is_handed_over(const judgement *j, const ir_node *node, const ir_node *base) {
-    if (node->kind == IR_CALL && !is_update(j, node->parent) && expression_occurrences(node, base))
+    if (node->kind == IR_CALL && !judgement_is_update(j, node->parent) &&
+        expression_occurrences(node, base))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (is_handed_over(j, node->children[i], base))

@@ -77,11 +77,12 @@ static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node
     return false;
 }
 
-static bool is_inside_loop(const ir_node *loop) {
-    for (const ir_node *outer = loop->parent; outer; outer = outer->parent)
-        if (ir_is_loop(outer))
-            return true;
-    return false;
+/* NULL: it stands in none. */
+static const ir_node *loop_around(const ir_node *loop) {
+    const ir_node *outer = loop->parent;
+    while (outer && !ir_is_loop(outer))
+        outer = outer->parent;
+    return outer;
 }
 
 static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
@@ -98,7 +99,7 @@ static bool has_irregular_loop_inside(const analyser *an, const ir_node *node) {
 /* Loops of a few iterations around or inside others are not worth a parallel region, and loops that
  * only repeat what is inside have nothing to share out. */
 static bool is_candidate(const analyser *an, const ir_node *loop) {
-    if (candidate_is_tiny(loop) && is_inside_loop(loop))
+    if (candidate_is_tiny(loop) && loop_around(loop))
         return false;
     if (!has_irregular_loop_inside(an, loop))
         return true;
@@ -111,13 +112,6 @@ static bool has_listed_inside(const loop_search *s, unsigned from, const ir_node
             ir_contains(loop, s->verdicts.items[i].loop))
             return true;
     return false;
-}
-
-static const ir_node *loop_around(const ir_node *loop) {
-    const ir_node *outer = loop->parent;
-    while (outer && !ir_is_loop(outer))
-        outer = outer->parent;
-    return outer;
 }
 
 /* Was a loop directly inside accepted in its place? It has far fewer iterations to share out at a
@@ -174,8 +168,9 @@ static void search(loop_search *s, ir_node *node) {
         add_not_a_reduction(s, node);
         return;
     }
-    /* Refused: this loop is named where it is the innermost around one of its updates (a tiny loop
-     * leaves that to the loop around it), or where nothing but a loop in it was accepted. */
+    /* Refused: this loop is named where it is the innermost around one of its updates, where no
+     * loop inside is (a tiny one leaves that to this one), or where one inside was accepted
+     * instead. */
     if (verdict.loop && (has_irregular(s->an, node, node, true) ||
                          !has_listed_inside(s, from, node) || gives_way(s, from, &verdict)))
         VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);

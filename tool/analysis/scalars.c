@@ -130,15 +130,17 @@ static bool is_own_access(const judged_access *a, const ir_variable *s) {
     return a->class == CLASS_SELF && a->access.lvalue && is_variable(a->access.lvalue, s);
 }
 
-static ir_operator inverted(ir_operator op) {
-    return op == IR_OP_SUBTRACT ? IR_OP_ADD : op;
+/* Additions and subtractions commute with each other; else an operator does with itself alone. */
+static bool commute(ir_operator a, ir_operator b) {
+    const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
+    return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
 }
 
 /* What an iteration puts together must commute with all else that is done to the scalar. */
 static bool judge_repeated(judgement *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
-        if (other->variable == repeated->variable && inverted(other->op) != inverted(repeated->op))
+        if (other->variable == repeated->variable && !commute(other->op, repeated->op))
             return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
                                     other->variable->name);
     }

@@ -249,19 +249,12 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_expression(s, node->children[i]);
 }
 
-static bool is_update_statement(const slicer *s, const ir_node *statement) {
-    for (unsigned i = 0; i < s->j->updates.count; i++)
-        if (s->j->updates.items[i].statement == statement)
-            return true;
-    return false;
-}
-
 /* A simple statement, a declarator, a jump; or control, where the write stands in its header. */
 static void keep_statement(slicer *s, const ir_node *statement) {
     if (!statement || s->obstacle)
         return;
     bool is_new = !s->keep[statement->id];
-    if (is_update_statement(s, statement)) {
+    if (judgement_is_update(s->j, statement)) {
         fail(s, statement);
         return;
     }

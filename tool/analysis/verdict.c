@@ -20,6 +20,13 @@ bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const ch
     return false;
 }
 
+bool judgement_is_update(const judgement *j, const ir_node *statement) {
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (j->updates.items[i].statement == statement)
+            return true;
+    return false;
+}
+
 const char *judgement_name(const judgement *j, const ir_node *lvalue) {
     if (!lvalue)
         return "?";

@@ -88,11 +88,10 @@ void write_neutral_operands(loop_text *loop, writer *out) {
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const scalar_update *update = &loop->facts->scalars[number];
-    const char sign = update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op);
     const char *operand = arena_format(loop->arena, "(%s)", value);
-    if (update->is_repeated)
-        operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number, sign,
-                               operand);
+    if (update->is_repeated) /* what is subtracted is added up */
+        operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number,
+                               update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op), operand);
     store_operand(loop, out, number, operand);
 }
 
