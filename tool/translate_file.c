@@ -183,7 +183,9 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                               const foreign_functions *foreign) {
     const analysis_result judged =
         of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
-    const emit_options how = {o->order, o->order_is_given, other_runtime_header(a, flags)};
+    const bool is_written = count_verdicts(&judged).transformed > 0;
+    const emit_options how = {o->order, o->order_is_given,
+                              is_written ? other_runtime_header(a, flags) : NULL};
     const emit_result written = emit_file(a, unit, &judged, &how);
     const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);
     if (wrong)
