@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* The example of docs/generated-code.md, its dots filled in, in a program: springs N THREADS CALLS
- * prints a checksum of the bits of the result, which must be the serial loop's; with one argument
- * more, the trip count from which on loops of short iterations are worth entering. */
+/* The example of docs/generated-code.md in a program, its iterations told, not probed: springs N
+ * THREADS CALLS prints a checksum of the bits of the result, which must be the serial loop's; with
+ * one argument more, the trip count from which on loops of short iterations are worth entering. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
