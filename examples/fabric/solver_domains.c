@@ -23,6 +23,11 @@
 #include "sparse_product.h"
 #include "vector.h"
 
+/* A block of `across` as its column sees it. */
+typedef struct reached {
+    int row, block;
+} reached;
+
 struct domain_solver {
     const block_matrix *A;
     int count;               /* domains */
@@ -31,14 +36,15 @@ struct domain_solver {
     int *place;              /* [A's blocks] where in the matrix that it belongs to */
     block_matrix within;     /* of U, within domains */
     block_matrix across;     /* of U, from even domains' vertices to odd ones' */
+    int *reached_start;      /* [rows + 1] where in `reached` a column of `across` begins */
+    reached *reached;        /* [across' blocks] column by column, each from its first row on */
     block_matrix between;    /* E, and D^ - 2 I as its diagonal */
     double (*root)[3][3];    /* [rows] C^-1, lower triangles */
     double (*direction)[3];  /* p */
     double (*residual)[3];   /* of the transformed system */
     double (*correction)[3]; /* its solution */
     double (*swept)[3];      /* t */
-    double (*image)[3];      /* w, then the image of p */
-    double (*carried)[3];    /* what odd domains get from even ones in a sweep; else 0 */
+    double (*image)[3];      /* w, then (I + U)^-T w */
     double *sum_direction, *sum_residual; /* [count] partial sums of p . image and r . r */
 };
 
@@ -94,10 +100,26 @@ static int lay_out(domain_solver *d, block_matrix *m) {
     return 0;
 }
 
+/* The columns of `across`, for sweeps of odd domains. 0, or -1. */
+static int lay_out_columns(domain_solver *d) {
+    const block_matrix *m = &d->across;
+    d->reached_start = calloc((size_t)m->row_count + 2, sizeof *d->reached_start);
+    d->reached = calloc((size_t)m->block_count + 1, sizeof *d->reached);
+    if (!d->reached_start || !d->reached)
+        return -1;
+    for (int k = 0; k < m->block_count; k++)
+        d->reached_start[m->column[k] + 2]++;
+    for (int j = 2; j < m->row_count + 2; j++)
+        d->reached_start[j] += d->reached_start[j - 1];
+    for (int i = 0; i < m->row_count; i++)
+        for (int k = m->row_start[i]; k < m->row_start[i + 1]; k++)
+            d->reached[d->reached_start[m->column[k] + 1]++] = (reached){i, k};
+    return 0;
+}
+
 static int allocate(domain_solver *d) {
     const size_t rows = (size_t)d->A->row_count + 1;
-    double(**vectors[])[3] = {&d->direction, &d->residual, &d->correction,
-                              &d->swept,     &d->image,    &d->carried};
+    double(**vectors[])[3] = {&d->direction, &d->residual, &d->correction, &d->swept, &d->image};
     d->start = calloc((size_t)d->count + 1, sizeof *d->start);
     d->domain = calloc(rows, sizeof *d->domain);
     d->place = calloc((size_t)d->A->block_count + 1, sizeof *d->place);
@@ -128,7 +150,7 @@ domain_solver *domain_solver_new(const block_matrix *A) {
     if (allocate(d) == 0) {
         divide(d);
         if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
-            lay_out(d, &d->between) == 0)
+            lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0)
             return d;
     }
     domain_solver_free(d);
@@ -144,13 +166,14 @@ void domain_solver_free(domain_solver *d) {
     block_matrix_free(&d->within);
     block_matrix_free(&d->across);
     block_matrix_free(&d->between);
+    free(d->reached_start);
+    free(d->reached);
     free(d->root);
     free(d->direction);
     free(d->residual);
     free(d->correction);
     free(d->swept);
     free(d->image);
-    free(d->carried);
     free(d->sum_direction);
     free(d->sum_residual);
     free(d);
@@ -230,13 +253,26 @@ static void sweep_up(const domain_solver *d, int domain, const double (*from)[3]
     }
 }
 
-/* r = (I + U)^-T (r + carried) in one domain, in place: even ones, carry, then odd ones. */
+/* r -= the column of `across` times r, of even domains swept before. */
+static void subtract_column(const domain_solver *d, int column, double (*r)[3]) {
+    double t0 = 0, t1 = 0, t2 = 0;
+    for (int k = d->reached_start[column]; k < d->reached_start[column + 1]; k++) {
+        const double *w = r[d->reached[k].row];
+        const double(*u)[3] = (const double(*)[3])d->across.value[d->reached[k].block];
+        t0 -= u[0][0] * w[0] + u[1][0] * w[1] + u[2][0] * w[2];
+        t1 -= u[0][1] * w[0] + u[1][1] * w[1] + u[2][1] * w[2];
+        t2 -= u[0][2] * w[0] + u[1][2] * w[1] + u[2][2] * w[2];
+    }
+    r[column][0] += t0;
+    r[column][1] += t1;
+    r[column][2] += t2;
+}
+
+/* r = (I + U)^-T r in one domain, in place; all even domains before an odd one. */
 static void sweep_down(const domain_solver *d, int domain, double (*r)[3]) {
     const block_matrix *U = &d->within;
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
-        for (int a = 0; a < 3; a++)
-            r[i][a] += d->carried[i][a];
-        d->carried[i][0] = d->carried[i][1] = d->carried[i][2] = 0;
+        subtract_column(d, i, r); /* of an even domain: empty */
         for (int k = U->row_start[i]; k < U->row_start[i + 1]; k++) {
             /* Read here, not once a row: a row by itself is too short to be a loop for threads. */
             const double w0 = r[i][0], w1 = r[i][1], w2 = r[i][2];
@@ -267,16 +303,10 @@ static void sweep_even_down(domain_solver *d, double (*r)[3]) {
         sweep_down(d, domain, r);
 }
 
-/* What the even domains, swept down, give to the odd ones. */
-static void carry(domain_solver *d, const double (*r)[3]) {
-    subtract_transposed_product(&d->across, r, d->carried);
-}
-
 /* residual = the transformed r; returns its square, r' M^-1 r. */
 static double transform(domain_solver *d, const double (*r)[3]) {
     scale_residual(d, r);
     sweep_even_down(d, d->residual);
-    carry(d, (const double(*)[3])d->residual);
 #pragma omp parallel for schedule(static)
     for (int domain = 0; domain < d->count; domain++) {
         double sum = 0;
@@ -340,14 +370,21 @@ static void begin(domain_solver *d) {
     }
 }
 
-/* image = t + (I + U)^-T w, after carry; returns p . image of one domain. */
+/* The image of p at vertex i: t + (I + U)^-T w. Not kept: while odd domains are swept down, even
+ * ones' w is read. */
+static inline void image_at(const domain_solver *d, int i, double image[3]) {
+    vector_add_scaled(d->image[i], 1, d->swept[i], image);
+}
+
+/* Sweeps the rest down; returns p . image of one domain. */
 static double finish_image(domain_solver *d, int domain) {
     double sum = 0;
     if (domain % 2)
         sweep_down(d, domain, d->image);
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
-        vector_add_scaled(d->image[i], 1, d->swept[i], d->image[i]);
-        sum += vector_dot(d->direction[i], d->image[i]);
+        double image[3];
+        image_at(d, i, image);
+        sum += vector_dot(d->direction[i], image);
     }
     return sum;
 }
@@ -356,8 +393,10 @@ static double finish_image(domain_solver *d, int domain) {
 static double advance(domain_solver *d, int domain, double alpha) {
     double sum = 0;
     for (int i = d->start[domain]; i < d->start[domain + 1]; i++) {
+        double image[3];
+        image_at(d, i, image);
         vector_add_scaled(d->correction[i], alpha, d->direction[i], d->correction[i]);
-        vector_add_scaled(d->residual[i], -alpha, d->image[i], d->residual[i]);
+        vector_add_scaled(d->residual[i], -alpha, image, d->residual[i]);
         sum += vector_dot(d->residual[i], d->residual[i]);
     }
     return sum;
@@ -412,7 +451,6 @@ static solver_status iterate(domain_solver *d, double square, double goal, long 
             half_product(&d->between, (const double(*)[3])d->swept, d->image);
             sweep_even_down(d, d->image);
         }
-        carry(d, (const double(*)[3])d->image);
         ++*iterations;
         const double curvature = finish_iteration(d, &square);
         if (!isfinite(curvature))

@@ -2,7 +2,7 @@
 /*
  * The symmetric product from half of the matrix. A block a at (i, j) works twice: y_i += a x_j and
  * y_j += a' x_i. The matrix is read once instead of twice, which is what the product's time is made
- * of; the price is the second, irregular update. A product with a transpose has that update alone.
+ * of; the price is the second, irregular update.
  */
 #include "sparse_product.h"
 
@@ -33,22 +33,5 @@ void half_product(const block_matrix *restrict A, const double (*restrict x)[3],
         y[i][0] += y0;
         y[i][1] += y1;
         y[i][2] += y2;
-    }
-}
-
-void subtract_transposed_product(const block_matrix *restrict U, const double (*restrict x)[3],
-                                 double (*restrict y)[3]) {
-    int i, j, k;
-    double x0, x1, x2;
-    for (i = 0; i < U->row_count; i++) {
-        x0 = x[i][0];
-        x1 = x[i][1];
-        x2 = x[i][2];
-        for (k = U->row_start[i]; k < U->row_start[i + 1]; k++) {
-            j = U->column[k];
-            y[j][0] -= U->value[k][0][0] * x0 + U->value[k][1][0] * x1 + U->value[k][2][0] * x2;
-            y[j][1] -= U->value[k][0][1] * x0 + U->value[k][1][1] * x1 + U->value[k][2][1] * x2;
-            y[j][2] -= U->value[k][0][2] * x0 + U->value[k][1][2] * x1 + U->value[k][2][2] * x2;
-        }
     }
 }

@@ -8,9 +8,6 @@
 /** y += A x, A symmetric and given by its half. x, y [A->row_count], apart from each other. */
 void half_product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 
-/** y -= U' x, of whatever blocks U has. x, y [U->row_count], apart from each other. */
-void subtract_transposed_product(const block_matrix *U, const double (*x)[3], double (*y)[3]);
-
 /** y = F x, every block of F stored. x, y [F->row_count], apart from each other. */
 void full_product(const block_matrix *F, const double (*x)[3], double (*y)[3]);
 
