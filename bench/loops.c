@@ -7,8 +7,9 @@
  *
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds, each of one
- * execution by each course in turn, and one with an inspection. Prints lines
+ * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds, each of two
+ * executions by each course in turn, of which the second counts: none is to start in the caches, and
+ * with the sleeping threads, that another left; and 9 with an inspection. Prints lines
  *
  *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *   inspection_of_serial,extra_percent,replication,modelled
@@ -401,6 +402,11 @@ static double seconds(redcc_word key, enum course_of_bench course) {
     return omp_get_wtime() - begin;
 }
 
+static double second_seconds(enum course_of_bench course) {
+    run_loop(1, course);
+    return seconds(1, course);
+}
+
 static int by_size(const void *p, const void *q) {
     const double d = *(const double *)p - *(const double *)q;
     return d < 0 ? -1 : d > 0;
@@ -444,13 +450,11 @@ int main(int count, char **arguments) {
     do
         seconds(1, REDCC);
     while (omp_get_wtime() - begin < warm);
-    for (int course = 0; course < end && warm > 0; course++)
-        seconds(1, (enum course_of_bench)course);
     const struct loop_state *state = described->state;
     const struct statistics kept = state->reported.statistics;
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         for (int course = 0; course < end; course++)
-            taken[course][round] = seconds(1, (enum course_of_bench)course);
+            taken[course][round] = second_seconds((enum course_of_bench)course);
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
     const double alone = spread_of(taken[SERIAL]).median;

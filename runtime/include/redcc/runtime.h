@@ -261,8 +261,9 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
 /** The next block to inspect: 1 with first, last, stride set, or 0: go on to redcc_next. */
 int redcc_inspect(redcc_worker *worker);
 
-/** Takes in what was told so far; called by redcc_touch and redcc_iteration_done. */
-void redcc_flush(redcc_worker *worker);
+/** Takes in what was told so far; called by redcc_touch and redcc_iteration_done. Cold, or gcc
+ * keeps the body's constants in memory: no floating-point register lives across a call. */
+void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
 /** The next chunk to execute, as set in *worker; 0: there is none left (or none at all). Every
  *  thread of the region must call it until it returns 0. */
@@ -272,8 +273,9 @@ int redcc_next(redcc_worker *worker);
 int redcc_claims_last(redcc_worker *worker);
 
 /** Called by redcc_owns: may this thread write at `address`? If so the runtime takes part in the
- *  one update of that element, or of that one and others in its unit, which follows. */
-int redcc_hooked(struct redcc_hook *hook, const void *address);
+ *  one update of that element, or of that one and others in its unit, which follows. Cold
+ *  as redcc_flush is. */
+int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
 /** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
  *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
