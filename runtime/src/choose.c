@@ -17,6 +17,9 @@ static const double much = 0.5;          /* of the sequential loop's time */
 static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
                     new_byte_copied = 0.6e-9;
 
+/* The first parallel execution is not counted: threads start, a plan is made, pages are touched. */
+enum { PARALLEL_TRIES = 3 };
+
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
     return &chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)];
 }
@@ -33,13 +36,18 @@ static void rest(struct trial *trial, enum reason reason, long first, long facto
     trial->retry_at = trial->calls + trial->rest;
 }
 
+/* Its retry, of so many parallel executions, is to cost no more than a hundredth of the rest
+ * before: who lost by little, or because the machine was busy, may soon win. */
+static long rest_after_loss(const struct trial *trial) {
+    const double excess = trial->parallel_best / trial->serial_best - 1;
+    const double calls = 100 * PARALLEL_TRIES * excess;
+    return calls < 16 ? 16 : calls > 256 ? 256 : (long)calls;
+}
+
 static void try_again(struct trial *trial) {
     trial->decided = COURSE_UNDECIDED;
     trial->serial_tries = trial->parallel_tries = trial->slow = 0;
 }
-
-/* The first parallel execution is not counted: threads start, a plan is made, pages are touched. */
-enum { PARALLEL_TRIES = 3 };
 
 static int serial_tries_needed(redcc_int trip) {
     return trip < SMALL_TRIP ? 2 : 1;
@@ -59,10 +67,12 @@ static bool graph_turn(struct trial *trial, double budget) {
 }
 
 static struct choice choose_plainly(struct trial *trial, redcc_int trip, double budget) {
+    long rested = 0;
     if (trial->decided == COURSE_SERIAL) {
         const bool affordable = trial->sweep_seconds > 0 && budget >= trial->sweep_seconds;
         if (trial->calls < trial->retry_at && !affordable)
             return (struct choice){.course = COURSE_SERIAL, .reason = trial->reason};
+        rested = trial->calls - (trial->retry_at - trial->rest);
         try_again(trial);
     }
     if (trial->decided == COURSE_PARALLEL)
@@ -77,7 +87,7 @@ static struct choice choose_plainly(struct trial *trial, redcc_int trip, double 
         trial->rule = trip < SMALL_TRIP ? RULE_SMALL : RULE_FASTER;
         return (struct choice){.course = COURSE_SOLO};
     }
-    return (struct choice){.course = COURSE_PARALLEL};
+    return (struct choice){.course = COURSE_PARALLEL, .rested = rested};
 }
 
 struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
@@ -128,7 +138,7 @@ static void learn_parallel(struct trial *trial, redcc_int trip, double each) {
     if (trial->parallel_best < trial->serial_best)
         trial->decided = COURSE_PARALLEL;
     else
-        rest(trial, REASON_SERIAL_FASTER, 256, 4, 1 << 20);
+        rest(trial, REASON_SERIAL_FASTER, rest_after_loss(trial), 4, 1 << 20);
 }
 
 static double best_without_graph(const struct trial *trial) {

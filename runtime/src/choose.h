@@ -61,6 +61,7 @@ struct choice {
     enum course course;
     bool by_graph;       /* PARALLEL: by a plan with owners cut from the access graph ... */
     bool first_by_graph; /* ... which is to be made now */
+    long rested;         /* PARALLEL: how many calls were SERIAL before it was tried again */
     enum reason reason;  /* for SERIAL */
     enum rule rule;
 };

@@ -199,11 +199,13 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->parameter = settings->parameter;
     execution->order = order_of(loop, settings);
     execution->course = COURSE_PARALLEL;
+    execution->rested = 0;
     execution->by_graph = false;
     if (!execution->method) {
         const struct choice choice =
             redcc_choose_course(&state->chooser, execution->request.trip, threads, redcc_budget());
         execution->course = choice.course;
+        execution->rested = choice.rested;
         execution->by_graph = choice.by_graph;
         if (choice.first_by_graph) /* what there was before need not stay beside it */
             redcc_drop_plans(state);

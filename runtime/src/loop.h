@@ -79,6 +79,7 @@ struct execution {
     int parameter;
     redcc_order order;
     enum course course;
+    long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
     bool insists;                       /* one thread executes by the plan as well */
     int asked;                          /* threads */

@@ -52,8 +52,9 @@
     X(RULE_SLOWER, "a parallel course is slower than the sequential loop was, 16 times in turn",   \
       "both are timed again")                                                                      \
     X(RULE_RESTING, "the original loop was chosen",                                                \
-      "tried again after 256 calls (16 after too much replication, or while an inspection is "     \
-      "put off; 2 after a failed guard), then at growing distances")
+      "tried again after 16 to 256 calls, the sooner the less slow the parallel course was (16 "   \
+      "after too much replication, or while an inspection is put off; 2 after a failed guard), "   \
+      "then at growing distances")
 
 enum rule {
     RULE_NONE, /* REDCC_METHOD names a method */

@@ -89,7 +89,8 @@ bool redcc_vouched_unchanged(const struct execution *execution, uint32_t source)
 
 void redcc_note_unchanged(struct execution *execution, uint32_t source) {
     struct vouch *vouch = &execution->candidate->source[source].vouch;
-    vouch->calm += vouch->calm < UINT32_MAX;
+    const uint64_t calm = vouch->calm + 1 + (uint64_t)execution->rested;
+    vouch->calm = calm < UINT32_MAX ? (uint32_t)calm : UINT32_MAX;
     if (!vouch->begun)
         return;
     vouch->reading = reading_of(execution, source);

@@ -18,7 +18,8 @@ struct vouch {
     struct fingerprint ends; /* of what lies beside them */
     uint64_t begun;          /* this execution's: a version, if comparing finds no change; or 0 */
     bool stands;             /* this execution's: the whole pages are untouched */
-    uint32_t calm;           /* how often, one after the other, it was read and had not changed */
+    uint32_t calm;           /* how often, one after the other, it was read and had not changed;
+                                calls that were the sequential loop's in between count as well */
     uint32_t spared;         /* how often it was not read since it has been watched */
 };
 

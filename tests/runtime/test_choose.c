@@ -60,6 +60,34 @@ static void the_faster_course_is_kept(void **unused) {
     assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 3e-3) <= 16 + 3 * 3);
 }
 
+/* How many calls are left to the sequential loop between the first trial and the second? */
+static int first_rest(double serial, double parallel) {
+    static struct chooser chooser;
+    chooser = (struct chooser){0};
+    int tried = 0;
+    while (tried < 3)
+        tried += simulate(&chooser, 100000, 1, serial, parallel);
+    int calls = 0;
+    while (simulate(&chooser, 100000, 1, serial, parallel) == 0)
+        calls++;
+    return calls;
+}
+
+/* Who lost by little tries again soon, and no retry costs more than 0.01 of what was before. */
+static void the_rest_is_as_long_as_the_loss(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    assert_int_equal(first_rest(1e-3, 1.01e-3), 15);
+    assert_in_range(first_rest(1e-3, 1.2e-3), 57, 61);
+    assert_int_equal(first_rest(1e-3, 3e-3), 255);
+    for (int loss = 1; loss < 60; loss++) {
+        chooser = (struct chooser){0};
+        simulate(&chooser, 100000, 4, 1e-3, 1e-3 * (1 + loss / 100.0));
+        const int tries = simulate(&chooser, 100000, 1000, 1e-3, 1e-3 * (1 + loss / 100.0));
+        assert_true(tries * loss / 100.0 <= 0.011 * 1000);
+    }
+}
+
 /* A shuffled loop: 0.75 of the iterations for each of two, 100000 touches. */
 static const struct findings shuffled = {
     .trip = 50000, .threads = 2, .share = 0.75, .touches = 1e5, .swept = true, .reusable = true};
@@ -234,6 +262,7 @@ static void few_short_iterations_are_one_threads(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_faster_course_is_kept),
+        cmocka_unit_test(the_rest_is_as_long_as_the_loss),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
         cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
         cmocka_unit_test(graphs_cut_in_vain_become_rare),

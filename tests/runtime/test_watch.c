@@ -375,6 +375,39 @@ static void subscripts_in_the_heap(void **unused) {
     fixture_end_at(&fixture);
 }
 
+/* The chooser's trial of the fixture's trip count is sent to rest, until the next call. */
+static void let_rest(struct fixture *fixture, long calls) {
+    struct loop_state *state = fixture->described.loop.state;
+    struct trial *trial = &state->chooser.trial[63 - __builtin_clzll(TRIP)];
+    assert_true(trial->calls > 0);
+    trial->decided = COURSE_SERIAL;
+    trial->rest = calls;
+    trial->retry_at = trial->calls + 1;
+}
+
+/* Subscripts that did not change while auto left the loop alone are watched at the first retry, in
+ * time for it to be timed so. */
+static void calls_at_rest_count(void **unused) {
+    (void)unused;
+    need_watching();
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    run_right(&fixture);
+    assert_int_equal(statistics_of(&fixture)->plans_built, 1);
+    let_rest(&fixture, 5);
+    for (int call = 0; call < 3; call++)
+        assert_false(run_right(&fixture));
+    let_rest(&fixture, 100);
+    assert_false(run_right(&fixture)); /* compared */
+    assert_false(run_right(&fixture)); /* protected, compared */
+    assert_true(run_right(&fixture));
+    assert_int_equal(sources_watched(&fixture), 2);
+    by_a_store(&fixture);
+    run_right(&fixture);
+    assert_int_equal(statistics_of(&fixture)->plans_built, 2);
+    fixture_end(&fixture);
+}
+
 /* Everything is as it was before there was watching. */
 static void switched_off(void **unused) {
     (void)unused;
@@ -388,6 +421,7 @@ static void switched_off(void **unused) {
 
 int main(void) {
     const struct CMUnitTest off[] = {cmocka_unit_test(switched_off)};
+    const struct CMUnitTest chosen[] = {cmocka_unit_test(calls_at_rest_count)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_changed),
         cmocka_unit_test(the_same_values_again),
@@ -408,5 +442,7 @@ int main(void) {
     const char *watch = getenv("REDCC_WATCH");
     if (watch && strcmp(watch, "off") == 0)
         return cmocka_run_group_tests(off, NULL, NULL);
+    if (!getenv("REDCC_METHOD"))
+        return cmocka_run_group_tests(chosen, NULL, NULL);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
