@@ -16,9 +16,10 @@
 enum {
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
     SAMPLED_MOST = 8192,
-    SAMPLED_TOUCHES = 32768,                   /* kept of them, by few owners; by many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,           /* so many each, */
-    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES /* up to this */
+    SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
+    ROWS_OF_A_TOUCH = 64
 };
 
 void redcc_refuse(struct execution *execution, enum reason reason) {
@@ -144,6 +145,16 @@ static int hand_out_sample(redcc_worker *worker) {
     return redcc_hand_out(worker, first, redcc_own_end(member), stride, member->owner);
 }
 
+/* A touch of several rows weighs as much as they do, up to some: cuts lie between rows. */
+static void sample_rows(struct member *member, const redcc_entry *entry) {
+    const uint32_t unit = member->execution->partition.arrays[entry->array].unit;
+    const uint32_t rows = entry->bytes / unit > 0 ? entry->bytes / unit : 1;
+    const uint32_t step = (rows + ROWS_OF_A_TOUCH - 1) / ROWS_OF_A_TOUCH;
+    for (uint32_t row = 0; row < rows; row += step)
+        redcc_sample_add(&member->sample, (uintptr_t)entry->address + (uintptr_t)row * unit,
+                         entry->array);
+}
+
 static void take_sample(struct member *member, const redcc_entry *end) {
     for (const redcc_entry *entry = member->entries; entry != end; entry++) {
         if (entry->array == REDCC_END_OF_ITERATION) {
@@ -155,7 +166,7 @@ static void take_sample(struct member *member, const redcc_entry *end) {
             continue;
         member->seen[entry->array] = redcc_range_union(member->seen[entry->array],
                                                        (struct range){first, first + entry->bytes});
-        redcc_sample_add(&member->sample, first, entry->array);
+        sample_rows(member, entry);
     }
 }
 

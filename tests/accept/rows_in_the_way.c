@@ -21,6 +21,13 @@ static void rows_among_rows(int n, double **rows, double **others) {
         rows[s[t]][1] += others[t][0] * 0.5;
 }
 
+/* Of a row that is read, only what lies between its first and its last element is updated. */
+static void within_a_row(int n, double *out, double **others) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int c = 0; c < WIDTH; c++)
+            out[s[t] % 2] += others[t][c] * 0.25;
+}
+
 /* Characters may be of anything: of the table itself as well. */
 static void table_in_a_row(int n, char **rows) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -53,6 +60,13 @@ int main(void) {
     rows_among_rows(N, to, from);
     CASE_PRINT(block);
     CASE_PRINT(e);
+    for (int t = 0; t < N; t++)
+        from[t] = block[2 * (t % ROWS)];
+    within_a_row(N, &block[11][3], from); /* apart */
+    within_a_row(N, &block[11][3], from);
+    from[N / 2] = block[11];
+    within_a_row(N, &block[11][3], from);
+    CASE_PRINT(block);
     /* The table stands among its rows, and row 3 is where the pointer to row 0 stands: each time
      * its first byte is counted up, row 0 is another. */
     char *const bytes = memset(aligned_alloc(4096, 4096), 0, 4096);

@@ -284,6 +284,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_spans && !k->scope.in_loop && chance(k, 25)) {
+        loop_along_a_row(k);
+        end_statement(k, begin);
+        return;
+    }
     int which = below(k, 105), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;

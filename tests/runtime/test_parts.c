@@ -386,6 +386,27 @@ static void sizes(void **unused) {
         assert_false(redcc_parse_bytes(wrong[i], &bytes));
 }
 
+/* An entry holds its bytes in 32 bits. */
+static void spans_of_any_length(void **unused) {
+    (void)unused;
+    static const redcc_size longest = REDCC_LONGEST_TOUCH;
+    const redcc_size lengths[] = {1,           longest - 1, longest,
+                                  longest + 1, 5 * longest, 5 * longest + 7};
+    const char *const first = (const char *)4096; /* an address, of nothing */
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        redcc_entry entry[8];
+        const redcc_owner nothing = {.first = NULL};
+        redcc_worker worker = {.window = &nothing, .entry = entry, .entry_end = entry + 8};
+        redcc_touch_span(&worker, 0, first, first + lengths[i]);
+        const char *at = first;
+        for (const redcc_entry *told = entry; told != worker.entry; told++) {
+            assert_ptr_equal(told->address, at);
+            at += told->bytes;
+        }
+        assert_ptr_equal(at, first + lengths[i]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nobody_passes_a_barrier_early),
@@ -398,6 +419,7 @@ int main(void) {
         cmocka_unit_test(a_plan_is_as_long_as_its_waits_make_it),
         cmocka_unit_test(packed_runs_are_the_runs),
         cmocka_unit_test(sizes),
+        cmocka_unit_test(spans_of_any_length),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,6 +67,7 @@ typedef struct judgement {
     VECTOR(loop_source) sources;
     VECTOR(const ir_node *) key;
     bool *in_slice; /* [function->node_count] */
+    VECTOR(loop_span) spans;
     bool slice_has_floating_work;
     bool is_verifiable;
     bool counter_is_live_after;
@@ -104,6 +105,9 @@ bool judge_sources(judgement *j);
 
 /** What computes rows and touched sources, and whether a plan may be kept. */
 bool judge_slice(judgement *j);
+
+/** spans.c: the slice's inner loops that are told at once. */
+void find_spans(judgement *j);
 
 /** All of these steps for one loop. */
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);

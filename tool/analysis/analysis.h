@@ -146,6 +146,14 @@ typedef struct forwarded_store {
     const ir_node *value;
 } forwarded_store;
 
+/** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
+ *  nothing but tell rows. Those that mention its counter are elements of arrays, one after the
+ *  other: what its first and its last iteration tell is all, and what lies between. */
+typedef struct loop_span {
+    const ir_node *loop;
+    counted_loop counted;
+} loop_span;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is judged */
     ir_function *function;
@@ -171,6 +179,8 @@ typedef struct loop_facts {
      * between. Control that only decides whether an update happens, and is too dear or not safe to
      * evaluate twice, is left out: the inspector may then touch more than is written. */
     const bool *in_slice;
+    unsigned span_count;
+    const loop_span *spans;
     bool slice_has_floating_work; /* it may run only where two copies of one floating-point
                                      expression give the same bits */
     bool has_inspector;           /* false: subscripts as dear as the body, or not sliceable */

@@ -196,6 +196,9 @@ static loop_facts *finish_facts(judgement *j) {
     facts->captured = j->captured.items;
     facts->captured_count = j->captured.count;
     facts->in_slice = j->in_slice;
+    find_spans(j);
+    facts->spans = j->spans.items;
+    facts->span_count = j->spans.count;
     facts->slice_has_floating_work = j->slice_has_floating_work;
     facts->has_inspector = true;
     facts->is_verifiable = j->is_verifiable;

@@ -26,6 +26,15 @@ typedef struct inspector {
     size_t recent_end;       /* length of the text when the last of them was */
 } inspector;
 
+static bool mentions(const ir_node *node, const ir_variable *variable) {
+    if (node->variable == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions(node->children[i], variable))
+            return true;
+    return false;
+}
+
 /* ---- telling addresses --------------------------------------------------------------------- */
 
 static bool was_just_told(inspector *self, told_row item) {
@@ -141,6 +150,98 @@ static bool before_statement(printer *p, const ir_node *statement) {
            (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
 }
 
+/* ---- loops told at once -------------------------------------------------------------------- */
+
+static const loop_span *span_of(const inspector *self, const ir_node *loop) {
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->span_count; i++)
+        if (facts->spans[i].loop == loop)
+            return &facts->spans[i];
+    return NULL;
+}
+
+static bool is_at_once(const printer *p, const ir_node *loop) {
+    return span_of((const inspector *)p, loop) != NULL;
+}
+
+/** What the body of a span tells, each row once. */
+typedef VECTOR(told_row) row_list;
+
+static void list_row(inspector *self, row_list *rows, told_row item) {
+    for (unsigned i = 0; i < rows->count; i++)
+        if (rows->items[i].source == item.source && rows->items[i].array == item.array &&
+            syntax_same(rows->items[i].row, item.row))
+            return;
+    VECTOR_PUSH(self->printer.arena, rows, item);
+}
+
+static row_list rows_of_span(inspector *self, const ir_node *body) {
+    const loop_facts *facts = self->loop->facts;
+    row_list rows = {0};
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *read = &facts->sources[i];
+        const int number = self->loop->source_number[i];
+        if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_TOLD || !read->place ||
+            !ir_contains(body, read->place))
+            continue;
+        list_row(self, &rows, (told_row){read->row, number, 0});
+        self->source_told[i] = true;
+    }
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const reduction_update *update = &facts->updates[i];
+        if (!ir_contains(body, update->statement))
+            continue;
+        list_row(self, &rows, (told_row){update->row, SOURCE_NOT_TOLD, update->array});
+        self->update_told[i] = true;
+    }
+    return rows;
+}
+
+/** Row number `row` of the list, from its first on, whose address was noted, to this one. */
+static void tell_up_to(inspector *self, const told_row *item, unsigned row) {
+    const bool is_update = item->source == SOURCE_NOT_TOLD;
+    const unsigned number = is_update ? item->array : (unsigned)item->source;
+    arena *a = self->printer.arena;
+    const char *end = arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
+    const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
+    writer *out = self->printer.out;
+    if (self->probes)
+        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
+                    is_update ? "touch" : "read", number, row, bytes);
+    else if (is_update)
+        writer_line(out, "redcc_touch_span(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
+                    end);
+    else
+        writer_line(out, "redcc_read(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
+                    bytes);
+}
+
+/** The counter has its first value; afterwards it has the one that the loop leaves it with. */
+static void tell_at_once(printer *p, const ir_node *loop) {
+    inspector *self = (inspector *)p;
+    const counted_loop *counted = &span_of(self, loop)->counted;
+    const char *counter = counted->counter->name;
+    const row_list rows = rows_of_span(self, counted->body);
+    for (unsigned i = 0; i < rows.count; i++)
+        if (mentions(rows.items[i].row, counted->counter))
+            writer_line(p->out, "const char *const redcc__begin_%u = (const char *)&%s;", i,
+                        row_text(self, rows.items[i].row));
+    for (unsigned i = 0; i < rows.count; i++) {
+        const told_row *item = &rows.items[i];
+        const bool is_update = item->source == SOURCE_NOT_TOLD;
+        if (!mentions(item->row, counted->counter))
+            tell_row(self, item->row, is_update, is_update ? item->array : (unsigned)item->source,
+                     NULL);
+    }
+    writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
+                row_text(self, counted->bound), counted->comparison == IR_OP_LESS ? " - 1" : "");
+    for (unsigned i = 0; i < rows.count; i++)
+        if (mentions(rows.items[i].row, counted->counter))
+            tell_up_to(self, &rows.items[i], i);
+    if (!counted->counter_is_declared_in_header)
+        writer_line(p->out, "%s++;", counter);
+}
+
 /** Nothing that the loop touches may stay untold. */
 static void check_all_told(inspector *self) {
     const loop_facts *facts = self->loop->facts;
@@ -157,15 +258,6 @@ static void check_all_told(inspector *self) {
 }
 
 /* ---- the variables of the slice ------------------------------------------------------------ */
-
-static bool mentions(const ir_node *node, const ir_variable *variable) {
-    if (node->variable == variable)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (mentions(node->children[i], variable))
-            return true;
-    return false;
-}
 
 /** Is the variable needed by what was printed, or by an address that was told? */
 static bool is_needed(const inspector *self, const ir_variable *variable) {
@@ -207,13 +299,17 @@ static void declare_variables(const inspector *self, writer *out) {
 
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
     const loop_facts *facts = loop->facts;
-    inspector self = {
-        .printer = {.arena = loop->arena, .keep = facts->in_slice, .before = before_statement},
-        .loop = loop,
-        .probes = probes,
-        .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
-        .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
-        .is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
+    inspector self = {.printer = {.arena = loop->arena,
+                                  .keep = facts->in_slice,
+                                  .before = before_statement,
+                                  .is_at_once = is_at_once,
+                                  .print_at_once = tell_at_once},
+                      .loop = loop,
+                      .probes = probes,
+                      .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
+                      .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
+                      .is_mentioned =
+                          ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
     self.printer.rename = note_variable;
     self.printer.context = &self;
     writer slice = {.depth = out->depth};

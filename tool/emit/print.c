@@ -167,10 +167,18 @@ static void print_for(printer *p, const ir_node *node) {
     }
     const char *first = declares ? "" : header_expression(p, start);
     const char *condition = header_expression(p, ir_child(node, 1));
-    writer_line(p->out, "for (%s; %s; %s) {", first, condition,
-                header_expression(p, ir_child(node, 2)));
-    print_part(p, ir_child(node, 3));
-    writer_line(p->out, "}");
+    if (p->is_at_once && p->is_at_once(p, node)) {
+        if (*first)
+            writer_line(p->out, "%s;", first);
+        open_block(p, arena_format(p->arena, "if (%s) {", condition));
+        p->print_at_once(p, node);
+        close_block(p, "}");
+    } else {
+        writer_line(p->out, "for (%s; %s; %s) {", first, condition,
+                    header_expression(p, ir_child(node, 2)));
+        print_part(p, ir_child(node, 3));
+        writer_line(p->out, "}");
+    }
     if (declares)
         close_block(p, "}");
 }

@@ -16,6 +16,10 @@ struct printer {
     /** Called before each statement, kept or not; true: nothing more is to be printed for it. Also
      * before each declarator of a block's declarations, where what it gives does not count. */
     bool (*before)(printer *p, const ir_node *statement);
+    /** May be NULL. True: this `for` is printed as an `if` of its condition, after its
+     * initialisation, with what `print_at_once` prints for its body. */
+    bool (*is_at_once)(const printer *p, const ir_node *loop);
+    void (*print_at_once)(printer *p, const ir_node *loop);
     const char *problem; /* the first thing that cannot be printed, or NULL */
     bool continues;      /* a `continue` of the loop around the whole was printed */
     unsigned unkept_since_break, unkept_since_continue; /* control left out between a jump and what

@@ -196,6 +196,8 @@ extern int omp_in_parallel(void);
 /** So many iterations in a row within the window, and the next ones are probed (redcc_is_settled).
  *  Where owners alternate, hardly any iteration is looked at twice. */
 #define REDCC_SETTLED 8
+/** Bytes that redcc_touch takes at most. */
+#define REDCC_LONGEST_TOUCH 0x40000000
 
 /** One thread's part in an execution; lives on that thread's stack. */
 typedef struct redcc_worker {
@@ -310,6 +312,14 @@ static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const 
     worker->entry = entry + 1;
     if (worker->entry == worker->entry_end)
         redcc_flush(worker);
+}
+
+/** Inspector: the same of all that lies from `first` to before `end`, however much. */
+static __inline__ void redcc_touch_span(redcc_worker *worker, redcc_u32 array, const char *first,
+                                        const char *end) {
+    for (; end - first > REDCC_LONGEST_TOUCH; first += REDCC_LONGEST_TOUCH)
+        redcc_touch(worker, array, first, REDCC_LONGEST_TOUCH);
+    redcc_touch(worker, array, first, (redcc_size)(end - first));
 }
 
 /** Inspector: this iteration may read `bytes` bytes at `address`, part of source number `source`.

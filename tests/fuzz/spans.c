@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Loops inside the loop that run along a row of elements, which the inspector is told at once; and
+ * some of which it only seems so. In programs whose seeds are divisible by 3; the others stay what
+ * they were when these were added. */
+#include "fuzz/kernel.h"
+
+typedef struct span {
+    const char *first, *length, *counter; /* elements first ... first + length, counter's value */
+    const char *index;                    /* of the element at the counter */
+    bool is_left;                         /* the counter has a value after the loop */
+} span;
+
+/* first + length is below the number of elements. */
+static void put_bounds(kernel *k, span *s) {
+    s->first = new_name(k, "first");
+    s->length = new_name(k, "length");
+    put(k, &k->body, "const int %s = (%s) & %d;\n", s->first, subscript(k), k->elements / 2 - 1);
+    put(k, &k->body, "const int %s = (%s) & %d;\n", s->length, subscript(k),
+        (k->elements / 2 - 1) & (chance(k, 80) ? 7 : 63));
+}
+
+/* From the row's own first element, or from 0. */
+static void put_header(kernel *k, span *s) {
+    static const char *const types[] = {"int", "long", "size_t", "unsigned", "short"};
+    static const char *const sums[] = {"%s + %s", "%s + (int)%s", "(%s - 1) + %s + 1"};
+    const bool is_outer = chance(k, 40);
+    const char *type = is_outer ? "int" : types[below(k, 5)];
+    s->counter = new_name(k, "c");
+    s->is_left = is_outer;
+    if (is_outer)
+        declare_outside(k, "int", s->counter, k->without ? "0" : NULL);
+    const char *declared = is_outer ? "" : text(k, "%s ", type);
+    if (chance(k, 40)) {
+        const char *less = chance(k, 20) ? text(k, " - (%s > 0)", s->first) : "";
+        put(k, &k->body, "for (%s%s = (%s)%s; %s < (%s)(%s + %s%s); %s++) ", declared, s->counter,
+            type, s->first, s->counter, type, s->first, s->length, less, s->counter);
+        s->index = s->counter;
+        return;
+    }
+    const int from = below(k, 3);
+    put(k, &k->body, "for (%s%s = %d; %s %s (%s)%s; %s) ", declared, s->counter, from, s->counter,
+        chance(k, 40) ? "<=" : "<", type, s->length,
+        text(k, chance(k, 90) ? "%s++" : "%s += 2", s->counter));
+    s->index = chance(k, 15) ? text(k, "%s + %s / 2", s->first, s->counter)
+                             : text(k, sums[below(k, 3)], s->first, s->counter);
+}
+
+static void put_updates(kernel *k, const span *s) {
+    for (int i = chance(k, 30); i >= 0; i--) {
+        const array *a = any_reduction(k);
+        if (chance(k, 12))
+            put(k, &k->body, "if (%s)\n", condition(k));
+        put(k, &k->body, "%s;\n", update(k, a, place(k, a, s->index)));
+    }
+    if (chance(k, 5))
+        put(k, &k->body, "if (%s)\nbreak;\n", condition(k));
+}
+
+void loop_along_a_row(kernel *k) {
+    const scope outside = k->scope;
+    span s;
+    put_bounds(k, &s);
+    put_header(k, &s);
+    k->scope.in_loop = true;
+    put(k, &k->body, "{\n");
+    put_updates(k, &s);
+    put(k, &k->body, "}\n");
+    k->scope = outside;
+    const array *a = any_reduction(k);
+    if (s.is_left && chance(k, 60))
+        put(k, &k->body, "%s;\n",
+            update(k, a, place(k, a, text(k, "(%s * 3) & %d", s.counter, k->elements - 1))));
+}
