@@ -90,6 +90,19 @@ static struct choice choose_plainly(struct trial *trial, redcc_int trip, double 
     return (struct choice){.course = COURSE_PARALLEL, .rested = rested};
 }
 
+bool redcc_choose_rests(struct chooser *chooser, redcc_int trip, int threads,
+                        struct choice *choice) {
+    struct trial *trial = trial_of(chooser, trip);
+    const bool asks_budget = trial->sweep_seconds > 0 || trial->graph_seconds > 0 ||
+                             trial->graph == GRAPH_TRIED || trial->graph == GRAPH_KEPT;
+    if (trial->threads != threads || trial->decided != COURSE_SERIAL || asks_budget ||
+        trial->calls + 1 >= trial->retry_at)
+        return false;
+    trial->calls++;
+    *choice = (struct choice){COURSE_SERIAL, .reason = trial->reason, .rule = trial->rule};
+    return true;
+}
+
 struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
                                   double budget) {
     struct trial *trial = trial_of(chooser, trip);

@@ -66,6 +66,12 @@ struct choice {
     enum rule rule;
 };
 
+/** Is nothing to be decided in this call, whatever the budget: is it one of those that are left to
+ *  the sequential loop? Then *choice is redcc_choose_course's, in a tenth of the time: loops of a
+ *  hundred iterations may be executed millions of times. */
+bool redcc_choose_rests(struct chooser *chooser, redcc_int trip, int threads,
+                        struct choice *choice);
+
 /** `budget` is redcc_budget(). */
 struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int threads,
                                   double budget);

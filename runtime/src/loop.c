@@ -190,6 +190,11 @@ static void note_rule(struct statistics *statistics, enum rule rule) {
     atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
 }
 
+static void note_serial(struct statistics *statistics) {
+    statistics->method = &redcc_method_serial;
+    statistics->threads = 1;
+}
+
 /* The loop is held: begins an execution. False: to be run serially, for *reason. */
 static bool begin_execution(struct execution *execution, const redcc_loop *loop,
                             const struct settings *settings, int threads, enum reason *reason) {
@@ -215,8 +220,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         execution->order = execution->method->keeps;
     statistics->order = execution->order;
     if (execution->course == COURSE_SERIAL) {
-        statistics->method = &redcc_method_serial;
-        statistics->threads = 1;
+        note_serial(statistics);
         return false;
     }
     *reason = REASON_NO_MEMORY;
@@ -258,6 +262,14 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     struct loop_state *held = hold(state, loop, insists(settings), &reason);
     if (!held)
         return serially(state, reason);
+    struct choice choice;
+    if (!insists(settings) && !settings->method &&
+        redcc_choose_rests(&held->chooser, trip, threads, &choice)) {
+        note_rule(&held->reported.statistics, choice.rule);
+        note_serial(&held->reported.statistics);
+        let_go(held);
+        return serially(state, choice.reason);
+    }
     struct execution *execution = &held->execution;
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);

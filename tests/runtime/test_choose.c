@@ -60,6 +60,44 @@ static void the_faster_course_is_kept(void **unused) {
     assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 3e-3) <= 16 + 3 * 3);
 }
 
+/* Two choosers that learn the same, of which one is asked first whether it rests: they agree in
+ * each call, and it does rest. */
+static void who_rests_decides_as_before(void **unused) {
+    (void)unused;
+    static struct chooser one, other;
+    uint64_t random = 88172645463325252u;
+    long rested = 0;
+    for (int call = 0; call < 200000; call++) {
+        random = random * 6364136223846793005u + 1442695040888963407u;
+        const redcc_int trip = 100 << (random >> 60) / 4 * 4;
+        const int threads = (random >> 40) % 5000 == 0 ? 3 : 2;
+        const double budget = (double)(random >> 50 & 15) * 1e-4;
+        const double seconds = 1e-8 * (double)trip * (double)(4 + (random >> 30 & 7));
+        struct choice choice = {.course = COURSE_UNDECIDED};
+        const bool rests = redcc_choose_rests(&one, trip, threads, &choice);
+        if (!rests)
+            choice = redcc_choose_course(&one, trip, threads, budget);
+        const struct choice expected = redcc_choose_course(&other, trip, threads, budget);
+        rested += rests;
+        assert_int_equal(choice.course, expected.course);
+        assert_int_equal(choice.by_graph, expected.by_graph);
+        assert_int_equal(choice.reason, expected.reason);
+        assert_int_equal(choice.rule, expected.rule);
+        if (choice.course == COURSE_SERIAL)
+            continue;
+        struct chooser *const both[] = {&one, &other};
+        for (int i = 0; i < 2; i++) {
+            if (choice.course == COURSE_PARALLEL && (random >> 20) % 50 == 0)
+                redcc_choose_refused(both[i], trip,
+                                     (random >> 10) % 2 ? REASON_COSTLY : REASON_OVERLAP);
+            else
+                redcc_choose_learn(both[i], trip, choice.course, choice.by_graph, seconds);
+        }
+    }
+    assert_true(rested > 50000);
+    assert_memory_equal(&one, &other, sizeof one);
+}
+
 /* How many calls are left to the sequential loop between the first trial and the second? */
 static int first_rest(double serial, double parallel) {
     static struct chooser chooser;
@@ -263,6 +301,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(the_rest_is_as_long_as_the_loss),
+        cmocka_unit_test(who_rests_decides_as_before),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
         cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
         cmocka_unit_test(graphs_cut_in_vain_become_rare),
