@@ -15,15 +15,17 @@ typedef struct told_row {
     unsigned array;
 } told_row;
 
+typedef VECTOR(told_row) row_list;
+
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;             /* addresses are compared, not told */
-    bool *update_told;       /* by update */
-    bool *source_told;       /* by the facts' source */
-    bool *is_mentioned;      /* by variable: in what was printed */
-    VECTOR(told_row) recent; /* told since the slice last did something else */
-    size_t recent_end;       /* length of the text when the last of them was */
+    bool probes;        /* addresses are compared, not told */
+    bool *update_told;  /* by update */
+    bool *source_told;  /* by the facts' source */
+    bool *is_mentioned; /* by variable: in what was printed */
+    row_list recent;    /* told since the slice last did something else */
+    size_t recent_end;  /* length of the text when the last of them was */
 } inspector;
 
 static bool mentions(const ir_node *node, const ir_variable *variable) {
@@ -37,16 +39,20 @@ static bool mentions(const ir_node *node, const ir_variable *variable) {
 
 /* ---- telling addresses --------------------------------------------------------------------- */
 
-static bool was_just_told(inspector *self, told_row item) {
-    if (self->printer.out->out.length != self->recent_end)
-        self->recent.count = 0;
-    for (unsigned i = 0; i < self->recent.count; i++) {
-        const told_row *other = &self->recent.items[i];
+static bool is_listed(const row_list *rows, told_row item) {
+    for (unsigned i = 0; i < rows->count; i++) {
+        const told_row *other = &rows->items[i];
         if (other->source == item.source && other->array == item.array &&
             syntax_same(other->row, item.row))
             return true;
     }
     return false;
+}
+
+static bool was_just_told(inspector *self, told_row item) {
+    if (self->printer.out->out.length != self->recent_end)
+        self->recent.count = 0;
+    return is_listed(&self->recent, item);
 }
 
 static void remember(inspector *self, told_row item) {
@@ -164,17 +170,12 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of((const inspector *)p, loop) != NULL;
 }
 
-/** What the body of a span tells, each row once. */
-typedef VECTOR(told_row) row_list;
-
 static void list_row(inspector *self, row_list *rows, told_row item) {
-    for (unsigned i = 0; i < rows->count; i++)
-        if (rows->items[i].source == item.source && rows->items[i].array == item.array &&
-            syntax_same(rows->items[i].row, item.row))
-            return;
-    VECTOR_PUSH(self->printer.arena, rows, item);
+    if (!is_listed(rows, item))
+        VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
+/** What the body of a span tells, each row once. */
 static row_list rows_of_span(inspector *self, const ir_node *body) {
     const loop_facts *facts = self->loop->facts;
     row_list rows = {0};
@@ -197,18 +198,26 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
     return rows;
 }
 
+static bool is_update(const told_row *item) {
+    return item->source == SOURCE_NOT_TOLD;
+}
+
+/** Of the array that is updated, or of the source. */
+static unsigned number_of(const told_row *item) {
+    return is_update(item) ? item->array : (unsigned)item->source;
+}
+
 /** Row number `row` of the list, from its first on, whose address was noted, to this one. */
 static void tell_up_to(inspector *self, const told_row *item, unsigned row) {
-    const bool is_update = item->source == SOURCE_NOT_TOLD;
-    const unsigned number = is_update ? item->array : (unsigned)item->source;
+    const unsigned number = number_of(item);
     arena *a = self->printer.arena;
     const char *end = arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
     if (self->probes)
         writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
-                    is_update ? "touch" : "read", number, row, bytes);
-    else if (is_update)
+                    is_update(item) ? "touch" : "read", number, row, bytes);
+    else if (is_update(item))
         writer_line(out, "redcc_touch_span(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
                     end);
     else
@@ -228,10 +237,8 @@ static void tell_at_once(printer *p, const ir_node *loop) {
                         row_text(self, rows.items[i].row));
     for (unsigned i = 0; i < rows.count; i++) {
         const told_row *item = &rows.items[i];
-        const bool is_update = item->source == SOURCE_NOT_TOLD;
         if (!mentions(item->row, counted->counter))
-            tell_row(self, item->row, is_update, is_update ? item->array : (unsigned)item->source,
-                     NULL);
+            tell_row(self, item->row, is_update(item), number_of(item), NULL);
     }
     writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
                 row_text(self, counted->bound), counted->comparison == IR_OP_LESS ? " - 1" : "");
