@@ -7,6 +7,7 @@ static const double least_seconds = 10e-6; /* a region and its barriers take 2 t
 static const double least_alone = 100e-6;  /* of one thread: half of it is saved by a second */
 static const double even_share = 1.1;      /* of an equal share of the iterations */
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
+static const double most_spared = 0.015;   /* of the iterations; spare parts save 2 to 20 % */
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
 static const double frequent = 0.25;     /* runs, of the iterations */
@@ -152,6 +153,11 @@ static void learn_parallel(struct trial *trial, redcc_int trip, double each) {
         trial->decided = COURSE_PARALLEL;
     else
         rest(trial, REASON_SERIAL_FASTER, rest_after_loss(trial), 4, 1 << 20);
+}
+
+/* Where a share is not even, there are better ways than more owners. */
+bool redcc_choose_spares(double spared, double share, int threads) {
+    return spared <= most_spared && share * threads <= even_share;
 }
 
 static double best_without_graph(const struct trial *trial) {

@@ -103,6 +103,10 @@ struct findings {
  * INDEX, COPIES, DEFERRED, SERIAL. */
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
 
+/** Are spare owners (partition.h) worth what they cost: `spared` of the iterations, about, where
+ *  without them one thread executes `share`? */
+bool redcc_choose_spares(double spared, double share, int threads);
+
 /** The row that decided last. */
 enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip);
 

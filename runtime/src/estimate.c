@@ -3,11 +3,21 @@
 
 #include "memory.h"
 
-/* Of each owner: iterations that it takes part in, and the last one of them, counted from 1. */
+/* Of each owner, and of it and the spare ones behind it (or before it, up to the share's first):
+ * iterations that it takes part in, and the last one of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
 };
+struct parts {
+    struct part *of_owner; /* [owners] */
+    struct part *of_share; /* [owners], of which every (1 + spares)th is used */
+};
+
+static void take_part(struct part *part, uint32_t iteration) {
+    part->iterations += part->last != iteration;
+    part->last = iteration;
+}
 
 /* The owners that an iteration touches, as far as it matters here. */
 struct span_of_owners {
@@ -17,7 +27,8 @@ struct span_of_owners {
 
 /* A thread's sample: who takes part, and how often one iteration differs from the one before. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
-                            uint32_t first, struct part *part) {
+                            uint32_t first, struct parts parts) {
+    const uint32_t each = 1 + partition->spares;
     const struct span_of_owners none = {UINT32_MAX, 0};
     struct span_of_owners before = none, now = none;
     uint32_t changes = 0;
@@ -34,28 +45,35 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
         }
         now.low = owner < now.low ? owner : now.low;
         now.high = owner > now.high ? owner : now.high;
-        part[owner].iterations += part[owner].last != iteration;
-        part[owner].last = iteration;
+        take_part(&parts.of_owner[owner], iteration);
+        take_part(&parts.of_share[owner - owner % each], iteration);
     }
     return changes;
 }
 
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate) {
-    struct part *part = redcc_memory_take_zeroed(partition->owners, sizeof *part);
+    const size_t owners = partition->owners;
+    struct part *part = redcc_memory_take_zeroed(2 * owners, sizeof *part);
     if (!part)
         return false;
-    uint32_t iterations = 1, most = 0, changes = 0;
+    const struct parts parts = {part, part + owners};
+    uint32_t iterations = 1, most = 0, changes = 0, spared = 0;
     double touches = 0;
     for (int thread = 0; thread < threads; thread++) {
-        changes += count_parts(partition, sample[thread], iterations, part);
+        changes += count_parts(partition, sample[thread], iterations, parts);
         iterations += sample[thread]->iterations + 1;
         touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
     }
-    for (uint32_t owner = 0; owner < partition->owners; owner++)
-        most = part[owner].iterations > most ? part[owner].iterations : most;
-    *estimate = (struct estimate){(double)most / iterations, touches / iterations,
-                                  (double)changes / iterations};
+    for (size_t owner = 0; owner < owners; owner++) {
+        const uint32_t share = parts.of_share[owner].iterations;
+        most = share > most ? share : most;
+        spared += parts.of_owner[owner].iterations - share;
+    }
+    *estimate = (struct estimate){.share = (double)most / iterations,
+                                  .spared = (double)spared / iterations,
+                                  .touches = touches / iterations,
+                                  .changes = (double)changes / iterations};
     redcc_memory_give(part);
     return true;
 }

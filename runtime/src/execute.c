@@ -46,7 +46,7 @@ static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const c
 
 static void place_owners(struct member *member) {
     const struct plan *plan = member->plan;
-    const uint32_t owner = plan->owners == 1 ? 0 : (uint32_t)member->thread;
+    const uint32_t owner = plan->owners == 1 ? 0 : member->schedule;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
         const uintptr_t base = (uintptr_t)member->execution->request.bases[group];
@@ -73,19 +73,24 @@ static void take_snapshot(struct member *member) {
     redcc_barrier_release(&execution->barrier);
 }
 
+static bool is_hooked(const struct plan *plan) {
+    return plan->lost || plan->method->locks;
+}
+
 static void install_hooks(struct member *member) {
+    struct execution *execution = member->execution;
+    redcc_hooks_install(&member->hooks, member->plan, execution->request.loop->arrays,
+                        execution->request.bases, member->owner);
+}
+
+static void begin_hooks(struct member *member) {
     struct execution *execution = member->execution;
     const struct plan *plan = member->plan;
     if (plan->lost) {
         redcc_lost_clear(plan, member->thread, execution->request.bases);
         redcc_barrier_wait(&execution->barrier, member->threads);
     }
-    redcc_hooks_install(&member->hooks, plan, execution->request.loop->arrays,
-                        execution->request.bases, member->owner);
-}
-
-static bool is_hooked(const struct plan *plan) {
-    return plan->lost || plan->method->locks;
+    install_hooks(member);
 }
 
 static void begin_running(redcc_worker *worker) {
@@ -105,12 +110,13 @@ static void begin_running(redcc_worker *worker) {
             member->base[array] = execution->request.bases[array];
         return;
     }
+    member->schedule = redcc_own_schedule(plan, member->thread);
     place_owners(member);
     place_bases(member, redcc_copy_of(plan, member->thread));
     if (redcc_settings()->validate && !execution->state->passing)
         take_snapshot(member);
     if (is_hooked(plan))
-        install_hooks(member);
+        begin_hooks(member);
     redcc_copies_fill(plan, member->thread);
     if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
         const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
@@ -206,7 +212,7 @@ static void pass_on(const struct plan *plan, const struct chunk *chunk) {
 /* Waits for what must be done before `chunk`, and turns to the copy that it writes to. */
 static void get_ready(struct member *member, const struct chunk *chunk) {
     const struct plan *plan = member->plan;
-    const uint32_t *wait = plan->schedule[member->thread].wait;
+    const uint32_t *wait = plan->schedule[member->schedule].wait;
     reach_stage(member, chunk->stage);
     for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
         redcc_flag_await(plan->flags, wait[w], plan->round, member->threads);
@@ -233,14 +239,33 @@ static bool hand_out_runs(redcc_worker *worker) {
     return count > 0;
 }
 
-/* On to the next chunk of the schedule. False: there is none left. */
+/* On to a spare schedule, whichever is the next. False: there is none left. */
+static bool turn_to_spare(redcc_worker *worker) {
+    struct member *member = worker->execution;
+    const struct plan *plan = member->plan;
+    if (!plan->method->spares)
+        return false;
+    const uint32_t next =
+        redcc_spare_schedule(plan, atomic_fetch_add_explicit(&member->execution->spares_claimed, 1,
+                                                             memory_order_relaxed));
+    if (next == UINT32_MAX)
+        return false;
+    member->schedule = next;
+    worker->position = 0;
+    place_owners(member);
+    if (is_hooked(plan))
+        install_hooks(member);
+    return true;
+}
+
+/* On to the next chunk. False: there is none left. */
 static bool turn_to_chunk(redcc_worker *worker) {
     struct member *member = worker->execution;
-    const struct schedule *schedule = &member->plan->schedule[member->thread];
+    const struct schedule *schedule = &member->plan->schedule[member->schedule];
     if (worker->position > 0)
         pass_on(member->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
-        return false;
+        return turn_to_spare(worker) && turn_to_chunk(worker);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
     get_ready(member, chunk);
     worker->origin = chunk->origin;

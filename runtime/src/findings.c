@@ -33,14 +33,17 @@ static double count_runs(const struct execution *execution) {
 }
 
 double redcc_largest_share(const struct execution *execution) {
-    redcc_int most = 0;
-    for (uint32_t owner = 0; owner < execution->partition.owners; owner++) {
+    const struct partition *partition = &execution->partition;
+    redcc_int most = 0, all = 0;
+    for (uint32_t owner = 0; owner < partition->owners; owner++) {
         redcc_int sum = 0;
         for (int thread = 0; thread < execution->threads; thread++)
             sum += execution->state->member[thread]->executed[owner];
         most = sum > most ? sum : most;
+        all += sum;
     }
-    return (double)most / (double)execution->request.trip;
+    const double even = partition->spares ? (double)all / execution->threads : 0;
+    return (even > (double)most ? even : (double)most) / (double)execution->request.trip;
 }
 
 bool redcc_copies_allowed(const struct execution *execution) {
@@ -85,7 +88,8 @@ const struct method *redcc_find_method(struct execution *execution) {
     switch (find_way_swept(execution)) {
     case RULE_EVEN:
     case RULE_INDEX:
-        return &redcc_method_localwrite;
+        return execution->partition.spares ? &redcc_method_spare_localwrite
+                                           : &redcc_method_localwrite;
     case RULE_GRAPH:
         return &redcc_method_graph_localwrite;
     case RULE_CHEAP_COPIES:

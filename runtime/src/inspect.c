@@ -14,6 +14,7 @@
 #include <string.h>
 
 enum {
+    LEAST_WITH_SPARES = 4096,   /* iterations */
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
@@ -39,23 +40,36 @@ static void recount(struct execution *execution) {
     execution->next = PHASE_BEGIN;
 }
 
+/* With how many spare owners for each thread? auto sees by the sample what they cost. */
+static uint32_t spares_to_cut_for(const struct execution *execution) {
+    const struct method *method = execution->method;
+    const bool spares = method ? method->spares
+                               : execution->course == COURSE_PARALLEL && !execution->by_graph &&
+                                     execution->request.trip >= LEAST_WITH_SPARES;
+    return spares ? REDCC_SPARES : 0;
+}
+
+static uint32_t owners_to_cut_for(const struct execution *execution) {
+    const struct method *method = execution->method;
+    if (method && method->owners)
+        return method->owners(execution->threads, execution->parameter);
+    return (uint32_t)execution->threads * (1 + spares_to_cut_for(execution));
+}
+
 static void begin_inspection(struct execution *execution) {
     redcc_drop_candidate(execution);
     execution->inspected = true;
     const size_t threads = (size_t)execution->threads;
-    const struct method *method = execution->method;
-    const uint32_t owners = method && method->owners
-                                ? method->owners(execution->threads, execution->parameter)
-                                : (uint32_t)execution->threads;
     execution->for_copies = execution->no_copies = execution->only_timed = false;
     execution->samples = redcc_memory_take(threads * sizeof *execution->samples);
     execution->summaries = redcc_memory_take(threads * sizeof *execution->summaries);
     execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
     execution->next = PHASE_SAMPLE;
     if (!redcc_partition_begin(&execution->partition, execution->request.loop,
-                               execution->request.bases, owners) ||
+                               execution->request.bases, owners_to_cut_for(execution)) ||
         !execution->samples || !execution->summaries || !execution->seen)
         redcc_refuse(execution, REASON_NO_MEMORY);
+    execution->partition.spares = spares_to_cut_for(execution);
 }
 
 redcc_int redcc_own_begin(const struct member *member) {
@@ -70,7 +84,9 @@ redcc_int redcc_own_end(const struct member *member) {
  * odd, or it might meet the same corner of each element again and again. Sorting more touches than
  * few owners need would cost more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct execution *execution) {
-    const redcc_int wanted = (redcc_int)execution->partition.owners * SAMPLED_FOR_AN_OWNER;
+    const struct partition *partition = &execution->partition;
+    const redcc_int shares = partition->owners / (1 + partition->spares);
+    const redcc_int wanted = shares * SAMPLED_FOR_AN_OWNER;
     return execution->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
 }
 
@@ -231,13 +247,13 @@ static void look_ahead(struct execution *execution, const struct estimate *estim
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
-    if (execution->for_copies || execution->only_timed)
-        execution->partition.owners = (uint32_t)execution->threads;
+    execution->partition.owners = owners_to_cut_for(execution);
+    execution->partition.spares = spares_to_cut_for(execution);
     execution->for_copies = execution->only_timed = false;
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
-    struct estimate estimate = {0, 0, 0};
+    struct estimate estimate = {0};
     if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads) ||
         (!execution->method && !redcc_estimate(&execution->partition, execution->samples,
                                                execution->threads, &estimate))) {
@@ -245,6 +261,9 @@ static void cut_and_sweep(struct execution *execution) {
         return;
     }
     execution->touches = estimate.touches;
+    if (!execution->method && execution->partition.spares > 0 &&
+        !redcc_choose_spares(estimate.spared, estimate.share, execution->threads))
+        redcc_partition_join_spares(&execution->partition);
     if (!execution->method && execution->course == COURSE_PARALLEL)
         look_ahead(execution, &estimate);
 }

@@ -17,6 +17,22 @@ static redcc_int iterations_of(const struct schedule *schedule, const struct chu
     return sum;
 }
 
+/* Who has executed least takes the next spare schedule. */
+static redcc_int length_with_spares(const struct plan *plan, struct place *place) {
+    redcc_int length = 0;
+    for (int thread = 0; thread < plan->threads; thread++)
+        place[thread].time = plan->schedule[redcc_own_schedule(plan, thread)].iterations;
+    for (uint32_t claimed = 0; claimed < plan->schedules - (uint32_t)plan->threads; claimed++) {
+        struct place *first = place;
+        for (int thread = 1; thread < plan->threads; thread++)
+            first = place[thread].time < first->time ? &place[thread] : first;
+        first->time += plan->schedule[redcc_spare_schedule(plan, claimed)].iterations;
+    }
+    for (int thread = 0; thread < plan->threads; thread++)
+        length = place[thread].time > length ? place[thread].time : length;
+    return length;
+}
+
 static redcc_int most_iterations(const struct plan *plan, int first, int end) {
     redcc_int most = 0;
     for (int thread = first; thread < end; thread++)
@@ -89,6 +105,8 @@ redcc_int redcc_plan_length(const struct plan *plan) {
         length = most_iterations(plan, 0, plan->threads);
     else if (plan->flags)
         length = length_by_flags(plan, place, up);
+    else if (plan->method->spares)
+        length = length_with_spares(plan, place);
     else
         for (int team = 0; team < plan->teams; team++) {
             const redcc_int own = length_of_team(plan, team, place);

@@ -234,6 +234,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->validation = (struct validation){0};
     execution->reason = REASON_NONE;
     atomic_store_explicit(&execution->last_claimed, 0, memory_order_relaxed);
+    atomic_store_explicit(&execution->spares_claimed, 0, memory_order_relaxed);
     return true;
 }
 

@@ -55,6 +55,7 @@ struct member {
     bool told_all;           /* the inspector told as many iterations as asked for */
     redcc_int next;          /* iterations handed out for inspection up to here */
     redcc_int handed;        /* in the block being inspected */
+    uint32_t schedule;       /* the plan's that it executes */
     uint32_t stage;          /* of execution */
     redcc_run solo_run;      /* COURSE_SOLO, and the comparison with the sequential loop */
     struct hooks hooks;
@@ -111,6 +112,7 @@ struct execution {
     const struct summary **summaries;
     const struct range **seen;
     atomic_int last_claimed;
+    atomic_uint spares_claimed;
     struct validation validation;
     double entered;
     double ready;    /* seconds at which the plan was there */

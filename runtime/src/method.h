@@ -50,6 +50,8 @@ struct method {
                        without it, by address), */
     bool in_levels; /* or the iterations are put in levels (graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
+    bool spares;    /* REDCC_SPARES spare owners go with each thread's own: whoever comes free first
+                       executes what is theirs. (`owners` is not asked) */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
@@ -62,13 +64,15 @@ struct method {
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; how many flags its tasks wait for each other by. */
     uint32_t (*flags)(uint32_t owners);
-    /** What `thread` executes, into plan->schedule[thread]. Called by all threads at once. False:
-     *  no memory. NULL: the method is the sequential loop itself. */
+    /** What `thread` executes, into plan->schedule[thread]; with spares the schedules are those of
+     *  owners, and it fills those of its own and the spare ones behind it. Called by all threads at
+     *  once. False: no memory. NULL: the method is the sequential loop itself. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
 extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;
+extern const struct method redcc_method_spare_localwrite;
 extern const struct method redcc_method_graph_localwrite;
 extern const struct method redcc_method_wavefront;
 extern const struct method redcc_method_expansion;

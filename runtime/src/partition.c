@@ -21,10 +21,23 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
 
 void redcc_partition_in_one(struct partition *partition) {
     partition->owners = 1;
+    partition->spares = 0;
     for (uint32_t group = 0; group < partition->array_count; group++) {
         redcc_cuts(partition, group)[0] = 0;
         redcc_cuts(partition, group)[1] = UINTPTR_MAX;
     }
+}
+
+void redcc_partition_join_spares(struct partition *partition) {
+    const uint32_t each = 1 + partition->spares, joined = partition->owners / each;
+    uintptr_t *to = partition->cut;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const uintptr_t *cut = redcc_cuts(partition, group);
+        for (uint32_t owner = 0; owner <= joined; owner++)
+            *to++ = cut[(size_t)owner * each]; /* never behind where it is read */
+    }
+    partition->owners = joined;
+    partition->spares = 0;
 }
 
 void redcc_partition_end(struct partition *partition) {

@@ -39,11 +39,16 @@ static inline bool redcc_is_scattered(const void *base) {
     return base == NULL;
 }
 
+/** How many spare parts go with each share, where there are any. */
+enum { REDCC_SPARES = 2 };
+
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
     uint32_t owners;
-    uintptr_t *base;    /* [array_count] the arrays' first elements */
+    uint32_t spares; /* of every 1 + spares owners in a row the first has most, and the others are
+                        spare: small parts for whoever comes free (methods/spare_localwrite.c) */
+    uintptr_t *base; /* [array_count] the arrays' first elements */
     uint32_t *group_of; /* [array_count] its group, called by one of the group's arrays: the one
                            with the largest unit */
     uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is
@@ -59,6 +64,9 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
 /** Cuts nothing: one owner of all. It can be cut again for as many owners as it was begun for,
  * after partition->owners has been set to that. */
 void redcc_partition_in_one(struct partition *partition);
+
+/** Makes owners[o * (1 + spares)] and the spare ones behind it one owner, number o. */
+void redcc_partition_join_spares(struct partition *partition);
 
 /** Gives back its memory. */
 void redcc_partition_end(struct partition *partition);

@@ -17,14 +17,14 @@ int redcc_team_of(int threads, int teams, int thread) {
 }
 
 static bool take_tables(struct plan *plan, const redcc_loop *loop) {
-    const size_t arrays = plan->array_count, threads = (size_t)plan->threads;
+    const size_t arrays = plan->array_count;
     plan->key = redcc_memory_take(loop->key_count * sizeof *plan->key);
     plan->group_of = redcc_memory_take(arrays * sizeof *plan->group_of);
     plan->shift = redcc_memory_take(arrays * sizeof *plan->shift);
     plan->touched = redcc_memory_take_zeroed(arrays, sizeof *plan->touched);
     plan->bound = redcc_memory_take_zeroed(arrays * (plan->owners + 1), sizeof *plan->bound);
     plan->source = redcc_memory_take_zeroed(plan->source_count, sizeof *plan->source);
-    plan->schedule = redcc_memory_take_zeroed(threads, sizeof *plan->schedule);
+    plan->schedule = redcc_memory_take_zeroed(plan->schedules, sizeof *plan->schedule);
     plan->stages = redcc_memory_take_zeroed((size_t)plan->teams, sizeof *plan->stages);
     plan->team_barrier = redcc_memory_take_zeroed((size_t)plan->teams, sizeof *plan->team_barrier);
     const bool flagged = plan->method->flags != NULL;
@@ -87,6 +87,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     plan->array_count = loop->array_count;
     plan->source_count = loop->source_count;
     plan->owners = partition->owners;
+    plan->schedules = method->spares ? plan->owners : (uint32_t)threads;
     plan->round = 1;
     if (!take_tables(plan, loop)) {
         redcc_plan_free(plan);
@@ -123,8 +124,8 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
 void redcc_plan_free(struct plan *plan) {
     if (!plan)
         return;
-    for (int thread = 0; plan->schedule && thread < plan->threads; thread++)
-        redcc_schedule_end(&plan->schedule[thread]);
+    for (uint32_t s = 0; plan->schedule && s < plan->schedules; s++)
+        redcc_schedule_end(&plan->schedule[s]);
     redcc_copies_end(&plan->copies);
     redcc_lost_free(plan);
     redcc_memory_give(plan->key);
@@ -185,11 +186,13 @@ static void number_stages(struct plan *plan, int team) {
 }
 
 void redcc_plan_finish(struct plan *plan) {
-    for (int team = 0; team < plan->teams; team++)
+    for (int team = 0; team < plan->teams && !plan->method->spares; team++)
         number_stages(plan, team);
+    if (plan->method->spares)
+        plan->stages[0] = 1; /* whatever is executed when */
     plan->executed = 0;
-    for (int thread = 0; thread < plan->threads; thread++)
-        plan->executed += plan->schedule[thread].iterations;
+    for (uint32_t s = 0; s < plan->schedules; s++)
+        plan->executed += plan->schedule[s].iterations;
     plan->length = redcc_plan_length(plan);
 }
 
@@ -263,11 +266,10 @@ size_t redcc_plan_bytes(const struct plan *plan) {
                    redcc_memory_size(plan->schedule) + redcc_memory_size(plan->team_barrier) +
                    redcc_memory_size(plan->flags) + redcc_memory_size(plan->map) +
                    redcc_memory_size(plan->mapped) + redcc_lost_bytes(plan);
-    for (int thread = 0; thread < plan->threads; thread++)
-        bytes += redcc_memory_size(plan->schedule[thread].run) +
-                 redcc_memory_size(plan->schedule[thread].packed) +
-                 redcc_memory_size(plan->schedule[thread].chunk) +
-                 redcc_memory_size(plan->schedule[thread].wait);
+    for (uint32_t s = 0; s < plan->schedules; s++)
+        bytes +=
+            redcc_memory_size(plan->schedule[s].run) + redcc_memory_size(plan->schedule[s].packed) +
+            redcc_memory_size(plan->schedule[s].chunk) + redcc_memory_size(plan->schedule[s].wait);
     for (int c = 0; c < plan->copies.count; c++)
         for (uint32_t group = 0; group < plan->array_count; group++)
             bytes += redcc_memory_size(plan->copies.copy[c].memory[group]);

@@ -62,7 +62,8 @@ struct plan {
     unsigned char *map;           /* the owner of each unit of all groups; NULL: none */
     struct group_map *mapped;     /* [array_count] of each group; with the map */
     struct source_record *source; /* [source_count] */
-    struct schedule *schedule;    /* [threads] */
+    struct schedule *schedule;    /* [schedules] of each thread; with spares of each owner */
+    uint32_t schedules;
     uint32_t *stages;             /* [teams] */
     struct barrier *team_barrier; /* [teams] */
     struct flags *flags;          /* of tasks; NULL: there are none */
@@ -73,6 +74,21 @@ struct plan {
     redcc_int length;   /* how long its threads take, in iterations (length.h) */
     uint64_t last_use;
 };
+
+/** The schedule that a thread begins with; the spare ones behind it, where there are any, it fills
+ *  as well. */
+static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
+    return (uint32_t)thread * (plan->method->spares ? 1 + REDCC_SPARES : 1);
+}
+
+/** The spare schedule that is claimed after `claimed` others: of all threads the first, which are
+ *  the largest, then the second. UINT32_MAX: they are all claimed. */
+static inline uint32_t redcc_spare_schedule(const struct plan *plan, uint32_t claimed) {
+    const uint32_t threads = (uint32_t)plan->threads;
+    if (claimed >= plan->schedules - threads)
+        return UINT32_MAX;
+    return redcc_own_schedule(plan, (int)(claimed % threads)) + 1 + claimed / threads;
+}
 
 /** The first thread of a team; team == teams: the number of threads. */
 static inline int redcc_team_first(int threads, int teams, int team) {

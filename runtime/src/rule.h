@@ -26,7 +26,8 @@
       "the original loop")                                                                         \
     X(RULE_EVEN,                                                                                   \
       "by `localwrite`, no thread executes more than 1.1 times an equal share of the iterations",  \
-      "`localwrite`")                                                                              \
+      "`spare-localwrite` where there are 4096 iterations and by a sample spare parts cost no "    \
+      "more than 0.015 of them, else `localwrite`")                                                \
     X(RULE_GRAPH,                                                                                  \
       "more; plans can be kept; what cutting the access graph will take is within the budget",     \
       "`graph-localwrite` is tried")                                                               \

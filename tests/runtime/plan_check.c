@@ -109,8 +109,8 @@ static int mark_owners(const struct problem *problem, const struct plan *plan, l
 
 static void mark_visits(const struct problem *problem, const struct plan *plan, char *visits,
                         char *guarded) {
-    for (int thread = 0; thread < plan->threads; thread++) {
-        const struct schedule *schedule = &plan->schedule[thread];
+    for (uint32_t own = 0; own < plan->schedules; own++) {
+        const struct schedule *schedule = &plan->schedule[own];
         redcc_int before = -1;
         for (size_t c = 0; c < schedule->chunk_count; c++) {
             const struct chunk *chunk = &schedule->chunk[c];
@@ -125,8 +125,8 @@ static void mark_visits(const struct problem *problem, const struct plan *plan, 
                     if (plan->method->keeps == REDCC_ORDER_SERIAL)
                         assert_true(t > before);
                     before = t;
-                    visits[t * plan->threads + thread]++;
-                    guarded[t * plan->threads + thread] = run.count_and_guard & 1;
+                    visits[t * plan->schedules + own]++;
+                    guarded[t * plan->schedules + own] = run.count_and_guard & 1;
                 }
             }
         }
@@ -139,16 +139,16 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
         check_levels(problem, plan);
         return;
     }
-    const size_t cells = (size_t)problem->trip * (size_t)plan->threads;
+    const size_t cells = (size_t)problem->trip * plan->schedules;
     char *visits = calloc(cells, 1), *guarded = calloc(cells, 1);
     char *mark = calloc(plan->owners, 1);
     mark_visits(problem, plan, visits, guarded);
     for (long t = 0; t < problem->trip; t++) {
         const int owners = mark_owners(problem, plan, t, mark);
-        const char *visit = visits + t * plan->threads, *guard = guarded + t * plan->threads;
+        const char *visit = visits + t * plan->schedules, *guard = guarded + t * plan->schedules;
         int times = 0;
-        for (int thread = 0; thread < plan->threads; thread++)
-            times += visit[thread];
+        for (uint32_t own = 0; own < plan->schedules; own++)
+            times += visit[own];
         if (plan->method->keeps != REDCC_ORDER_SERIAL) {
             assert_true(times == 1 || (times == 0 && owners == 0 && t + 1 < problem->trip));
             continue;
@@ -157,9 +157,9 @@ void check_plan(const struct problem *problem, const struct plan *plan) {
             assert_int_equal(times, t + 1 == problem->trip);
             continue;
         }
-        for (int thread = 0; thread < plan->threads; thread++) {
-            assert_int_equal(visit[thread], mark[thread]);
-            assert_true(guard[thread] || !mark[thread] || owners == 1);
+        for (uint32_t own = 0; own < plan->schedules; own++) {
+            assert_int_equal(visit[own], mark[own]);
+            assert_true(guard[own] || !mark[own] || owners == 1);
         }
     }
     free(visits);

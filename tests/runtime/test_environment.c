@@ -46,20 +46,30 @@ static struct outcome run(const char *variables, const char *program, const char
     return outcome;
 }
 
-static const char *const methods[] = {
-    "auto",       "serial",       "localwrite",  "graph-localwrite", "wavefront",
-    "expansion",  "expansion:a",  "expansion:b", "pseudo-expansion", "dwa-lip",
-    "pe-dwa-lip", "pe-dwa-lip:3", "atomic"};
+static const char *const methods[] = {"auto",
+                                      "serial",
+                                      "localwrite",
+                                      "spare-localwrite",
+                                      "graph-localwrite",
+                                      "wavefront",
+                                      "expansion",
+                                      "expansion:a",
+                                      "expansion:b",
+                                      "pseudo-expansion",
+                                      "dwa-lip",
+                                      "pe-dwa-lip",
+                                      "pe-dwa-lip:3",
+                                      "atomic"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void the_bits_are_those_of_the_plain_program(void **unused) {
     (void)unused;
-    static const char *const exact[] = {"auto", "serial", "localwrite", "graph-localwrite",
-                                        "wavefront"};
+    static const char *const exact[] = {
+        "auto", "serial", "localwrite", "spare-localwrite", "graph-localwrite", "wavefront"};
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
         for (int threads = 1; threads <= 5; threads += 2)
-            for (int m = 0; m < 5; m++) {
+            for (int m = 0; m < 6; m++) {
                 char variables[128];
                 snprintf(variables, sizeof variables, "OMP_NUM_THREADS=%d REDCC_METHOD=%s", threads,
                          exact[m]);
@@ -325,7 +335,7 @@ static void the_report_names_the_method_with_its_parameter(void **unused) {
                                                                        : methods[m];
         assert_string_equal(name, expected);
         assert_string_equal(json_string_value(json_object_get(loop, "order")),
-                            m <= 4 ? "serial" : "any");
+                            m <= 5 ? "serial" : "any");
         json_decref(report);
     }
 }

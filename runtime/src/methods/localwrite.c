@@ -12,19 +12,19 @@
 
 enum { SKIP, PLAIN, GUARDED };
 
-/* What `thread` does with the iterations of each set: [sets->count]. NULL: no memory. */
-static unsigned char *parts_in(const struct sets *sets, uint32_t thread) {
+/* What `owner` does with the iterations of each set: [sets->count]. NULL: no memory. */
+static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
     unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
     if (!part)
         return NULL;
     for (uint32_t set = 1; set < sets->count; set++)
         for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
-            if (sets->member[m] == thread)
+            if (sets->member[m] == owner)
                 part[set] = redcc_set_size(sets, set) == 1 ? PLAIN : GUARDED;
     return part;
 }
 
-/* Adds up the iterations that the thread does in each way. */
+/* Adds up the iterations that the owner does in each way. */
 static void count_parts(const struct summary *summary, const unsigned char *part,
                         redcc_int *amount) {
     for (size_t b = 0; b < summary->block_count; b++) {
@@ -34,7 +34,7 @@ static void count_parts(const struct summary *summary, const unsigned char *part
     }
 }
 
-/* Where most of what the thread executes is guarded, the rest may as well be: it is the same to do,
+/* Where most of what the owner executes is guarded, the rest may as well be: it is the same to do,
  * and runs do not end where one kind follows the other. */
 static void guard_most(const struct summary *summary, unsigned char *part) {
     redcc_int amount[GUARDED + 1] = {0};
@@ -44,9 +44,9 @@ static void guard_most(const struct summary *summary, unsigned char *part) {
             part[set] = GUARDED;
 }
 
-static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t thread,
+static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t owner,
                         bool takes_idle) {
-    unsigned char *part = parts_in(&summary->sets, thread);
+    unsigned char *part = parts_in(&summary->sets, owner);
     bool enough = part != NULL;
     if (enough && takes_idle)
         part[0] = PLAIN; /* what touches nothing is executed by who inspected it */
@@ -66,18 +66,23 @@ static bool select_from(struct schedule *schedule, const struct summary *summary
     return enough;
 }
 
-bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
-    struct schedule *schedule = &plan->schedule[thread];
+bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
+                             int idle_of) {
+    struct schedule *schedule = &plan->schedule[owner];
     for (int from = 0; from < evidence->threads; from++)
-        if (!select_from(schedule, evidence->summary[from], (uint32_t)thread,
-                         evidence->every_iteration && from == thread))
+        if (!select_from(schedule, evidence->summary[from], owner,
+                         evidence->every_iteration && from == idle_of))
             return false;
-    if (!evidence->every_iteration && thread == evidence->threads - 1 &&
+    if (!evidence->every_iteration && idle_of == evidence->threads - 1 &&
         redcc_last_touches_nothing(evidence) &&
         !redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false))
         return false;
     redcc_schedule_finish(schedule);
     return true;
+}
+
+bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    return redcc_localwrite_select(plan, evidence, (uint32_t)thread, thread);
 }
 
 const struct method redcc_method_localwrite = {
