@@ -8,6 +8,9 @@ static const double least_alone = 100e-6;  /* of one thread: half of it is saved
 static const double even_share = 1.1;      /* of an equal share of the iterations */
 static const double most_share = 0.85;     /* of the iterations, executed by one thread */
 static const double most_spared = 0.015;   /* of the iterations; spare parts save 2 to 20 % */
+/* Seconds: where the iterations of a spare part do not lie together, the subscripts of its
+ * neighbours are read with its own, which takes some 10 ns. */
+static const double long_iteration = 100e-9;
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
 static const double frequent = 0.25;     /* runs, of the iterations */
@@ -21,12 +24,16 @@ static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
 /* The first parallel execution is not counted: threads start, a plan is made, pages are touched. */
 enum { PARALLEL_TRIES = 3 };
 
+static int size_of(redcc_int trip) {
+    return 63 - __builtin_clzll((unsigned long long)trip | 1);
+}
+
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
-    return &chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)];
+    return &chooser->trial[size_of(trip)];
 }
 
 enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip) {
-    return chooser->trial[63 - __builtin_clzll((unsigned long long)trip | 1)].rule;
+    return chooser->trial[size_of(trip)].rule;
 }
 
 static void rest(struct trial *trial, enum reason reason, long first, long factor, long most) {
@@ -155,9 +162,12 @@ static void learn_parallel(struct trial *trial, redcc_int trip, double each) {
         rest(trial, REASON_SERIAL_FASTER, rest_after_loss(trial), 4, 1 << 20);
 }
 
-/* Where a share is not even, there are better ways than more owners. */
-bool redcc_choose_spares(double spared, double share, int threads) {
-    return spared <= most_spared && share * threads <= even_share;
+bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int threads,
+                         const struct estimate *found) {
+    const struct trial *trial = &chooser->trial[size_of(trip)];
+    if (found->spared > most_spared || found->share * threads > even_share)
+        return false;
+    return found->changes < frequent || trial->serial_best >= long_iteration;
 }
 
 static double best_without_graph(const struct trial *trial) {

@@ -11,6 +11,7 @@
 #ifndef REDCC_CHOOSE_H
 #define REDCC_CHOOSE_H
 
+#include "estimate.h"
 #include "method.h"
 #include "reason.h"
 #include "rule.h"
@@ -103,9 +104,10 @@ struct findings {
  * INDEX, COPIES, DEFERRED, SERIAL. */
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
 
-/** Are spare owners (partition.h) worth what they cost: `spared` of the iterations, about, where
- *  without them one thread executes `share`? */
-bool redcc_choose_spares(double spared, double share, int threads);
+/** Are spare owners (partition.h) worth what they cost, of which *found tells share, spared and
+ *  changes? */
+bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int threads,
+                         const struct estimate *found);
 
 /** The row that decided last. */
 enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip);

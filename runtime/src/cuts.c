@@ -100,15 +100,6 @@ static void close_cuts(const struct partition *partition, uint32_t group) {
     cut[partition->owners] = UINTPTR_MAX;
 }
 
-/* How many of `count` touches lie below owner `owner`: equal shares, of which the spare parts are
- * cut off at the end. */
-static size_t touches_below(const struct partition *partition, uint32_t owner, size_t count) {
-    static const size_t per_thousand[1 + REDCC_SPARES] = {0, 840, 940};
-    const uint32_t each = 1 + partition->spares, shares = partition->owners / each;
-    const size_t share = owner / each;
-    return (count * share + count * per_thousand[owner % each] / 1000) / shares;
-}
-
 /* Returns how many different cuts there are. */
 static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     const struct partition *partition = work->partition;
@@ -116,7 +107,8 @@ static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     uintptr_t *cut = redcc_cuts(partition, group);
     uint32_t different = 0;
     for (uint32_t owner = 1; owner < partition->owners; owner++) {
-        const size_t rank = touches_below(partition, owner, points.count);
+        const size_t rank =
+            redcc_amount_below(partition->owners, partition->spares, owner, points.count);
         cut[owner] =
             points.count ? redcc_unit_begin(partition, group, points.point[rank].address) : 0;
         different += cut[owner] != cut[owner - 1];

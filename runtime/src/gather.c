@@ -11,6 +11,10 @@ static const double uneven = 1.25;       /* of an equal share of the iterations 
 static const double shorter = 0.9;       /* than by the owners that were cut */
 static const double level_touch = 20e-9; /* seconds that putting in levels takes for a touch */
 
+/* Units of the leading array for each thread: of a mesh of so many rows, spare parts cost about 1
+ * %. */
+enum { LEAST_WITH_SPARES = 32768 };
+
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
 static size_t expected_touches(const struct member *member, bool leading) {
     const struct execution *execution = member->execution;
@@ -35,7 +39,8 @@ static bool go_on_without(struct execution *execution) {
         return true;
     }
     if (execution->method) {
-        execution->chosen = &redcc_method_localwrite;
+        execution->chosen =
+            execution->method->spares ? &redcc_method_spare_localwrite : &redcc_method_localwrite;
         return false;
     }
     execution->by_graph = false;
@@ -73,6 +78,26 @@ void redcc_gather(struct member *member) {
     member->phase = PHASE_GATHERING;
 }
 
+/* The iterations of an owner lie scattered over the loop. */
+static bool spares_are_worth(const struct execution *execution, double share, double spared) {
+    const struct estimate found = {.share = share, .spared = spared, .changes = 1};
+    return redcc_choose_spares(&execution->state->chooser, execution->request.trip,
+                               execution->threads, &found);
+}
+
+/* auto: tries spare owners where the parts are large; what they cost is seen when they are there.
+ */
+static void add_spares(struct execution *execution) {
+    struct partition *partition = &execution->partition;
+    const uint32_t threads = (uint32_t)execution->threads;
+    if (execution->method || partition->spares || partition->room > REDCC_OWNERS_MOST ||
+        execution->divide.units.leading / threads < LEAST_WITH_SPARES ||
+        !spares_are_worth(execution, 1.0 / threads, 0))
+        return;
+    redcc_partition_add_spares(partition);
+    execution->chosen = &redcc_method_spare_graph_localwrite;
+}
+
 static void after_gathering(struct execution *execution) {
     const struct divide *divide = &execution->divide;
     bool failed = false, too_much = false;
@@ -86,7 +111,9 @@ static void after_gathering(struct execution *execution) {
     execution->next = PHASE_DIVIDE;
     if (failed)
         redcc_refuse(execution, REASON_NO_MEMORY);
-    else if (too_much && !go_on_without(execution))
+    else if (!too_much)
+        add_spares(execution);
+    else if (!go_on_without(execution))
         redcc_make_plan(execution);
 }
 
@@ -129,11 +156,34 @@ static bool levels_serve_better(struct execution *execution, double share) {
            redcc_levels_length(&execution->levels, execution->threads) < shorter * share * all;
 }
 
+/* auto: are the spare owners that were tried not worth what they cost? Then all join them to those
+ * that they are behind. */
+static bool goes_without_spares(struct execution *execution) {
+    struct partition *partition = &execution->partition;
+    if (execution->method || !partition->spares)
+        return false;
+    redcc_int with = 0, without = 0;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        with += redcc_sweep_executed(&execution->divide.sweep[thread], 1);
+        without += redcc_sweep_executed(&execution->divide.sweep[thread], 1 + partition->spares);
+    }
+    const double trip = (double)execution->request.trip;
+    if (spares_are_worth(execution, (double)without / execution->threads / trip,
+                         (double)(with - without) / trip))
+        return false;
+    redcc_partition_join_spares(partition);
+    execution->chosen = &redcc_method_graph_localwrite;
+    execution->next = PHASE_JOIN;
+    return true;
+}
+
 static void after_divide(struct execution *execution) {
     if (!execution->divide.going) {
         redcc_refuse(execution, REASON_NO_MEMORY);
         return;
     }
+    if (goes_without_spares(execution))
+        return;
     execution->divided = !levels_serve_better(execution, redcc_largest_share(execution));
     if (!execution->divided) {
         execution->chosen = &redcc_method_wavefront;
@@ -143,14 +193,24 @@ static void after_divide(struct execution *execution) {
     redcc_make_plan(execution);
 }
 
+static void count_divided(struct member *member, enum divide_result result) {
+    const struct execution *execution = member->execution;
+    memset(member->executed, 0, execution->partition.owners * sizeof *member->executed);
+    if (result == DIVIDE_DONE)
+        redcc_sweep_count(&execution->divide.sweep[member->thread], member->executed);
+    redcc_meet(member, after_divide);
+}
+
 void redcc_divide_share(struct member *member) {
     if (member->execution->chosen->in_levels) {
         redcc_meet(member, put_in_levels);
         return;
     }
     struct divide *divide = &member->execution->divide;
-    memset(member->executed, 0, divide->owners * sizeof *member->executed);
-    if (redcc_divide(divide, member->thread, member->seen) == DIVIDE_DONE)
-        redcc_sweep_count(&divide->sweep[member->thread], member->executed);
-    redcc_meet(member, after_divide);
+    count_divided(member, redcc_divide(divide, member->thread, member->seen));
+}
+
+void redcc_join_share(struct member *member) {
+    struct divide *divide = &member->execution->divide;
+    count_divided(member, redcc_divide_join(divide, member->thread, member->seen));
 }

@@ -56,6 +56,12 @@ static uint32_t owners_to_cut_for(const struct execution *execution) {
     return (uint32_t)execution->threads * (1 + spares_to_cut_for(execution));
 }
 
+/* auto may come to spare owners later. */
+static uint32_t most_owners(const struct execution *execution) {
+    return execution->method ? owners_to_cut_for(execution)
+                             : (uint32_t)execution->threads * (1 + REDCC_SPARES);
+}
+
 static void begin_inspection(struct execution *execution) {
     redcc_drop_candidate(execution);
     execution->inspected = true;
@@ -66,9 +72,10 @@ static void begin_inspection(struct execution *execution) {
     execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
     execution->next = PHASE_SAMPLE;
     if (!redcc_partition_begin(&execution->partition, execution->request.loop,
-                               execution->request.bases, owners_to_cut_for(execution)) ||
+                               execution->request.bases, most_owners(execution)) ||
         !execution->samples || !execution->summaries || !execution->seen)
         redcc_refuse(execution, REASON_NO_MEMORY);
+    execution->partition.owners = owners_to_cut_for(execution);
     execution->partition.spares = spares_to_cut_for(execution);
 }
 
@@ -121,7 +128,7 @@ static bool begin_member(struct member *member) {
     const struct partition *partition = &member->execution->partition;
     member->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *member->entries);
     member->seen = redcc_memory_take(partition->array_count * sizeof *member->seen);
-    member->executed = redcc_memory_take_zeroed(partition->owners, sizeof *member->executed);
+    member->executed = redcc_memory_take_zeroed(partition->room, sizeof *member->executed);
     if (!redcc_sample_begin(&member->sample, sample_room(member),
                             (uint64_t)sampled_before(member)) ||
         !member->entries || !member->seen || !member->executed)
@@ -262,7 +269,8 @@ static void cut_and_sweep(struct execution *execution) {
     }
     execution->touches = estimate.touches;
     if (!execution->method && execution->partition.spares > 0 &&
-        !redcc_choose_spares(estimate.spared, estimate.share, execution->threads))
+        !redcc_choose_spares(&execution->state->chooser, execution->request.trip,
+                             execution->threads, &estimate))
         redcc_partition_join_spares(&execution->partition);
     if (!execution->method && execution->course == COURSE_PARALLEL)
         look_ahead(execution, &estimate);
@@ -519,6 +527,9 @@ int redcc_inspect(redcc_worker *worker) {
             break;
         case PHASE_DIVIDE:
             redcc_divide_share(member);
+            break;
+        case PHASE_JOIN:
+            redcc_join_share(member);
             break;
         case PHASE_PREPARE:
             prepare(member);

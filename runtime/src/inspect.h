@@ -45,9 +45,10 @@ void redcc_make_plan(struct execution *execution);
 bool redcc_begin_gathering(struct execution *execution);
 
 /** A member's steps on that way, by phase: GATHER, GATHERING (returns 1 where iterations are to be
- *  told) and DIVIDE. */
+ *  told), DIVIDE and JOIN. */
 void redcc_gather(struct member *member);
 int redcc_gathering(redcc_worker *worker);
 void redcc_divide_share(struct member *member);
+void redcc_join_share(struct member *member);
 
 #endif

@@ -33,6 +33,7 @@ enum phase {
     PHASE_GATHER,   /* tell them once more, to be kept: for ownership by the access graph */
     PHASE_GATHERING,
     PHASE_DIVIDE,  /* the units among the owners */
+    PHASE_JOIN,    /* ... without spare ones after all */
     PHASE_PREPARE, /* make a plan of it */
     PHASE_RUN,     /* begin to execute */
     PHASE_RUNNING,

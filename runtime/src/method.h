@@ -74,6 +74,7 @@ extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;
 extern const struct method redcc_method_spare_localwrite;
 extern const struct method redcc_method_graph_localwrite;
+extern const struct method redcc_method_spare_graph_localwrite;
 extern const struct method redcc_method_wavefront;
 extern const struct method redcc_method_expansion;
 extern const struct method redcc_method_pseudo_expansion;

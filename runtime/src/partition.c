@@ -6,7 +6,8 @@
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners) {
     const uint32_t count = loop->array_count;
-    *partition = (struct partition){.arrays = loop->arrays, .array_count = count, .owners = owners};
+    *partition = (struct partition){
+        .arrays = loop->arrays, .array_count = count, .room = owners, .owners = owners};
     partition->base = redcc_memory_take(count * sizeof *partition->base);
     partition->group_of = redcc_memory_take(count * sizeof *partition->group_of);
     partition->cut = redcc_memory_take_zeroed((size_t)count * (owners + 1), sizeof(uintptr_t));
@@ -38,6 +39,23 @@ void redcc_partition_join_spares(struct partition *partition) {
     }
     partition->owners = joined;
     partition->spares = 0;
+}
+
+void redcc_partition_add_spares(struct partition *partition) {
+    const uint32_t shares = partition->owners, each = 1 + REDCC_SPARES;
+    for (uint32_t group = partition->array_count; group-- > 0;) {
+        const uintptr_t *from = redcc_cuts(partition, group);
+        uintptr_t *to = partition->cut + (size_t)group * (shares * each + 1);
+        uintptr_t next = to[(size_t)shares * each] = from[shares];
+        for (uint32_t share = shares; share-- > 0;) { /* never before where it is still read */
+            const uintptr_t first = from[share];
+            for (uint32_t spare = 1; spare < each; spare++)
+                to[(size_t)share * each + spare] = next;
+            next = to[(size_t)share * each] = first;
+        }
+    }
+    partition->owners = shares * each;
+    partition->spares = REDCC_SPARES;
 }
 
 void redcc_partition_end(struct partition *partition) {

@@ -45,6 +45,7 @@ enum { REDCC_SPARES = 2 };
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
+    uint32_t room; /* for so many owners */
     uint32_t owners;
     uint32_t spares; /* of every 1 + spares owners in a row the first has most, and the others are
                         spare: small parts for whoever comes free (methods/spare_localwrite.c) */
@@ -57,6 +58,15 @@ struct partition {
     uint32_t leader;    /* the group that the others are cut beside */
 };
 
+/** Of `amount` to be shared out, what owners below `owner` get: each share's owner 84 %, the spare
+ *  ones behind it 10 and 6 %. Without spare ones all get the same. */
+static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t spares, uint32_t owner,
+                                          uint64_t amount) {
+    static const uint64_t per_thousand[1 + REDCC_SPARES] = {0, 840, 940};
+    const uint32_t each = 1 + spares, shares = owners / each;
+    return (amount * (owner / each) + amount * per_thousand[owner % each] / 1000) / shares;
+}
+
 /** Every array a group of its own, not yet cut. False: no memory (end it all the same). */
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners);
@@ -67,6 +77,10 @@ void redcc_partition_in_one(struct partition *partition);
 
 /** Makes owners[o * (1 + spares)] and the spare ones behind it one owner, number o. */
 void redcc_partition_join_spares(struct partition *partition);
+
+/** Cuts nothing off: every owner gets spare ones behind it, which have nothing by address. There is
+ *  room for them. */
+void redcc_partition_add_spares(struct partition *partition);
 
 /** Gives back its memory. */
 void redcc_partition_end(struct partition *partition);

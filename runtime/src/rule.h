@@ -26,11 +26,10 @@
       "the original loop")                                                                         \
     X(RULE_EVEN,                                                                                   \
       "by `localwrite`, no thread executes more than 1.1 times an equal share of the iterations",  \
-      "`spare-localwrite` where there are 4096 iterations and by a sample spare parts cost no "    \
-      "more than 0.015 of them, else `localwrite`")                                                \
+      "`spare-localwrite` where spare parts are worth it (below), else `localwrite`")              \
     X(RULE_GRAPH,                                                                                  \
       "more; plans can be kept; what cutting the access graph will take is within the budget",     \
-      "`graph-localwrite` is tried")                                                               \
+      "`graph-localwrite` is tried, or `spare-graph-localwrite` where spare parts are worth it")   \
     X(RULE_LEVELS,                                                                                 \
       "these owners too leave some thread more than 1.25 times an equal share; iterations in "     \
       "levels, a barrier reckoned as 200 of them, take less than 0.9 of that thread's",            \

@@ -169,3 +169,23 @@ void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed) {
         }
     }
 }
+
+/* How many of the set's owners there are when every `each` in a row are one. */
+static uint32_t count_joined(const struct sets *sets, uint32_t set, uint32_t each) {
+    uint32_t count = 0;
+    for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
+        count += m == sets->start[set] || sets->member[m] / each != sets->member[m - 1] / each;
+    return count;
+}
+
+redcc_int redcc_sweep_executed(const struct sweep *sweep, uint32_t each) {
+    const struct summary *summary = &sweep->summary;
+    redcc_int executed = 0;
+    for (size_t b = 0; b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; s < block->span_end; s++)
+            executed += redcc_span_count(summary, block, s) *
+                        count_joined(&summary->sets, summary->span[s].set, each);
+    }
+    return executed;
+}

@@ -56,6 +56,10 @@ void redcc_sweep_end_iteration(struct sweep *sweep);
  *  told, or where there was no memory. */
 bool redcc_sweep_close_block(struct sweep *sweep, redcc_int expected);
 
+/** How many iterations of the summary are executed, those of several owners more than once, when
+ *  of every `each` owners in a row there is but one. */
+redcc_int redcc_sweep_executed(const struct sweep *sweep, uint32_t each);
+
 /** Adds up how many iterations of the summary each owner takes part in: executed [owners]. */
 void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed);
 

@@ -51,6 +51,7 @@ static const char *const methods[] = {"auto",
                                       "localwrite",
                                       "spare-localwrite",
                                       "graph-localwrite",
+                                      "spare-graph-localwrite",
                                       "wavefront",
                                       "expansion",
                                       "expansion:a",
@@ -64,12 +65,17 @@ enum { METHODS = sizeof methods / sizeof *methods };
 
 static void the_bits_are_those_of_the_plain_program(void **unused) {
     (void)unused;
-    static const char *const exact[] = {
-        "auto", "serial", "localwrite", "spare-localwrite", "graph-localwrite", "wavefront"};
+    static const char *const exact[] = {"auto",
+                                        "serial",
+                                        "localwrite",
+                                        "spare-localwrite",
+                                        "graph-localwrite",
+                                        "spare-graph-localwrite",
+                                        "wavefront"};
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
         for (int threads = 1; threads <= 5; threads += 2)
-            for (int m = 0; m < 6; m++) {
+            for (int m = 0; m < 7; m++) {
                 char variables[128];
                 snprintf(variables, sizeof variables, "OMP_NUM_THREADS=%d REDCC_METHOD=%s", threads,
                          exact[m]);
@@ -335,7 +341,7 @@ static void the_report_names_the_method_with_its_parameter(void **unused) {
                                                                        : methods[m];
         assert_string_equal(name, expected);
         assert_string_equal(json_string_value(json_object_get(loop, "order")),
-                            m <= 5 ? "serial" : "any");
+                            m <= 6 ? "serial" : "any");
         json_decref(report);
     }
 }

@@ -211,7 +211,7 @@ static void a_path_is_cut_into_even_parts(void **unused) {
     start[COUNT] = edges;
     const struct graph graph = {
         .count = COUNT, .start = start, .neighbour = neighbour, .weight = weight};
-    assert_true(redcc_divide_graph(&graph, PARTS, part));
+    assert_true(redcc_divide_graph(&graph, PARTS, 0, part));
     for (uint32_t node = 0; node < COUNT; node++) {
         assert_in_range(part[node], 0, PARTS - 1);
         load[part[node]] += weight[node];
@@ -268,12 +268,13 @@ static void what_is_told_is_kept(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-static bool has_map(const struct described *described) {
+/* The method of the plan with a map; NULL: there is none. */
+static const struct method *method_with_map(const struct described *described) {
     const struct loop_state *state = described->loop.state;
     for (int p = 0; p < REDCC_PLANS; p++)
         if (state->plans[p] && state->plans[p]->map)
-            return true;
-    return false;
+            return state->plans[p]->method;
+    return NULL;
 }
 
 /* Calls of a loop by auto; each gives the oracle's bits. Returns in how many of them there was a
@@ -290,7 +291,7 @@ static int call_often(struct problem *problem, struct described *described, int 
         problem_reset(problem);
         problem_run(problem, described, 4, &last);
         assert_memory_equal(problem->first, expected, bytes);
-        mapped += has_map(described);
+        mapped += method_with_map(described) != NULL;
     }
     free(expected);
     return mapped;
@@ -315,8 +316,47 @@ static void auto_comes_to_the_graph(void **unused) {
     assert_int_equal(redcc_memory_live(), 0);
 }
 
+/* As if each iteration took so many seconds: the method that auto has come to by the graph. */
+static const struct method *method_of_long_iterations(const struct mesh *mesh, double seconds) {
+    struct problem problem = mesh_problem(mesh);
+    struct described described;
+    const struct method *method = NULL;
+    problem_describe(&problem, &described);
+    redcc_budget_gain(1e6);
+    for (int call = 0; call < 12 && !method; call++) {
+        call_often(&problem, &described, 1);
+        struct loop_state *state = described.loop.state;
+        for (int size = 0; size < 64; size++)
+            if (state->chooser.trial[size].serial_best > 0)
+                state->chooser.trial[size].serial_best = seconds;
+        method = method_with_map(&described);
+    }
+    call_often(&problem, &described, 2);
+    redcc_loop_forget(&described.loop);
+    problem_free(&problem);
+    assert_int_equal(redcc_memory_live(), 0);
+    return method;
+}
+
+static void auto_adds_spare_parts_where_iterations_are_long(void **unused) {
+    (void)unused;
+    const struct mesh mesh = {.side = 370, .sheets = 1};
+    assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_spare_graph_localwrite);
+    assert_ptr_equal(method_of_long_iterations(&mesh, 50e-9), &redcc_method_graph_localwrite);
+}
+
+/* They are there, and one of them takes part in all: they are joined to the others. */
+static void auto_joins_spare_parts_that_cost_too_much(void **unused) {
+    (void)unused;
+    const struct mesh mesh = {.side = 370, .sheets = 1, .hub = true};
+    assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_graph_localwrite);
+}
+
 int main(void) {
-    const struct CMUnitTest by_auto[] = {cmocka_unit_test(auto_comes_to_the_graph)};
+    const struct CMUnitTest by_auto[] = {
+        cmocka_unit_test(auto_comes_to_the_graph),
+        cmocka_unit_test(auto_adds_spare_parts_where_iterations_are_long),
+        cmocka_unit_test(auto_joins_spare_parts_that_cost_too_much)};
     if (!redcc_settings()->method)
         return cmocka_run_group_tests(by_auto, NULL, NULL);
     const struct CMUnitTest tests[] = {

@@ -2,6 +2,7 @@
 #include "graph/bisect.h"
 
 #include "memory.h"
+#include "partition.h"
 
 #include <string.h>
 
@@ -12,6 +13,8 @@ struct division {
     uint32_t *order; /* [count] of a search */
     uint32_t *seen;  /* [count] the search that met the node last */
     uint32_t search;
+    uint32_t parts;
+    uint32_t spares;
     uint64_t load[REDCC_PARTS_MOST];
     uint64_t most[REDCC_PARTS_MOST];
 };
@@ -131,6 +134,17 @@ static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
     return share + (percent > heaviest ? percent : heaviest);
 }
 
+/* Of `sum` for parts [low, high), what parts [low, middle) get. */
+static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t low,
+                         uint32_t middle, uint32_t high) {
+    const uint32_t parts = division->parts, spares = division->spares;
+    const uint64_t scale = 1000 * (uint64_t)parts;
+    const uint64_t below_low = redcc_amount_below(parts, spares, low, scale);
+    const uint64_t lower = redcc_amount_below(parts, spares, middle, scale) - below_low;
+    const uint64_t both = redcc_amount_below(parts, spares, high, scale) - below_low;
+    return sum / both * lower + sum % both * lower / both;
+}
+
 /* Divides node[0 .. count), all in part `low`, into parts [low, high). */
 static void bisect(struct division *division, uint32_t *node, uint32_t count, uint32_t low,
                    uint32_t high) {
@@ -146,7 +160,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
     }
     order_from_rim(division, node, count, low);
     memcpy(node, division->order, count * sizeof *node);
-    const uint64_t share = sum / (high - low) * (middle - low);
+    const uint64_t share = share_of(division, sum, low, middle, high);
     uint32_t first = 0;
     for (; first < count && lower + graph->weight[node[first]] / 2 <= share; first++)
         lower += graph->weight[node[first]];
@@ -173,9 +187,10 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
     bisect(division, node + first, count - first, middle, high);
 }
 
-bool redcc_divide_graph(const struct graph *graph, uint32_t parts, unsigned char *part) {
+bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t spares,
+                        unsigned char *part) {
     const size_t count = graph->count;
-    struct division division = {.graph = graph, .part = part};
+    struct division division = {.graph = graph, .part = part, .parts = parts, .spares = spares};
     division.node = redcc_memory_take(count * sizeof *division.node);
     division.order = redcc_memory_take(count * sizeof *division.order);
     division.seen = redcc_memory_take_zeroed(count, sizeof *division.seen);

@@ -8,11 +8,13 @@
 enum { REDCC_PARTS_MOST = 256 };
 
 /**
- * Divides all nodes into parts 0 ... parts - 1 (at most REDCC_PARTS_MOST): by bisection, each time
+ * Divides all nodes into parts 0 ... parts - 1 (at most REDCC_PARTS_MOST), of which `spares` after
+ * each one are spare (redcc_amount_below says how large they are): by bisection, each time
  * in the order in which a breadth-first search from a node at the graph's rim meets the nodes, then
  * refined. part [count] is set. False: no memory.
  */
-bool redcc_divide_graph(const struct graph *graph, uint32_t parts, unsigned char *part);
+bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t spares,
+                        unsigned char *part);
 
 /**
  * Moves nodes of `list` to parts of [low, high) in which they have more neighbours, or as many

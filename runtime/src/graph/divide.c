@@ -33,8 +33,7 @@ static bool is_too_wide(const struct divide *divide, redcc_int trip) {
 
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
                                       const struct range *touched, int threads, redcc_int trip) {
-    *divide =
-        (struct divide){.partition = partition, .owners = partition->owners, .threads = threads};
+    *divide = (struct divide){.partition = partition, .threads = threads};
     const size_t count = (size_t)threads;
     divide->most_told = most_touches(trip) / count;
     if (partition->owners > REDCC_OWNERS_MOST || trip > REDCC_BLOCK)
@@ -124,7 +123,7 @@ static bool take_edges(struct divide *divide) {
 
 /* So small that the parts can be even, so large that there are few. */
 static bool make_clusters(struct divide *divide) {
-    const uint32_t even = divide->units.leading / (divide->owners * CLUSTERS_AN_OWNER);
+    const uint32_t even = divide->units.leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
     const uint32_t most = even > CLUSTER_MOST ? CLUSTER_MOST : even > 0 ? even : 1;
     if (!redcc_clusters_begin(&divide->clusters, &divide->graph, most))
         return false;
@@ -158,7 +157,8 @@ static bool divide_coarse(struct divide *divide) {
     coarse->start[0] = 0;
     for (uint32_t cluster = 0; cluster < coarse->count; cluster++)
         coarse->start[cluster + 1] += coarse->start[cluster];
-    return redcc_divide_graph(coarse, divide->owners, divide->part);
+    return redcc_divide_graph(coarse, divide->partition->owners, divide->partition->spares,
+                              divide->part);
 }
 
 /* Each unit gets its cluster's owner; those with a neighbour of another owner are listed. */
@@ -193,9 +193,13 @@ static bool refine_rims(struct divide *divide) {
         load[divide->part[cluster]] += divide->coarse.weight[cluster];
         sum += divide->coarse.weight[cluster];
     }
-    for (uint32_t owner = 0; owner < divide->owners; owner++)
-        most[owner] = sum / divide->owners + sum / divide->owners / 100;
-    redcc_refine(graph, divide->rim, listed, divide->owner, 0, divide->owners, load, most, ROUNDS);
+    const uint32_t owners = divide->partition->owners, spares = divide->partition->spares;
+    for (uint32_t owner = 0; owner < owners; owner++) {
+        const uint64_t even = redcc_amount_below(owners, spares, owner + 1, sum) -
+                              redcc_amount_below(owners, spares, owner, sum);
+        most[owner] = even + even / 100;
+    }
+    redcc_refine(graph, divide->rim, listed, divide->owner, 0, owners, load, most, ROUNDS);
     return true;
 }
 
@@ -237,7 +241,7 @@ static void count_votes(struct divide *divide, int thread) {
     const struct share share = share_of(divide, count, thread);
     for (uint32_t unit = share.first; unit < share.end; unit++) {
         const unsigned short vote = atomic_load_explicit(&divide->vote[unit], memory_order_relaxed);
-        const uint32_t even = (uint32_t)((uint64_t)unit * divide->owners / count);
+        const uint32_t even = (uint32_t)((uint64_t)unit * divide->partition->owners / count);
         divide->owner[leading + unit] = (unsigned char)(vote == NO_VOTE ? even : vote);
     }
 }
@@ -294,6 +298,16 @@ enum divide_result redcc_divide(struct divide *divide, int thread, struct range 
     if (!meet(divide, true, NULL))
         return DIVIDE_NO_MEMORY;
     count_votes(divide, thread);
+    if (!meet(divide, true, NULL) || !meet(divide, summarise(divide, thread, seen), NULL))
+        return DIVIDE_NO_MEMORY;
+    return DIVIDE_DONE;
+}
+
+enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen) {
+    const struct share share = share_of(divide, divide->units.count, thread);
+    for (uint32_t unit = share.first; unit < share.end; unit++)
+        divide->owner[unit] /= 1 + REDCC_SPARES;
+    redcc_sweep_end(&divide->sweep[thread]);
     if (!meet(divide, true, NULL) || !meet(divide, summarise(divide, thread, seen), NULL))
         return DIVIDE_NO_MEMORY;
     return DIVIDE_DONE;

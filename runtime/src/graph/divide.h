@@ -24,8 +24,7 @@
 enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
 
 struct divide {
-    const struct partition *partition;
-    uint32_t owners;
+    const struct partition *partition; /* how many owners there are to be */
     int threads;
     struct barrier *barrier;
     struct units units;
@@ -61,6 +60,10 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
 /** Each thread's part, when all have told their iterations; all call it, and each gets the same
  *  result. seen [array_count] is the thread's. */
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen);
+
+/** The same parts with what is spare joined to the owner before it, as the partition has them now.
+ *  Each thread's part; all call it, and each gets the same result. */
+enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen);
 
 /** Gives back what was taken on the way to the result. */
 void redcc_divide_tidy(struct divide *divide);

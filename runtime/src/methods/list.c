@@ -8,6 +8,7 @@ const struct method *const redcc_methods[] = {
     &redcc_method_localwrite,
     &redcc_method_spare_localwrite,
     &redcc_method_graph_localwrite,
+    &redcc_method_spare_graph_localwrite,
     &redcc_method_wavefront,
     &redcc_method_expansion,
     &redcc_method_pseudo_expansion,

@@ -20,3 +20,10 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
 
 const struct method redcc_method_spare_localwrite = {
     .name = "spare-localwrite", .keeps = REDCC_ORDER_SERIAL, .spares = true, .prepare = prepare};
+
+/* The same with owners cut from the access graph. */
+const struct method redcc_method_spare_graph_localwrite = {.name = "spare-graph-localwrite",
+                                                           .keeps = REDCC_ORDER_SERIAL,
+                                                           .by_graph = true,
+                                                           .spares = true,
+                                                           .prepare = prepare};
