@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The cloth simulator against its serial build (same sources, same optimisation): force loops of the
 # large mesh, and the paper's scenes as a whole. Rounds are interleaved; ratios are of one round.
-#   ROUNDS=5 STEPS=30   (steps of the large mesh; in the third, auto times the sequential loops once)
+#   ROUNDS=5 STEPS=30   (steps of the large mesh; auto times parts of the loops alone in the second and fourth)
 # The scenes, of a second each, have three times as many rounds.
 . bench/common.sh
 rounds=${ROUNDS:-5}

@@ -11,6 +11,8 @@ static const double most_spared = 0.015;   /* of the iterations; spare parts sav
 /* Seconds: where the iterations of a spare part do not lie together, the subscripts of its
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
+static const double least_part = 100e-6; /* seconds that say how company slows a thread down */
+static const double clearly = 0.75;      /* of the sequential loop, where that is only reckoned */
 static const double slack = 1.05;
 static const double sweep_touch = 10e-9; /* seconds that inspecting takes for a touch */
 static const double frequent = 0.25;     /* runs, of the iterations */
@@ -55,6 +57,17 @@ static long rest_after_loss(const struct trial *trial) {
 static void try_again(struct trial *trial) {
     trial->decided = COURSE_UNDECIDED;
     trial->serial_tries = trial->parallel_tries = trial->slow = 0;
+    trial->pace = (struct pace_trial){0};
+}
+
+/* After the first parallel execution, as long as the part was timed in each. */
+static enum pace next_pace(const struct trial *trial) {
+    static const enum pace paces[] = {PACE_ALONE, PACE_BESIDE, PACE_ALONE};
+    const int timed = trial->pace.timed;
+    if (trial->serial_best > 0 || trial->pace.given_up || timed == sizeof paces / sizeof *paces ||
+        timed != trial->parallel_tries - 1)
+        return PACE_UNTIMED;
+    return paces[timed];
 }
 
 static int serial_tries_needed(redcc_int trip) {
@@ -91,11 +104,13 @@ static struct choice choose_plainly(struct trial *trial, redcc_int trip, double 
     }
     const bool enough = trial->serial_tries >= serial_tries_needed(trip);
     const bool small_first = trip < SMALL_TRIP && trial->serial_tries == 0;
-    if (small_first || (trial->parallel_tries >= PARALLEL_TRIES - 1 && !enough)) {
+    const enum pace pace = next_pace(trial);
+    if (small_first ||
+        (trial->parallel_tries >= PARALLEL_TRIES - 1 && !enough && pace == PACE_UNTIMED)) {
         trial->rule = trip < SMALL_TRIP ? RULE_SMALL : RULE_FASTER;
         return (struct choice){.course = COURSE_SOLO};
     }
-    return (struct choice){.course = COURSE_PARALLEL, .rested = rested};
+    return (struct choice){.course = COURSE_PARALLEL, .rested = rested, .pace = pace};
 }
 
 bool redcc_choose_rests(struct chooser *chooser, redcc_int trip, int threads,
@@ -132,6 +147,28 @@ static void learn_serial(struct trial *trial, redcc_int trip, double seconds) {
     trial->sweep_seconds = 0;
     if (trip < SMALL_TRIP && seconds < least_seconds)
         rest(trial, REASON_LITTLE_WORK, 256, 4, 1 << 20);
+}
+
+void redcc_choose_learn_pace(struct chooser *chooser, redcc_int trip, enum pace pace, double part,
+                             double working) {
+    struct trial *trial = trial_of(chooser, trip);
+    struct pace_trial *it = &trial->pace;
+    if (part < least_part)
+        it->given_up = true;
+    if (pace == PACE_BESIDE) {
+        it->beside = part;
+        it->working = working;
+    } else if (it->timed == 0 || part < it->alone) {
+        it->alone = part;
+    }
+    if (++it->timed < 3 || it->given_up)
+        return;
+    const double serial = it->working * it->alone / it->beside / (double)trip;
+    it->given_up = trial->parallel_best > clearly * serial;
+    if (it->given_up)
+        return;
+    trial->serial_best = serial;
+    trial->serial_tries = serial_tries_needed(trip);
 }
 
 /* Counts executions in turn that took longer than the sequential loop; at the sixteenth all is

@@ -26,6 +26,21 @@ enum course {
 /** Seconds that cutting the access graph takes for a touch. */
 static const double redcc_graph_touch = 40e-9;
 
+/** How a parallel execution with spare parts begins: its first thread may execute its first spare
+ *  part before all else, timed, while the others wait or do what is theirs. The one over the other
+ *  is how much company slows a thread down, from which follows how long one thread would take for
+ *  the loop: without a sequential execution, which takes as long as many parallel ones. */
+enum pace { PACE_UNTIMED, PACE_ALONE, PACE_BESIDE };
+
+/** What was timed so. */
+struct pace_trial {
+    int timed;      /* executions: alone, beside, alone */
+    bool given_up;  /* a sequential execution will tell */
+    double alone;   /* seconds, the shorter */
+    double beside;  /* seconds */
+    double working; /* seconds of all threads, then; in all, less what was executed twice */
+};
+
 /** How far ownership by the access graph has come. */
 enum graph_trial { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
 
@@ -37,6 +52,7 @@ struct trial {
     int threads;
     int serial_tries;
     int parallel_tries;
+    struct pace_trial pace;
     int slow; /* executions in turn in which PARALLEL took longer than serial_best */
     long calls;
     long retry_at;      /* SERIAL: this call tries again */
@@ -62,6 +78,7 @@ struct choice {
     enum course course;
     bool by_graph;       /* PARALLEL: by a plan with owners cut from the access graph ... */
     bool first_by_graph; /* ... which is to be made now */
+    enum pace pace;      /* PARALLEL, by a plan with spare parts */
     long rested;         /* PARALLEL: how many calls were SERIAL before it was tried again */
     enum reason reason;  /* for SERIAL */
     enum rule rule;
@@ -81,6 +98,11 @@ struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int t
  * Returns the seconds gained over the sequential loop, 0 where that is not yet known. */
 double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
                           bool by_graph, double seconds);
+
+/** How long the first spare part took in an execution of that pace, and all threads together for
+ * the loop, what was executed twice left out. To be told before redcc_choose_learn. */
+void redcc_choose_learn_pace(struct chooser *chooser, redcc_int trip, enum pace pace, double part,
+                             double working);
 
 /** The course could not be taken (a guard, too much replication, memory). */
 void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason reason);

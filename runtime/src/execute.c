@@ -93,6 +93,24 @@ static void begin_hooks(struct member *member) {
     install_hooks(member);
 }
 
+/* The first thread has its first spare part before it; the others wait until that is done, or do
+ * not. */
+static void begin_paced(struct member *member) {
+    struct execution *execution = member->execution;
+    if (member->thread > 0 && execution->pace == PACE_ALONE)
+        redcc_barrier_wait(&execution->barrier, member->threads);
+    member->began = redcc_seconds();
+}
+
+/* The first thread is done with it, and turns to what is its own. */
+static void end_first_part(struct member *member) {
+    struct execution *execution = member->execution;
+    execution->part_seconds = redcc_seconds() - member->began;
+    if (execution->pace == PACE_ALONE)
+        redcc_barrier_wait(&execution->barrier, member->threads);
+    member->schedule = redcc_own_schedule(member->plan, 0);
+}
+
 static void begin_running(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct plan *plan = member->plan;
@@ -101,6 +119,7 @@ static void begin_running(redcc_worker *worker) {
         execution->ready = redcc_seconds();
     member->phase = PHASE_RUNNING;
     member->stage = 0;
+    member->first_part_done = false;
     member->runs = (struct run_reader){0};
     worker->position = 0;
     worker->base = member->base;
@@ -110,7 +129,9 @@ static void begin_running(redcc_worker *worker) {
             member->base[array] = execution->request.bases[array];
         return;
     }
-    member->schedule = redcc_own_schedule(plan, member->thread);
+    const bool paced = redcc_is_paced(execution, plan);
+    member->schedule = paced && member->thread == 0 ? redcc_spare_schedule(plan, 0)
+                                                    : redcc_own_schedule(plan, member->thread);
     place_owners(member);
     place_bases(member, redcc_copy_of(plan, member->thread));
     if (redcc_settings()->validate && !execution->state->passing)
@@ -122,6 +143,8 @@ static void begin_running(redcc_worker *worker) {
         const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
+    if (paced)
+        begin_paced(member);
 }
 
 /* Hands out all iterations in order. False: there are none left. */
@@ -182,6 +205,8 @@ static void finish(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct plan *plan = member->plan;
     struct execution *execution = member->execution;
+    if (redcc_is_paced(execution, plan))
+        member->ended = redcc_seconds();
     const int team = redcc_team_of(plan->threads, plan->teams, member->thread);
     if (plan->stages[team] > 0)
         reach_stage(member, plan->stages[team] - 1);
@@ -239,18 +264,30 @@ static bool hand_out_runs(redcc_worker *worker) {
     return count > 0;
 }
 
-/* On to a spare schedule, whichever is the next. False: there is none left. */
-static bool turn_to_spare(redcc_worker *worker) {
+/* The next spare schedule, whichever it is. False: there is none left. */
+static bool claim_spare(struct member *member) {
+    struct execution *execution = member->execution;
+    const unsigned claimed =
+        atomic_fetch_add_explicit(&execution->spares_claimed, 1, memory_order_relaxed);
+    const unsigned before = redcc_is_paced(execution, member->plan) ? 1 : 0;
+    const uint32_t next = redcc_spare_schedule(member->plan, before + claimed);
+    member->schedule = next == UINT32_MAX ? member->schedule : next;
+    return next != UINT32_MAX;
+}
+
+/* On to the next schedule of a plan with spare ones. False: there is none left. */
+static bool turn_to_schedule(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct plan *plan = member->plan;
+    const bool paced = member->thread == 0 && redcc_is_paced(member->execution, plan);
     if (!plan->method->spares)
         return false;
-    const uint32_t next =
-        redcc_spare_schedule(plan, atomic_fetch_add_explicit(&member->execution->spares_claimed, 1,
-                                                             memory_order_relaxed));
-    if (next == UINT32_MAX)
+    if (paced && !member->first_part_done) {
+        member->first_part_done = true;
+        end_first_part(member);
+    } else if (!claim_spare(member)) {
         return false;
-    member->schedule = next;
+    }
     worker->position = 0;
     place_owners(member);
     if (is_hooked(plan))
@@ -265,7 +302,7 @@ static bool turn_to_chunk(redcc_worker *worker) {
     if (worker->position > 0)
         pass_on(member->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
-        return turn_to_spare(worker) && turn_to_chunk(worker);
+        return turn_to_schedule(worker) && turn_to_chunk(worker);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
     get_ready(member, chunk);
     worker->origin = chunk->origin;

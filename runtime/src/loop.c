@@ -204,6 +204,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->parameter = settings->parameter;
     execution->order = order_of(loop, settings);
     execution->course = COURSE_PARALLEL;
+    execution->pace = PACE_UNTIMED;
     execution->rested = 0;
     execution->by_graph = false;
     if (!execution->method) {
@@ -211,6 +212,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
             redcc_choose_course(&state->chooser, execution->request.trip, threads, redcc_budget());
         execution->course = choice.course;
         execution->rested = choice.rested;
+        execution->pace = choice.pace;
         execution->by_graph = choice.by_graph;
         if (choice.first_by_graph) /* what there was before need not stay beside it */
             redcc_drop_plans(state);
@@ -403,6 +405,18 @@ static void count_nodes(const struct execution *execution, struct statistics *st
     statistics->nodes = __builtin_popcountll(nodes);
 }
 
+static void learn_pace(struct execution *execution) {
+    const struct plan *plan = execution->plan;
+    double working = 0;
+    for (int thread = 0; thread < execution->threads; thread++) {
+        const struct member *member = execution->state->member[thread];
+        working += member->ended - member->began;
+    }
+    redcc_choose_learn_pace(&execution->state->chooser, plan->trip, execution->pace,
+                            execution->part_seconds,
+                            working * (double)plan->trip / (double)plan->executed);
+}
+
 static void count_execution(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
@@ -428,6 +442,8 @@ static void count_execution(struct execution *execution, double now) {
     trace_execution(execution, now);
     if (execution->method)
         return;
+    if (!solo && redcc_is_paced(execution, plan))
+        learn_pace(execution);
     redcc_budget_gain(
         redcc_choose_learn(&state->chooser, plan->trip, execution->course,
                            plan->map != NULL || plan->method->in_levels,

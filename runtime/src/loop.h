@@ -57,6 +57,8 @@ struct member {
     redcc_int next;          /* iterations handed out for inspection up to here */
     redcc_int handed;        /* in the block being inspected */
     uint32_t schedule;       /* the plan's that it executes */
+    bool first_part_done;    /* paced: the first thread's */
+    double began, ended;     /* seconds; paced */
     uint32_t stage;          /* of execution */
     redcc_run solo_run;      /* COURSE_SOLO, and the comparison with the sequential loop */
     struct hooks hooks;
@@ -81,6 +83,7 @@ struct execution {
     int parameter;
     redcc_order order;
     enum course course;
+    enum pace pace;
     long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
     bool insists;                       /* one thread executes by the plan as well */
@@ -119,7 +122,13 @@ struct execution {
     double ready;    /* seconds at which the plan was there */
     double executed; /* with validation: at which the loop was done */
     double solo_seconds;
+    double part_seconds; /* paced: of the first thread's first spare part */
 };
+
+/** Is the execution, by this plan, one that begins as its pace says? */
+static inline bool redcc_is_paced(const struct execution *execution, const struct plan *plan) {
+    return execution->pace != PACE_UNTIMED && plan && plan->method->spares;
+}
 
 struct loop_state {
     struct reported reported;

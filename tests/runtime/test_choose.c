@@ -60,6 +60,64 @@ static void the_faster_course_is_kept(void **unused) {
     assert_true(simulate(&chooser, 1000000, 1000, 2e-3, 3e-3) <= 16 + 3 * 3);
 }
 
+/* A loop with spare parts, whose threads take `slowed` times as long side by side; returns how many
+ * of the calls were sequential, and sets *first to the first of them. */
+static int sequential_calls(double serial, double slowed, double part, int calls, int *first) {
+    static struct chooser chooser;
+    const redcc_int trip = 1 << 20;
+    int count = 0;
+    chooser = (struct chooser){0};
+    *first = -1;
+    for (int call = 0; call < calls; call++) {
+        const struct choice choice = redcc_choose_course(&chooser, trip, 2, 0);
+        const double working = serial * slowed;
+        if (choice.course != COURSE_PARALLEL) {
+            if (count++ == 0)
+                *first = call;
+            redcc_choose_learn(&chooser, trip, COURSE_SOLO, false, serial);
+            continue;
+        }
+        if (choice.pace != PACE_UNTIMED)
+            redcc_choose_learn_pace(&chooser, trip, choice.pace,
+                                    choice.pace == PACE_ALONE ? part : part * slowed, working);
+        redcc_choose_learn(&chooser, trip, COURSE_PARALLEL, false, working / 2);
+    }
+    return count;
+}
+
+/* Where company slows threads down by little, no sequential execution is needed to know that. */
+static void a_part_alone_tells_what_the_whole_would_take(void **unused) {
+    (void)unused;
+    int first;
+    assert_int_equal(sequential_calls(60e-3, 1.05, 3e-3, 100, &first), 0);
+    assert_int_equal(sequential_calls(60e-3, 1.4, 3e-3, 100, &first), 0);
+    assert_int_equal(sequential_calls(60e-3, 1.6, 3e-3, 100, &first), 1); /* not clearly faster */
+    assert_int_equal(first, 4);
+    assert_int_equal(sequential_calls(1e-3, 1.05, 50e-6, 100, &first), 1); /* too short to tell */
+    assert_int_equal(first, 2);
+    assert_true(sequential_calls(60e-3, 2.2, 3e-3, 100, &first) > 80); /* it is slower */
+}
+
+/* The first thread's part was hit by something else, alone or beside: what follows is a sequential
+ * execution, not a decision. */
+static void a_part_that_was_hit_decides_nothing(void **unused) {
+    (void)unused;
+    static struct chooser chooser;
+    const redcc_int trip = 1 << 20;
+    const double parts[] = {6e-3, 3e-3, 2.9e-3}; /* company would be slower by nothing */
+    for (int call = 0; call < 4; call++) {
+        const struct choice choice = redcc_choose_course(&chooser, trip, 2, 0);
+        assert_int_equal(choice.course, COURSE_PARALLEL);
+        assert_int_equal(choice.pace, call == 0   ? PACE_UNTIMED
+                                      : call == 2 ? PACE_BESIDE
+                                                  : PACE_ALONE);
+        if (call > 0)
+            redcc_choose_learn_pace(&chooser, trip, choice.pace, parts[call - 1], 60e-3);
+        redcc_choose_learn(&chooser, trip, COURSE_PARALLEL, false, 55e-3);
+    }
+    assert_int_equal(course_of(&chooser, trip), COURSE_SOLO);
+}
+
 /* Two choosers that learn the same, of which one is asked first whether it rests: they agree in
  * each call, and it does rest. */
 static void who_rests_decides_as_before(void **unused) {
@@ -301,6 +359,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(the_rest_is_as_long_as_the_loss),
+        cmocka_unit_test(a_part_alone_tells_what_the_whole_would_take),
+        cmocka_unit_test(a_part_that_was_hit_decides_nothing),
         cmocka_unit_test(who_rests_decides_as_before),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
         cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
