@@ -24,7 +24,7 @@ static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
                     new_byte_copied = 0.6e-9;
 
 /* The first parallel execution is not counted: threads start, a plan is made, pages are touched. */
-enum { PARALLEL_TRIES = 3 };
+enum { PARALLEL_TRIES = 3, PACES = 4 };
 
 static int size_of(redcc_int trip) {
     return 63 - __builtin_clzll((unsigned long long)trip | 1);
@@ -60,14 +60,14 @@ static void try_again(struct trial *trial) {
     trial->pace = (struct pace_trial){0};
 }
 
-/* After the first parallel execution, as long as the part was timed in each. */
+/* After the first parallel execution, as long as the part was timed in each: twice either way,
+ * since something else may run meanwhile. */
 static enum pace next_pace(const struct trial *trial) {
-    static const enum pace paces[] = {PACE_ALONE, PACE_BESIDE, PACE_ALONE};
     const int timed = trial->pace.timed;
-    if (trial->serial_best > 0 || trial->pace.given_up || timed == sizeof paces / sizeof *paces ||
+    if (trial->serial_best > 0 || trial->pace.given_up || timed == PACES ||
         timed != trial->parallel_tries - 1)
         return PACE_UNTIMED;
-    return paces[timed];
+    return timed % 2 == 0 ? PACE_ALONE : PACE_BESIDE;
 }
 
 static int serial_tries_needed(redcc_int trip) {
@@ -149,19 +149,22 @@ static void learn_serial(struct trial *trial, redcc_int trip, double seconds) {
         rest(trial, REASON_LITTLE_WORK, 256, 4, 1 << 20);
 }
 
+static double shorter(double before, double now) {
+    return before > 0 && before < now ? before : now;
+}
+
 void redcc_choose_learn_pace(struct chooser *chooser, redcc_int trip, enum pace pace, double part,
                              double working) {
     struct trial *trial = trial_of(chooser, trip);
     struct pace_trial *it = &trial->pace;
-    if (part < least_part)
-        it->given_up = true;
     if (pace == PACE_BESIDE) {
-        it->beside = part;
-        it->working = working;
-    } else if (it->timed == 0 || part < it->alone) {
-        it->alone = part;
+        it->beside = shorter(it->beside, part);
+        it->working = shorter(it->working, working);
+    } else {
+        it->alone = shorter(it->alone, part);
     }
-    if (++it->timed < 3 || it->given_up)
+    it->given_up = it->given_up || part < least_part;
+    if (++it->timed < PACES || it->given_up)
         return;
     const double serial = it->working * it->alone / it->beside / (double)trip;
     it->given_up = trial->parallel_best > clearly * serial;

@@ -34,11 +34,12 @@ enum pace { PACE_UNTIMED, PACE_ALONE, PACE_BESIDE };
 
 /** What was timed so. */
 struct pace_trial {
-    int timed;      /* executions: alone, beside, alone */
-    bool given_up;  /* a sequential execution will tell */
-    double alone;   /* seconds, the shorter */
-    double beside;  /* seconds */
-    double working; /* seconds of all threads, then; in all, less what was executed twice */
+    int timed;     /* executions: alone, beside, alone, beside */
+    bool given_up; /* a sequential execution will tell */
+    /* seconds, the shorter of two: */
+    double alone;
+    double beside;
+    double working; /* of all threads together, less what was executed twice; beside */
 };
 
 /** How far ownership by the access graph has come. */

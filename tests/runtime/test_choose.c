@@ -92,30 +92,42 @@ static void a_part_alone_tells_what_the_whole_would_take(void **unused) {
     assert_int_equal(sequential_calls(60e-3, 1.05, 3e-3, 100, &first), 0);
     assert_int_equal(sequential_calls(60e-3, 1.4, 3e-3, 100, &first), 0);
     assert_int_equal(sequential_calls(60e-3, 1.6, 3e-3, 100, &first), 1); /* not clearly faster */
-    assert_int_equal(first, 4);
+    assert_int_equal(first, 5);
     assert_int_equal(sequential_calls(1e-3, 1.05, 50e-6, 100, &first), 1); /* too short to tell */
     assert_int_equal(first, 2);
     assert_true(sequential_calls(60e-3, 2.2, 3e-3, 100, &first) > 80); /* it is slower */
 }
 
-/* The first thread's part was hit by something else, alone or beside: what follows is a sequential
- * execution, not a decision. */
-static void a_part_that_was_hit_decides_nothing(void **unused) {
-    (void)unused;
+/* Of which pace auto's executions are, the part and all threads together taking what is said;
+ * returns the course that follows. */
+static enum course course_after(const double part[4], const double working[4], double parallel) {
+    static const enum pace paces[] = {PACE_UNTIMED, PACE_ALONE, PACE_BESIDE, PACE_ALONE,
+                                      PACE_BESIDE};
     static struct chooser chooser;
     const redcc_int trip = 1 << 20;
-    const double parts[] = {6e-3, 3e-3, 2.9e-3}; /* company would be slower by nothing */
-    for (int call = 0; call < 4; call++) {
+    chooser = (struct chooser){0};
+    for (int call = 0; call < 5; call++) {
         const struct choice choice = redcc_choose_course(&chooser, trip, 2, 0);
         assert_int_equal(choice.course, COURSE_PARALLEL);
-        assert_int_equal(choice.pace, call == 0   ? PACE_UNTIMED
-                                      : call == 2 ? PACE_BESIDE
-                                                  : PACE_ALONE);
+        assert_int_equal(choice.pace, paces[call]);
         if (call > 0)
-            redcc_choose_learn_pace(&chooser, trip, choice.pace, parts[call - 1], 60e-3);
-        redcc_choose_learn(&chooser, trip, COURSE_PARALLEL, false, 55e-3);
+            redcc_choose_learn_pace(&chooser, trip, choice.pace, part[call - 1], working[call - 1]);
+        redcc_choose_learn(&chooser, trip, COURSE_PARALLEL, false, parallel);
     }
-    assert_int_equal(course_of(&chooser, trip), COURSE_SOLO);
+    return course_of(&chooser, trip);
+}
+
+/* Something else ran during one of two: it counts for nothing. */
+static void the_shorter_of_two_parts_counts(void **unused) {
+    (void)unused;
+    static const double slow[] = {70e-3, 70e-3, 70e-3, 70e-3};
+    static const double hit[] = {99e-3, 99e-3, 70e-3, 66e-3};
+    static const double alone_hit[] = {6e-3, 3e-3, 2.9e-3, 3e-3};
+    static const double beside_hit[] = {3e-3, 6e-3, 2.9e-3, 3e-3};
+    assert_int_equal(course_after(alone_hit, slow, 55e-3), COURSE_SOLO);
+    assert_int_equal(course_after(alone_hit, hit, 49e-3), COURSE_SOLO);
+    assert_int_equal(course_after(beside_hit, slow, 35e-3), COURSE_PARALLEL);
+    assert_int_equal(course_after(beside_hit, hit, 35e-3), COURSE_PARALLEL);
 }
 
 /* Two choosers that learn the same, of which one is asked first whether it rests: they agree in
@@ -360,7 +372,7 @@ int main(void) {
         cmocka_unit_test(the_faster_course_is_kept),
         cmocka_unit_test(the_rest_is_as_long_as_the_loss),
         cmocka_unit_test(a_part_alone_tells_what_the_whole_would_take),
-        cmocka_unit_test(a_part_that_was_hit_decides_nothing),
+        cmocka_unit_test(the_shorter_of_two_parts_counts),
         cmocka_unit_test(who_rests_decides_as_before),
         cmocka_unit_test(a_graph_is_cut_when_the_budget_allows_it),
         cmocka_unit_test(a_graph_that_does_not_pay_is_left_alone),
