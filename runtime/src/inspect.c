@@ -20,7 +20,8 @@ enum {
     SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
     SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
     SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
-    ROWS_OF_A_TOUCH = 64
+    ROWS_OF_A_TOUCH = 64,
+    TAKEN_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */
 };
 
 void redcc_refuse(struct execution *execution, enum reason reason) {
@@ -251,6 +252,17 @@ static void look_ahead(struct execution *execution, const struct estimate *estim
     }
 }
 
+/* Where the others lie the sweep tells. */
+static void place_known_sources(struct execution *execution) {
+    const struct request *request = &execution->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        execution->sources[s] = known.end
+                                    ? (struct range){(uintptr_t)known.first, (uintptr_t)known.end}
+                                    : redcc_nowhere;
+    }
+}
+
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 static void cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
@@ -260,6 +272,7 @@ static void cut_and_sweep(struct execution *execution) {
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;
     execution->next = PHASE_SWEEP;
+    place_known_sources(execution);
     struct estimate estimate = {0};
     if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads) ||
         (!execution->method && !redcc_estimate(&execution->partition, execution->samples,
@@ -306,6 +319,15 @@ static void after_sample(struct execution *execution) {
         cut_and_sweep(execution);
 }
 
+/* As many iterations as read so much of the subscripts, whose fingerprints are then taken. */
+static redcc_int iterations_at_once(struct member *member) {
+    const size_t bytes = member->execution->only_timed ? 0 : redcc_begin_taking(member);
+    const redcc_int own = redcc_own_end(member) - redcc_own_begin(member);
+    const redcc_int blocks = (redcc_int)(bytes / TAKEN_AT_ONCE) + 1;
+    const redcc_int each = own / blocks + 1;
+    return each < REDCC_BLOCK ? each : REDCC_BLOCK;
+}
+
 static void begin_sweep(struct member *member) {
     redcc_sweep_end(&member->sweep); /* of the sweep before, where groups had to be put together */
     memset(member->executed, 0, member->execution->partition.owners * sizeof *member->executed);
@@ -313,6 +335,7 @@ static void begin_sweep(struct member *member) {
         !redcc_sweep_begin(&member->sweep, &member->execution->partition, member->seen);
     member->next = redcc_own_begin(member);
     member->handed = 0;
+    member->block = iterations_at_once(member);
     member->told_all = true;
     member->phase = PHASE_SWEEPING;
 }
@@ -322,7 +345,7 @@ static int hand_out_block(redcc_worker *worker) {
     const redcc_int end = redcc_own_end(member), first = member->next;
     if (member->failed || !member->told_all || first == end)
         return 0;
-    member->handed = end - first < REDCC_BLOCK ? end - first : REDCC_BLOCK;
+    member->handed = end - first < member->block ? end - first : member->block;
     member->next = first + member->handed;
     redcc_sweep_open_block(&member->sweep, first);
     return redcc_hand_out(worker, first, member->next, 1, member->sweep.window);
@@ -338,14 +361,15 @@ static void close_block(redcc_worker *worker) {
         member->told_all = false;
     }
     member->handed = 0;
+    const redcc_int begin = redcc_own_begin(member), all = redcc_own_end(member) - begin;
+    if (member->block < all)
+        redcc_take_some(member, (double)(member->next - begin) / (double)all);
 }
 
 static void gather_sources(struct execution *execution) {
     const struct request *request = &execution->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
         struct range *range = &execution->sources[s];
-        *range =
-            (struct range){(uintptr_t)request->known[s].first, (uintptr_t)request->known[s].end};
         if (request->known[s].end)
             continue;
         *range = redcc_nowhere;

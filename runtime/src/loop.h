@@ -41,6 +41,13 @@ enum phase {
     PHASE_OVER      /* done, or not to be done in parallel */
 };
 
+/** A fingerprint of a thread's share of a source, as far as it is taken. */
+struct taking {
+    struct reading reading; /* of which it is; empty: of none yet */
+    size_t taken;           /* bytes */
+    struct fingerprint so_far;
+};
+
 /** One thread's part. What only it writes; others look after the barrier. */
 struct member {
     alignas(64) struct execution *execution;
@@ -56,6 +63,7 @@ struct member {
     bool told_all;           /* the inspector told as many iterations as asked for */
     redcc_int next;          /* iterations handed out for inspection up to here */
     redcc_int handed;        /* in the block being inspected */
+    redcc_int block;         /* that many at most */
     uint32_t schedule;       /* the plan's that it executes */
     bool first_part_done;    /* paced: the first thread's */
     double began, ended;     /* seconds; paced */
@@ -73,6 +81,7 @@ struct member {
     void **base;                     /* [array_count] */
     redcc_owner *owner;              /* [array_count] */
     struct fingerprint *fingerprint; /* [source_count] of the own share */
+    struct taking *taking;           /* [source_count] while all iterations are told */
 };
 
 /** One execution. */
@@ -167,7 +176,22 @@ void redcc_find_candidate(struct execution *execution, int threads);
  */
 bool redcc_verify(struct member *member);
 
-/** Takes fingerprints of the own share of all subscripts, into member->fingerprint. */
+/** Is a source so small that every thread reads it, rather than its share? That is dearer by less
+ *  than the barrier that is saved. */
+bool redcc_is_small(struct reading reading);
+
+/** Of the thread's share of what is read. */
+struct fingerprint redcc_share_fingerprint(const struct member *member, struct reading reading);
+
+/** To be called before the member's iterations are told. Returns the bytes of its share that will
+ * be taken meanwhile, of sources whose place is known (execution->sources). */
+size_t redcc_begin_taking(struct member *member);
+
+/** So much of its iterations, 0 to 1, the member has told: takes as much of these fingerprints. */
+void redcc_take_some(struct member *member, double part);
+
+/** Takes what is left of the fingerprints of the own share of all subscripts, into
+ *  member->fingerprint; of all that are not of what is read now. */
 void redcc_take_fingerprints(struct member *member);
 
 /** Joins them into the records of the execution's plan. */

@@ -15,6 +15,7 @@ static struct member *member_new(struct loop_state *state, const redcc_loop *loo
     member->base = redcc_memory_take_zeroed(loop->array_count, sizeof *member->base);
     member->owner = redcc_memory_take_zeroed(loop->array_count, sizeof *member->owner);
     member->fingerprint = redcc_memory_take_zeroed(loop->source_count, sizeof *member->fingerprint);
+    member->taking = redcc_memory_take_zeroed(loop->source_count, sizeof *member->taking);
     member->hooks.hook = redcc_memory_take_zeroed(loop->array_count, sizeof *member->hooks.hook);
     return member;
 }
@@ -26,6 +27,7 @@ static void member_free(struct member *member) {
     redcc_memory_give(member->base);
     redcc_memory_give(member->owner);
     redcc_memory_give(member->fingerprint);
+    redcc_memory_give(member->taking);
     redcc_memory_give(member->hooks.hook);
     redcc_memory_give(member);
 }
@@ -40,7 +42,7 @@ bool redcc_members_ensure(struct loop_state *state, const redcc_loop *loop, int 
     while (state->member_count < count) {
         struct member *member = member_new(state, loop, state->member_count);
         if (!member || !member->sources || !member->base || !member->owner ||
-            !member->fingerprint || !member->hooks.hook) {
+            !member->fingerprint || !member->taking || !member->hooks.hook) {
             member_free(member);
             return false;
         }

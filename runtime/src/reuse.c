@@ -2,10 +2,6 @@
 /** Using plans again: which one may fit, and are its subscripts what they were? */
 #include "loop.h"
 
-/* A source below this size is read by every thread rather than shared out: dearer by less than the
- * barrier that is saved. */
-enum { SMALL = 8192, STRIPE = 64 };
-
 void redcc_find_candidate(struct execution *execution, int threads) {
     struct loop_state *state = execution->state;
     execution->candidate = NULL;
@@ -27,19 +23,6 @@ static struct reading reading_of(const struct execution *execution, uint32_t sou
     return redcc_reading_of(execution->request.loop, execution->sources, source);
 }
 
-static bool is_small(struct reading reading) {
-    return redcc_range_bytes(reading.range) <= SMALL;
-}
-
-static struct fingerprint share_of(struct reading reading, const struct member *member) {
-    const size_t bytes = redcc_range_bytes(reading.range);
-    const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
-    const size_t first = (size_t)redcc_share(stripes, member->threads, member->thread) * STRIPE;
-    const size_t end = (size_t)redcc_share(stripes, member->threads, member->thread + 1) * STRIPE;
-    return redcc_fingerprint((const char *)reading.range.first + first,
-                             (end < bytes ? end : bytes) - (first < bytes ? first : bytes));
-}
-
 static struct fingerprint joined(const struct execution *execution, uint32_t source) {
     enum { AT_ONCE = 64 };
     const struct reading reading = reading_of(execution, source);
@@ -59,7 +42,7 @@ static struct fingerprint joined(const struct execution *execution, uint32_t sou
  * before all have found this one unchanged. */
 static bool verify_together(struct member *member, uint32_t source) {
     struct execution *execution = member->execution;
-    member->fingerprint[source] = share_of(reading_of(execution, source), member);
+    member->fingerprint[source] = redcc_share_fingerprint(member, reading_of(execution, source));
     if (redcc_barrier_arrive(&execution->barrier, member->threads)) {
         execution->verified = redcc_fingerprint_equal(
             joined(execution, source), execution->candidate->source[source].fingerprint);
@@ -77,8 +60,9 @@ static bool verify_alone(const struct execution *execution, uint32_t source) {
  * one. */
 static bool verify_by_reading(struct member *member, uint32_t source) {
     struct execution *execution = member->execution;
-    const bool same = is_small(reading_of(execution, source)) ? verify_alone(execution, source)
-                                                              : verify_together(member, source);
+    const bool same = redcc_is_small(reading_of(execution, source))
+                          ? verify_alone(execution, source)
+                          : verify_together(member, source);
     if (same && member->thread == 0)
         redcc_note_unchanged(execution, source);
     return same;
@@ -99,27 +83,14 @@ bool redcc_verify(struct member *member) {
     return true;
 }
 
-void redcc_take_fingerprints(struct member *member) {
-    const struct execution *execution = member->execution;
-    const redcc_loop *loop = execution->request.loop;
-    for (uint32_t s = 0; s < loop->source_count; s++) {
-        if (!loop->sources[s].is_subscript)
-            continue;
-        const struct reading reading = reading_of(execution, s);
-        if (!is_small(reading))
-            member->fingerprint[s] = share_of(reading, member);
-        else if (member->thread == 0)
-            member->fingerprint[s] = redcc_reading_fingerprint(reading);
-    }
-}
-
 void redcc_record_fingerprints(const struct execution *execution) {
     const redcc_loop *loop = execution->request.loop;
     for (uint32_t s = 0; s < loop->source_count; s++)
         if (loop->sources[s].is_subscript)
             execution->plan->source[s].fingerprint =
-                is_small(reading_of(execution, s)) ? execution->state->member[0]->fingerprint[s]
-                                                   : joined(execution, s);
+                redcc_is_small(reading_of(execution, s))
+                    ? execution->state->member[0]->fingerprint[s]
+                    : joined(execution, s);
 }
 
 void redcc_drop_candidate(struct execution *execution) {

@@ -74,6 +74,46 @@ static void changed_contents_are_noticed(void **unused) {
     fixture_end(&fixture);
 }
 
+/* One touch an iteration; `start` takes some megabytes. */
+static struct problem long_problem(void) {
+    enum { TRIP = 900000, ROWS = 5000 };
+    struct problem problem = {
+        .name = "long", .trip = TRIP, .touches = TRIP, .rows = ROWS, .width = 1, .doubles = ROWS};
+    problem.start = malloc((TRIP + 1) * sizeof(int));
+    problem.row = malloc(TRIP * sizeof(int));
+    problem.other = malloc(TRIP * sizeof(int));
+    problem.value = malloc(TRIP * sizeof(double));
+    problem.first = malloc(ROWS * sizeof(double));
+    for (int t = 0; t < TRIP; t++) {
+        problem.start[t] = t;
+        problem.row[t] = problem.other[t] = (int)((long)t * ROWS / TRIP);
+        problem.value[t] = t % 17;
+    }
+    problem.start[TRIP] = TRIP;
+    return problem;
+}
+
+/* So long a source is read in pieces, while the iterations are told. */
+static void changes_in_every_piece_are_noticed(void **unused) {
+    (void)unused;
+    struct fixture fixture = {.problem = long_problem()};
+    struct problem *problem = &fixture.problem;
+    problem_describe(problem, &fixture.described);
+    fixture.expected = malloc((size_t)problem->doubles * sizeof(double));
+    assert_true(run_right(&fixture));
+    assert_true(run_right(&fixture));
+    expect_plans(&fixture, 1, 1);
+    long changes = 0;
+    for (long t = 1; t < problem->trip; t += 99991, changes++) { /* t - 1 loses its touch to t */
+        problem->start[t]--;
+        assert_true(run_right(&fixture));
+    }
+    expect_plans(&fixture, 1 + changes, 1);
+    assert_true(run_right(&fixture));
+    expect_plans(&fixture, 1 + changes, 2);
+    fixture_end(&fixture);
+}
+
 static void values_may_change(void **unused) {
     (void)unused;
     struct fixture fixture;
@@ -285,6 +325,7 @@ static void overlapping_arrays_of_unlike_operators(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(changed_contents_are_noticed),
+        cmocka_unit_test(changes_in_every_piece_are_noticed),
         cmocka_unit_test(values_may_change),
         cmocka_unit_test(several_trip_counts_are_kept),
         cmocka_unit_test(more_trip_counts_than_are_kept),
