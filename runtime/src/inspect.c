@@ -1,35 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Inspection, in the threads of the region: a sample of the iterations, from which the arrays are
- * cut; then all of them, which gives the access summary, the exact extents and the guard; where the
- * owners are to be cut from the access graph, all of them once more (gather.c); then each thread
- * prepares its part of the plan. All threads walk through the same phases.
+ * cut (sampling.c); then all of them, which gives the access summary, the exact extents and the
+ * guard; where the owners are to be cut from the access graph, all of them once more (gather.c);
+ * then each thread prepares its part of the plan. All threads walk through the same phases.
  */
 #include "inspect.h"
 
-#include "cuts.h"
 #include "guard.h"
 #include "memory.h"
 
 #include <string.h>
 
-enum {
-    LEAST_WITH_SPARES = 4096,   /* iterations */
-    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
-    SAMPLED_MOST = 8192,
-    SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
-    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
-    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
-    ROWS_OF_A_TOUCH = 64,
-    TAKEN_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */
-};
+enum { TAKEN_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */ };
 
 void redcc_refuse(struct execution *execution, enum reason reason) {
     execution->reason = reason;
     execution->next = PHASE_OVER;
 }
 
-static bool some_failed(const struct execution *execution) {
+bool redcc_some_failed(const struct execution *execution) {
     for (int thread = 0; thread < execution->threads; thread++)
         if (execution->state->member[thread]->failed)
             return true;
@@ -41,28 +31,6 @@ static void recount(struct execution *execution) {
     execution->next = PHASE_BEGIN;
 }
 
-/* With how many spare owners for each thread? auto sees by the sample what they cost. */
-static uint32_t spares_to_cut_for(const struct execution *execution) {
-    const struct method *method = execution->method;
-    const bool spares = method ? method->spares
-                               : execution->course == COURSE_PARALLEL && !execution->by_graph &&
-                                     execution->request.trip >= LEAST_WITH_SPARES;
-    return spares ? REDCC_SPARES : 0;
-}
-
-static uint32_t owners_to_cut_for(const struct execution *execution) {
-    const struct method *method = execution->method;
-    if (method && method->owners)
-        return method->owners(execution->threads, execution->parameter);
-    return (uint32_t)execution->threads * (1 + spares_to_cut_for(execution));
-}
-
-/* auto may come to spare owners later. */
-static uint32_t most_owners(const struct execution *execution) {
-    return execution->method ? owners_to_cut_for(execution)
-                             : (uint32_t)execution->threads * (1 + REDCC_SPARES);
-}
-
 static void begin_inspection(struct execution *execution) {
     redcc_drop_candidate(execution);
     execution->inspected = true;
@@ -72,12 +40,9 @@ static void begin_inspection(struct execution *execution) {
     execution->summaries = redcc_memory_take(threads * sizeof *execution->summaries);
     execution->seen = redcc_memory_take(threads * sizeof *execution->seen);
     execution->next = PHASE_SAMPLE;
-    if (!redcc_partition_begin(&execution->partition, execution->request.loop,
-                               execution->request.bases, most_owners(execution)) ||
-        !execution->samples || !execution->summaries || !execution->seen)
+    if (!redcc_begin_partition(execution) || !execution->samples || !execution->summaries ||
+        !execution->seen)
         redcc_refuse(execution, REASON_NO_MEMORY);
-    execution->partition.owners = owners_to_cut_for(execution);
-    execution->partition.spares = spares_to_cut_for(execution);
 }
 
 redcc_int redcc_own_begin(const struct member *member) {
@@ -86,61 +51,6 @@ redcc_int redcc_own_begin(const struct member *member) {
 
 redcc_int redcc_own_end(const struct member *member) {
     return redcc_share(member->execution->request.trip, member->threads, member->thread + 1);
-}
-
-/* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
- * odd, or it might meet the same corner of each element again and again. Sorting more touches than
- * few owners need would cost more than the sweep of all iterations. */
-static redcc_int sample_stride(const struct execution *execution) {
-    const struct partition *partition = &execution->partition;
-    const redcc_int shares = partition->owners / (1 + partition->spares);
-    const redcc_int wanted = shares * SAMPLED_FOR_AN_OWNER;
-    return execution->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
-}
-
-/* How many of them lie before this thread's share. */
-static redcc_int sampled_before(const struct member *member) {
-    const redcc_int stride = sample_stride(member->execution);
-    return (redcc_own_begin(member) + stride - 1) / stride;
-}
-
-/* A part's cuts can be no more even than the touches from which they are chosen. (Where results
- * must not depend on the number of threads each of them has room for all, so these are few.) */
-static size_t touches_to_keep(const struct execution *execution) {
-    if (execution->method && execution->method->keeps == REDCC_ORDER_FIXED)
-        return SAMPLED_TOUCHES;
-    const size_t wanted = (size_t)execution->partition.owners * SAMPLED_TOUCHES_AN_OWNER;
-    const size_t most = wanted < SAMPLED_TOUCHES_MOST ? wanted : SAMPLED_TOUCHES_MOST;
-    return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
-}
-
-/* Where results must not depend on the number of threads, each has room for whatever of its share
- * may stay in the end. */
-static size_t sample_room(const struct member *member) {
-    const struct method *method = member->execution->method;
-    const size_t all = touches_to_keep(member->execution);
-    const size_t least = 1024, even = all / (size_t)member->threads;
-    if (method && method->keeps == REDCC_ORDER_FIXED)
-        return all;
-    return even > least ? even : least;
-}
-
-static bool begin_member(struct member *member) {
-    const struct partition *partition = &member->execution->partition;
-    member->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *member->entries);
-    member->seen = redcc_memory_take(partition->array_count * sizeof *member->seen);
-    member->executed = redcc_memory_take_zeroed(partition->room, sizeof *member->executed);
-    if (!redcc_sample_begin(&member->sample, sample_room(member),
-                            (uint64_t)sampled_before(member)) ||
-        !member->entries || !member->seen || !member->executed)
-        return false;
-    for (uint32_t array = 0; array < partition->array_count; array++) {
-        member->seen[array] = redcc_nowhere;
-        member->owner[array] = (redcc_owner){.first = 0}; /* of a sample, all touches are entered */
-    }
-    for (uint32_t s = 0; s < member->execution->request.loop->source_count; s++)
-        member->sources[s] = (redcc_extent){0, 0};
-    return true;
 }
 
 int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_int stride,
@@ -158,67 +68,6 @@ int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_
     return 1;
 }
 
-static int hand_out_sample(redcc_worker *worker) {
-    struct member *member = worker->execution;
-    const redcc_int stride = sample_stride(member->execution);
-    const redcc_int first = stride * sampled_before(member);
-    member->failed = !begin_member(member);
-    member->phase = PHASE_SAMPLED;
-    if (member->failed || first >= redcc_own_end(member))
-        return 0;
-    return redcc_hand_out(worker, first, redcc_own_end(member), stride, member->owner);
-}
-
-/* A touch of several rows weighs as much as they do, up to some: cuts lie between rows. */
-static void sample_rows(struct member *member, const redcc_entry *entry) {
-    const uint32_t unit = member->execution->partition.arrays[entry->array].unit;
-    const uint32_t rows = entry->bytes / unit > 0 ? entry->bytes / unit : 1;
-    const uint32_t step = (rows + ROWS_OF_A_TOUCH - 1) / ROWS_OF_A_TOUCH;
-    for (uint32_t row = 0; row < rows; row += step)
-        redcc_sample_add(&member->sample, (uintptr_t)entry->address + (uintptr_t)row * unit,
-                         entry->array);
-}
-
-static void take_sample(struct member *member, const redcc_entry *end) {
-    for (const redcc_entry *entry = member->entries; entry != end; entry++) {
-        if (entry->array == REDCC_END_OF_ITERATION) {
-            redcc_sample_next_iteration(&member->sample);
-            continue;
-        }
-        const uintptr_t first = (uintptr_t)entry->address;
-        if (entry->bytes == 0)
-            continue;
-        member->seen[entry->array] = redcc_range_union(member->seen[entry->array],
-                                                       (struct range){first, first + entry->bytes});
-        sample_rows(member, entry);
-    }
-}
-
-/* What the threads touched, by group. */
-static void gather_touched(struct execution *execution) {
-    for (uint32_t group = 0; group < execution->partition.array_count; group++) {
-        execution->touched[group] = redcc_nowhere;
-        for (int thread = 0; thread < execution->threads; thread++)
-            execution->touched[group] = redcc_range_union(
-                execution->touched[group], execution->state->member[thread]->seen[group]);
-    }
-}
-
-/* Groups were put together: so is what each thread has seen of them. */
-static void regroup_seen(struct execution *execution) {
-    const struct partition *partition = &execution->partition;
-    for (int thread = 0; thread < execution->threads; thread++) {
-        struct range *seen = execution->state->member[thread]->seen;
-        for (uint32_t array = 0; array < partition->array_count; array++) {
-            const uint32_t group = partition->group_of[array];
-            if (group == array)
-                continue;
-            seen[group] = redcc_range_union(seen[group], seen[array]);
-            seen[array] = redcc_nowhere;
-        }
-    }
-}
-
 /* Nothing but the original loop is left, or nothing is known of it: one thread executes it, so that
  * it is known how long that takes. Even that wants the guard: what the body reads once, as where an
  * array lies, must not be among what it updates. */
@@ -226,97 +75,6 @@ static void go_alone(struct execution *execution) {
     execution->course = COURSE_SOLO;
     execution->planless = true;
     execution->next = PHASE_RUN;
-}
-
-/* auto, by the sample: is it worth going on, and by copies, or to be timed first? Then it need not
- * be told apart who touches what: only where and how far, for the guard and the copies. */
-static void look_ahead(struct execution *execution, const struct estimate *estimate) {
-    switch (redcc_find_way(execution, estimate)) {
-    case RULE_DEFERRED:
-        redcc_refuse(execution, REASON_REPLICATION);
-        break;
-    case RULE_COSTLY:
-        redcc_refuse(execution, REASON_COSTLY);
-        break;
-    case RULE_TIMED:
-        execution->only_timed = true;
-        redcc_partition_in_one(&execution->partition);
-        break;
-    case RULE_COPIES:
-    case RULE_CHEAP_COPIES:
-        execution->for_copies = true;
-        redcc_partition_in_one(&execution->partition);
-        break;
-    default:
-        break;
-    }
-}
-
-/* Where the others lie the sweep tells. */
-static void place_known_sources(struct execution *execution) {
-    const struct request *request = &execution->request;
-    for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const redcc_extent known = request->known[s];
-        execution->sources[s] = known.end
-                                    ? (struct range){(uintptr_t)known.first, (uintptr_t)known.end}
-                                    : redcc_nowhere;
-    }
-}
-
-/* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
-static void cut_and_sweep(struct execution *execution) {
-    regroup_seen(execution);
-    execution->partition.owners = owners_to_cut_for(execution);
-    execution->partition.spares = spares_to_cut_for(execution);
-    execution->for_copies = execution->only_timed = false;
-    for (int thread = 0; thread < execution->threads; thread++)
-        execution->samples[thread] = &execution->state->member[thread]->sample;
-    execution->next = PHASE_SWEEP;
-    place_known_sources(execution);
-    struct estimate estimate = {0};
-    if (!redcc_choose_cuts(&execution->partition, execution->samples, execution->threads) ||
-        (!execution->method && !redcc_estimate(&execution->partition, execution->samples,
-                                               execution->threads, &estimate))) {
-        redcc_refuse(execution, REASON_NO_MEMORY);
-        return;
-    }
-    execution->touches = estimate.touches;
-    if (!execution->method && execution->partition.spares > 0 &&
-        !redcc_choose_spares(&execution->state->chooser, execution->request.trip,
-                             execution->threads, &estimate))
-        redcc_partition_join_spares(&execution->partition);
-    if (!execution->method && execution->course == COURSE_PARALLEL)
-        look_ahead(execution, &estimate);
-}
-
-/* One item stands for as many touches in all samples, and all have touches_to_keep at most. */
-static void thin_samples(struct execution *execution) {
-    struct member *const *member = execution->state->member;
-    uint64_t keep_each = 1;
-    size_t count = SIZE_MAX;
-    for (int thread = 0; thread < execution->threads; thread++)
-        if (member[thread]->sample.keep_each > keep_each)
-            keep_each = member[thread]->sample.keep_each;
-    for (; count > touches_to_keep(execution); keep_each *= 2) {
-        count = 0;
-        for (int thread = 0; thread < execution->threads; thread++)
-            count += redcc_sample_count(&member[thread]->sample, keep_each);
-    }
-    for (int thread = 0; thread < execution->threads; thread++)
-        redcc_sample_thin(&member[thread]->sample, keep_each / 2);
-}
-
-static void after_sample(struct execution *execution) {
-    if (some_failed(execution)) {
-        redcc_refuse(execution, REASON_NO_MEMORY);
-        return;
-    }
-    thin_samples(execution);
-    gather_touched(execution);
-    if (redcc_partition_merge(&execution->partition, execution->touched) == MERGE_REFUSED)
-        redcc_refuse(execution, REASON_OUT_OF_STEP);
-    else
-        cut_and_sweep(execution);
 }
 
 /* As many iterations as read so much of the subscripts, whose fingerprints are then taken. */
@@ -422,7 +180,7 @@ static const struct method *method_to_use(struct execution *execution) {
 void redcc_choose_and_go_on(struct execution *execution) {
     if (execution->for_copies && !redcc_copies_allowed(execution)) {
         execution->no_copies = true; /* the sample had not seen all that is touched */
-        cut_and_sweep(execution);
+        redcc_cut_and_sweep(execution);
         return;
     }
     const struct method *method = execution->only_timed ? NULL : method_to_use(execution);
@@ -443,11 +201,11 @@ static void after_sweep(struct execution *execution) {
     bool told_all = true;
     for (int thread = 0; thread < execution->threads; thread++)
         told_all = told_all && execution->state->member[thread]->told_all;
-    if (some_failed(execution) || !told_all) {
-        redcc_refuse(execution, some_failed(execution) ? REASON_NO_MEMORY : REASON_INSPECTOR);
+    if (redcc_some_failed(execution) || !told_all) {
+        redcc_refuse(execution, redcc_some_failed(execution) ? REASON_NO_MEMORY : REASON_INSPECTOR);
         return;
     }
-    gather_touched(execution);
+    redcc_gather_touched(execution);
     gather_sources(execution);
     if (!redcc_guard(execution->sources, execution->request.loop->source_count, execution->touched,
                      execution->partition.array_count, &execution->clash_source,
@@ -460,7 +218,7 @@ static void after_sweep(struct execution *execution) {
         redcc_refuse(execution, REASON_OUT_OF_STEP);
         break;
     case MERGE_DONE:
-        cut_and_sweep(execution);
+        redcc_cut_and_sweep(execution);
         break;
     case MERGE_NOTHING:
         redcc_choose_and_go_on(execution);
@@ -487,7 +245,7 @@ static void prepare(struct member *member) {
 }
 
 static void after_prepare(struct execution *execution) {
-    if (some_failed(execution)) {
+    if (redcc_some_failed(execution)) {
         redcc_plan_free(execution->plan);
         execution->plan = NULL;
         redcc_refuse(execution, REASON_NO_MEMORY);
@@ -523,13 +281,13 @@ int redcc_inspect(redcc_worker *worker) {
             begin_with_candidate(member);
             break;
         case PHASE_SAMPLE:
-            if (hand_out_sample(worker))
+            if (redcc_hand_out_sample(worker))
                 return 1;
             break;
         case PHASE_SAMPLED:
             if (!member->failed && worker->entry)
                 redcc_flush(worker);
-            redcc_meet(member, after_sample);
+            redcc_meet(member, redcc_after_sample);
             break;
         case PHASE_SWEEP:
             begin_sweep(member);
@@ -572,7 +330,7 @@ int redcc_inspect(redcc_worker *worker) {
 void redcc_flush(redcc_worker *worker) {
     struct member *member = worker->execution;
     if (member->phase == PHASE_SAMPLED)
-        take_sample(member, worker->entry);
+        redcc_take_sample(member, worker->entry);
     else if (member->phase == PHASE_GATHERING)
         redcc_told_take(&member->execution->divide.told[member->thread], member->entries,
                         worker->entry);

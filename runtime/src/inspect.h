@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the phases of an inspection share (inspect.c, gather.c). */
+/** What the phases of an inspection share (inspect.c, sampling.c, gather.c). */
 #ifndef REDCC_INSPECT_H
 #define REDCC_INSPECT_H
 
@@ -17,6 +17,29 @@ int redcc_hand_out(redcc_worker *worker, redcc_int first, redcc_int last, redcc_
 
 /** To be called by one thread, while the others wait: nothing is to be done in parallel. */
 void redcc_refuse(struct execution *execution, enum reason reason);
+
+/** Has some thread run out of memory? */
+bool redcc_some_failed(const struct execution *execution);
+
+/** A partition for as many owners as the sample is to cut the arrays for, and room for those that
+ *  auto may come to. False: no memory. */
+bool redcc_begin_partition(struct execution *execution);
+
+/** Hands out the member's iterations of the sample; returns 0 where there are none. */
+int redcc_hand_out_sample(redcc_worker *worker);
+
+/** Takes what was told of the sample, up to `end`. */
+void redcc_take_sample(struct member *member, const redcc_entry *end);
+
+/** To be called by one thread, when the sample is told: cuts, and sends all on. */
+void redcc_after_sample(struct execution *execution);
+
+/** To be called by one thread: sends all to a sweep with groups that do not overlap, as far as is
+ *  known, newly cut by the sample; or, as auto sees by it, on by other means. */
+void redcc_cut_and_sweep(struct execution *execution);
+
+/** What the threads touched, by group, into execution->touched. */
+void redcc_gather_touched(struct execution *execution);
 
 /** What of the iterations the thread has that would execute most by LOCALWRITE, as the members have
  *  counted them (member.executed). */
