@@ -11,8 +11,7 @@ static const double uneven = 1.25;       /* of an equal share of the iterations 
 static const double shorter = 0.9;       /* than by the owners that were cut */
 static const double level_touch = 20e-9; /* seconds that putting in levels takes for a touch */
 
-/* Units of the leading array for each thread: of a mesh of so many rows, spare parts cost about 1
- * %. */
+/* Units of the leading array for each thread. If they are rows of a mesh, spare parts cost 1 %. */
 enum { LEAST_WITH_SPARES = 32768 };
 
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
@@ -85,8 +84,7 @@ static bool spares_are_worth(const struct execution *execution, double share, do
                                execution->threads, &found);
 }
 
-/* auto: tries spare owners where the parts are large; what they cost is seen when they are there.
- */
+/* auto: tries spare owners where parts are large; what they cost is seen when they are there. */
 static void add_spares(struct execution *execution) {
     struct partition *partition = &execution->partition;
     const uint32_t threads = (uint32_t)execution->threads;

@@ -42,7 +42,9 @@
       "the original loop")                                                                         \
     X(RULE_SERIAL, "more than that; otherwise",                                                    \
       "one thread executes all within the region, timed; then the original loop")                  \
-    X(RULE_FASTER, "two executions by a plan and one or two by one thread have been timed",        \
+    X(RULE_FASTER,                                                                                 \
+      "two executions by a plan have been timed and one or two by one thread, or what that takes " \
+      "is reckoned (below)",                                                                       \
       "the faster course is kept for trip counts of that size (between two powers of two)")        \
     X(RULE_GRAPH_KEPT, "two executions by one of these two were faster than all else",             \
       "it is kept")                                                                                \
