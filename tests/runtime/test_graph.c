@@ -279,7 +279,8 @@ static const struct method *method_with_map(const struct described *described) {
 
 /* Calls of a loop by auto; each gives the oracle's bits. Returns in how many of them there was a
  * plan with a map in the end. */
-static int call_often(struct problem *problem, struct described *described, int calls) {
+static int call_often(struct problem *problem, struct described *described, int threads,
+                      int calls) {
     const size_t bytes = (size_t)problem->doubles * sizeof(double);
     double *expected = malloc(bytes);
     int mapped = 0;
@@ -289,7 +290,7 @@ static int call_often(struct problem *problem, struct described *described, int 
     memcpy(expected, problem->first, bytes);
     for (int call = 0; call < calls; call++) {
         problem_reset(problem);
-        problem_run(problem, described, 4, &last);
+        problem_run(problem, described, threads, &last);
         assert_memory_equal(problem->first, expected, bytes);
         mapped += method_with_map(described) != NULL;
     }
@@ -306,10 +307,10 @@ static void auto_comes_to_the_graph(void **unused) {
     struct described described;
     problem_describe(&problem, &described);
     redcc_budget_gain(1e6);
-    assert_true(call_often(&problem, &described, 20) >= 3);
+    assert_true(call_often(&problem, &described, 4, 20) >= 3);
     for (int change = 0; change < 6; change++) {
         problem.row[100 * change] = (problem.row[100 * change] + 1) % problem.rows;
-        call_often(&problem, &described, 4);
+        call_often(&problem, &described, 4, 4);
     }
     redcc_loop_forget(&described.loop);
     problem_free(&problem);
@@ -324,14 +325,14 @@ static const struct method *method_of_long_iterations(const struct mesh *mesh, d
     problem_describe(&problem, &described);
     redcc_budget_gain(1e6);
     for (int call = 0; call < 12 && !method; call++) {
-        call_often(&problem, &described, 1);
+        call_often(&problem, &described, 2, 1);
         struct loop_state *state = described.loop.state;
         for (int size = 0; size < 64; size++)
             if (state->chooser.trial[size].serial_best > 0)
                 state->chooser.trial[size].serial_best = seconds;
         method = method_with_map(&described);
     }
-    call_often(&problem, &described, 2);
+    call_often(&problem, &described, 2, 2);
     redcc_loop_forget(&described.loop);
     problem_free(&problem);
     assert_int_equal(redcc_memory_live(), 0);
@@ -340,7 +341,7 @@ static const struct method *method_of_long_iterations(const struct mesh *mesh, d
 
 static void auto_adds_spare_parts_where_iterations_are_long(void **unused) {
     (void)unused;
-    const struct mesh mesh = {.side = 370, .sheets = 1};
+    const struct mesh mesh = {.side = 257, .sheets = 1};
     assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_spare_graph_localwrite);
     assert_ptr_equal(method_of_long_iterations(&mesh, 50e-9), &redcc_method_graph_localwrite);
 }
@@ -348,7 +349,7 @@ static void auto_adds_spare_parts_where_iterations_are_long(void **unused) {
 /* They are there, and one of them takes part in all: they are joined to the others. */
 static void auto_joins_spare_parts_that_cost_too_much(void **unused) {
     (void)unused;
-    const struct mesh mesh = {.side = 370, .sheets = 1, .hub = true};
+    const struct mesh mesh = {.side = 257, .sheets = 1, .hub = true};
     assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_graph_localwrite);
 }
 
