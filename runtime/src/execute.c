@@ -102,6 +102,12 @@ static void begin_paced(struct member *member) {
     member->began = redcc_seconds();
 }
 
+/* Paced, nobody else claims that part. */
+static bool is_in_first_part(const struct member *member) {
+    return member->thread == 0 && redcc_is_paced(member->execution, member->plan) &&
+           member->schedule == redcc_spare_schedule(member->plan, 0);
+}
+
 /* The first thread is done with it, and turns to what is its own. */
 static void end_first_part(struct member *member) {
     struct execution *execution = member->execution;
@@ -119,7 +125,6 @@ static void begin_running(redcc_worker *worker) {
         execution->ready = redcc_seconds();
     member->phase = PHASE_RUNNING;
     member->stage = 0;
-    member->first_part_done = false;
     member->runs = (struct run_reader){0};
     worker->position = 0;
     worker->base = member->base;
@@ -279,11 +284,9 @@ static bool claim_spare(struct member *member) {
 static bool turn_to_schedule(redcc_worker *worker) {
     struct member *member = worker->execution;
     const struct plan *plan = member->plan;
-    const bool paced = member->thread == 0 && redcc_is_paced(member->execution, plan);
     if (!plan->method->spares)
         return false;
-    if (paced && !member->first_part_done) {
-        member->first_part_done = true;
+    if (is_in_first_part(member)) {
         end_first_part(member);
     } else if (!claim_spare(member)) {
         return false;

@@ -32,17 +32,29 @@ static double count_runs(const struct execution *execution) {
     return (double)runs;
 }
 
+static redcc_int executed_by(const struct execution *execution, uint32_t owner) {
+    redcc_int sum = 0;
+    for (int thread = 0; thread < execution->threads; thread++)
+        sum += execution->state->member[thread]->executed[owner];
+    return sum;
+}
+
+redcc_int redcc_executed_in_all(const struct execution *execution) {
+    redcc_int sum = 0;
+    for (uint32_t owner = 0; owner < execution->partition.owners; owner++)
+        sum += executed_by(execution, owner);
+    return sum;
+}
+
 double redcc_largest_share(const struct execution *execution) {
     const struct partition *partition = &execution->partition;
-    redcc_int most = 0, all = 0;
+    redcc_int most = 0;
     for (uint32_t owner = 0; owner < partition->owners; owner++) {
-        redcc_int sum = 0;
-        for (int thread = 0; thread < execution->threads; thread++)
-            sum += execution->state->member[thread]->executed[owner];
-        most = sum > most ? sum : most;
-        all += sum;
+        const redcc_int executed = executed_by(execution, owner);
+        most = executed > most ? executed : most;
     }
-    const double even = partition->spares ? (double)all / execution->threads : 0;
+    const double even =
+        partition->spares ? (double)redcc_executed_in_all(execution) / execution->threads : 0;
     return (even > (double)most ? even : (double)most) / (double)execution->request.trip;
 }
 

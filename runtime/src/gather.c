@@ -12,7 +12,7 @@ static const double shorter = 0.9;       /* than by the owners that were cut */
 static const double level_touch = 20e-9; /* seconds that putting in levels takes for a touch */
 
 /* Units of the leading array for each thread. If they are rows of a mesh, spare parts cost 1 %. */
-enum { LEAST_WITH_SPARES = 32768 };
+enum { LEAST_UNITS_WITH_SPARES = 32768 };
 
 /* About how many touches of leading or of further groups a thread will tell, by the sample. */
 static size_t expected_touches(const struct member *member, bool leading) {
@@ -89,7 +89,7 @@ static void add_spares(struct execution *execution) {
     struct partition *partition = &execution->partition;
     const uint32_t threads = (uint32_t)execution->threads;
     if (execution->method || partition->spares || partition->room > REDCC_OWNERS_MOST ||
-        execution->divide.units.leading / threads < LEAST_WITH_SPARES ||
+        execution->divide.units.leading / threads < LEAST_UNITS_WITH_SPARES ||
         !spares_are_worth(execution, 1.0 / threads, 0))
         return;
     redcc_partition_add_spares(partition);
@@ -160,11 +160,10 @@ static bool goes_without_spares(struct execution *execution) {
     struct partition *partition = &execution->partition;
     if (execution->method || !partition->spares)
         return false;
-    redcc_int with = 0, without = 0;
-    for (int thread = 0; thread < execution->threads; thread++) {
-        with += redcc_sweep_executed(&execution->divide.sweep[thread], 1);
+    const redcc_int with = redcc_executed_in_all(execution);
+    redcc_int without = 0;
+    for (int thread = 0; thread < execution->threads; thread++)
         without += redcc_sweep_executed(&execution->divide.sweep[thread], 1 + partition->spares);
-    }
     const double trip = (double)execution->request.trip;
     if (spares_are_worth(execution, (double)without / execution->threads / trip,
                          (double)(with - without) / trip))

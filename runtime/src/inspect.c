@@ -79,7 +79,7 @@ static void go_alone(struct execution *execution) {
 
 /* As many iterations as read so much of the subscripts, whose fingerprints are then taken. */
 static redcc_int iterations_at_once(struct member *member) {
-    const size_t bytes = member->execution->only_timed ? 0 : redcc_begin_taking(member);
+    const size_t bytes = redcc_begin_taking(member);
     const redcc_int own = redcc_own_end(member) - redcc_own_begin(member);
     const redcc_int blocks = (redcc_int)(bytes / TAKEN_AT_ONCE) + 1;
     const redcc_int each = own / blocks + 1;

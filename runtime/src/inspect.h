@@ -41,6 +41,9 @@ void redcc_cut_and_sweep(struct execution *execution);
 /** What the threads touched, by group, into execution->touched. */
 void redcc_gather_touched(struct execution *execution);
 
+/** How many iterations all owners execute, as the members have counted them (member.executed). */
+redcc_int redcc_executed_in_all(const struct execution *execution);
+
 /** What of the iterations the thread has that would execute most by LOCALWRITE, as the members have
  *  counted them (member.executed). */
 double redcc_largest_share(const struct execution *execution);

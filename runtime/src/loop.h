@@ -65,7 +65,6 @@ struct member {
     redcc_int handed;        /* in the block being inspected */
     redcc_int block;         /* that many at most */
     uint32_t schedule;       /* the plan's that it executes */
-    bool first_part_done;    /* paced: the first thread's */
     double began, ended;     /* seconds; paced */
     uint32_t stage;          /* of execution */
     redcc_run solo_run;      /* COURSE_SOLO, and the comparison with the sequential loop */

@@ -7,7 +7,7 @@
 #include "memory.h"
 
 enum {
-    LEAST_WITH_SPARES = 4096,   /* iterations */
+    LEAST_TRIP_WITH_SPARES = 4096,
     SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
@@ -21,7 +21,7 @@ static uint32_t spares_to_cut_for(const struct execution *execution) {
     const struct method *method = execution->method;
     const bool spares = method ? method->spares
                                : execution->course == COURSE_PARALLEL && !execution->by_graph &&
-                                     execution->request.trip >= LEAST_WITH_SPARES;
+                                     execution->request.trip >= LEAST_TRIP_WITH_SPARES;
     return spares ? REDCC_SPARES : 0;
 }
 
@@ -38,12 +38,16 @@ static uint32_t most_owners(const struct execution *execution) {
                              : (uint32_t)execution->threads * (1 + REDCC_SPARES);
 }
 
+static void set_owners(struct execution *execution) {
+    execution->partition.owners = owners_to_cut_for(execution);
+    execution->partition.spares = spares_to_cut_for(execution);
+}
+
 bool redcc_begin_partition(struct execution *execution) {
     if (!redcc_partition_begin(&execution->partition, execution->request.loop,
                                execution->request.bases, most_owners(execution)))
         return false;
-    execution->partition.owners = owners_to_cut_for(execution);
-    execution->partition.spares = spares_to_cut_for(execution);
+    set_owners(execution);
     return true;
 }
 
@@ -201,8 +205,7 @@ static void place_known_sources(struct execution *execution) {
 /* Sends all to a sweep with groups that do not overlap, as far as is known, newly cut. */
 void redcc_cut_and_sweep(struct execution *execution) {
     regroup_seen(execution);
-    execution->partition.owners = owners_to_cut_for(execution);
-    execution->partition.spares = spares_to_cut_for(execution);
+    set_owners(execution);
     execution->for_copies = execution->only_timed = false;
     for (int thread = 0; thread < execution->threads; thread++)
         execution->samples[thread] = &execution->state->member[thread]->sample;

@@ -52,10 +52,11 @@ static bool is_taken_early(const struct execution *execution, uint32_t source) {
 size_t redcc_begin_taking(struct member *member) {
     const struct execution *execution = member->execution;
     const redcc_loop *loop = execution->request.loop;
+    const bool is_for_a_plan = loop->flags & REDCC_VERIFIABLE && !execution->only_timed;
     size_t bytes = 0, count;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         member->taking[s] = (struct taking){.taken = 0};
-        if (!(loop->flags & REDCC_VERIFIABLE) || !is_taken_early(execution, s))
+        if (!is_for_a_plan || !is_taken_early(execution, s))
             continue;
         member->taking[s].reading = redcc_reading_of(loop, execution->sources, s);
         share_of(member->taking[s].reading, member, &count);
