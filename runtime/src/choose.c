@@ -24,10 +24,17 @@ static const double touch_again = 4e-9, run_begun = 3e-9, byte_copied = 0.15e-9,
                     new_byte_copied = 0.6e-9;
 
 /* The first parallel execution is not counted: threads start, a plan is made, pages are touched. */
-enum { PARALLEL_TRIES = 3, PACES = 4 };
+enum { PARALLEL_TRIES = 3, PACES = 4, SLOW_IN_TURN = 16 };
+
+/* Of the access graph and of what there was before, in turn: the first is not counted either. */
+enum { GRAPH_TRIES = 4, RIVAL_TRIES = 3 };
 
 static int size_of(redcc_int trip) {
     return 63 - __builtin_clzll((unsigned long long)trip | 1);
+}
+
+static double shorter(double before, double now) {
+    return before > 0 && before < now ? before : now;
 }
 
 static struct trial *trial_of(struct chooser *chooser, redcc_int trip) {
@@ -41,22 +48,23 @@ enum rule redcc_choose_rule(const struct chooser *chooser, redcc_int trip) {
 static void rest(struct trial *trial, enum reason reason, long first, long factor, long most) {
     trial->rest = trial->rest ? trial->rest * factor : first;
     trial->rest = trial->rest > most ? most : trial->rest;
+    trial->doubted = false;
     trial->decided = COURSE_SERIAL;
     trial->reason = reason;
     trial->retry_at = trial->calls + trial->rest;
 }
 
-/* Its retry, of so many parallel executions, is to cost no more than a hundredth of the rest
- * before: who lost by little, or because the machine was busy, may soon win. */
-static long rest_after_loss(const struct trial *trial) {
-    const double excess = trial->parallel_best / trial->serial_best - 1;
-    const double calls = 100 * PARALLEL_TRIES * excess;
-    return calls < 16 ? 16 : calls > 256 ? 256 : (long)calls;
+/* Its retry, of so many executions that take so much longer, is to cost no more than a hundredth of
+ * the rest before: who lost by little, or because the machine was busy, may soon win. */
+static long rest_after_loss(int tries, double longer, long most) {
+    const double calls = 100 * tries * (longer - 1);
+    return calls < 16 ? 16 : calls > (double)most ? most : (long)calls;
 }
 
 static void try_again(struct trial *trial) {
     trial->decided = COURSE_UNDECIDED;
     trial->serial_tries = trial->parallel_tries = trial->slow = 0;
+    trial->doubted = false;
     trial->pace = (struct pace_trial){0};
 }
 
@@ -82,9 +90,16 @@ static bool graph_turn(struct trial *trial, double budget) {
         trial->decided != COURSE_UNDECIDED && trial->serial_best > 0 &&
         budget >= trial->graph_seconds) {
         trial->graph = GRAPH_TRIED;
-        trial->graph_tries = 0;
+        trial->graph_tries = trial->rival_tries = 0;
     }
-    return trial->graph == GRAPH_TRIED || trial->graph == GRAPH_KEPT;
+    const bool rivals_turn = trial->rival_tries < trial->graph_tries - 1;
+    return trial->graph == GRAPH_KEPT || (trial->graph == GRAPH_TRIED && !rivals_turn);
+}
+
+/* What there was before the access graph, timed beside it. */
+static struct choice choose_rival(const struct trial *trial) {
+    return (struct choice){.course =
+                               trial->decided == COURSE_SERIAL ? COURSE_SOLO : COURSE_PARALLEL};
 }
 
 static struct choice choose_plainly(struct trial *trial, redcc_int trip, double budget) {
@@ -133,9 +148,15 @@ struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int t
         *trial = (struct trial){.threads = threads};
     trial->calls++;
     struct choice choice = {.course = COURSE_PARALLEL, .by_graph = true};
-    if (!graph_turn(trial, budget))
-        choice = choose_plainly(trial, trip, budget);
-    choice.first_by_graph = choice.by_graph && trial->graph == GRAPH_TRIED && !trial->graph_tries;
+    if (trial->doubted)
+        choice = (struct choice){.course = COURSE_SOLO, .by_graph = trial->graph == GRAPH_KEPT};
+    else if (!graph_turn(trial, budget))
+        choice =
+            trial->graph == GRAPH_TRIED ? choose_rival(trial) : choose_plainly(trial, trip, budget);
+    if (trial->graph == GRAPH_KEPT) {
+        choice.graph_settled = trial->graph_tries > 0;
+        trial->graph_tries = 0;
+    }
     choice.rule = trial->rule;
     return choice;
 }
@@ -147,10 +168,6 @@ static void learn_serial(struct trial *trial, redcc_int trip, double seconds) {
     trial->sweep_seconds = 0;
     if (trip < SMALL_TRIP && seconds < least_seconds)
         rest(trial, REASON_LITTLE_WORK, 256, 4, 1 << 20);
-}
-
-static double shorter(double before, double now) {
-    return before > 0 && before < now ? before : now;
 }
 
 void redcc_choose_learn_pace(struct chooser *chooser, redcc_int trip, enum pace pace, double part,
@@ -174,11 +191,21 @@ void redcc_choose_learn_pace(struct chooser *chooser, redcc_int trip, enum pace 
     trial->serial_tries = serial_tries_needed(trip);
 }
 
-/* Counts executions in turn that took longer than the sequential loop; at the sixteenth all is
- * open again. */
+/* Counts executions in turn that took longer than the sequential loop did; at the sixteenth it is
+ * timed again: that one may take longer now, too. */
 static void watch(struct trial *trial, double each) {
-    trial->slow = each > trial->serial_best * slack ? trial->slow + 1 : 0;
-    if (trial->slow < 16)
+    const bool slow = each > trial->serial_best * slack;
+    trial->slow_best = slow && trial->slow > 0 ? shorter(trial->slow_best, each) : each;
+    trial->slow = slow ? trial->slow + 1 : 0;
+    trial->doubted = trial->slow == SLOW_IN_TURN;
+}
+
+/* It is timed. If it is the faster one, all is open again. */
+static void settle_doubt(struct trial *trial, double each) {
+    trial->doubted = false;
+    trial->slow = 0;
+    trial->serial_best = each;
+    if (trial->slow_best <= each)
         return;
     try_again(trial);
     trial->graph = GRAPH_UNTRIED;
@@ -199,7 +226,9 @@ static void learn_parallel(struct trial *trial, redcc_int trip, double each) {
     if (trial->parallel_best < trial->serial_best)
         trial->decided = COURSE_PARALLEL;
     else
-        rest(trial, REASON_SERIAL_FASTER, rest_after_loss(trial), 4, 1 << 20);
+        rest(trial, REASON_SERIAL_FASTER,
+             rest_after_loss(PARALLEL_TRIES, trial->parallel_best / trial->serial_best, 256), 4,
+             1 << 20);
 }
 
 bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int threads,
@@ -210,16 +239,27 @@ bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int thre
     return found->changes < frequent || trial->serial_best >= long_iteration;
 }
 
-static double best_without_graph(const struct trial *trial) {
-    const bool timed = trial->parallel_tries > 1;
-    return timed && trial->parallel_best < trial->serial_best ? trial->parallel_best
-                                                              : trial->serial_best;
+static void lose_graph(struct trial *trial, long rest) {
+    trial->graph = GRAPH_LOST;
+    trial->graph_retry_at = trial->calls + rest;
+    trial->rule = RULE_GRAPH_LOST;
 }
 
-static void lose_graph(struct trial *trial) {
-    trial->graph = GRAPH_LOST;
-    trial->graph_retry_at = trial->calls + GRAPH_REST;
-    trial->rule = RULE_GRAPH_LOST;
+static void compare_with_rival(struct trial *trial) {
+    if (trial->graph_tries < GRAPH_TRIES || trial->rival_tries < RIVAL_TRIES)
+        return;
+    if (trial->graph_best < trial->rival_best) {
+        trial->graph = GRAPH_KEPT;
+        trial->rule = RULE_GRAPH_KEPT;
+    } else {
+        lose_graph(trial,
+                   rest_after_loss(GRAPH_TRIES, trial->graph_best / trial->rival_best, GRAPH_REST));
+    }
+}
+
+static void learn_rival(struct trial *trial, double each) {
+    trial->rival_best = trial->rival_tries++ == 0 ? each : shorter(trial->rival_best, each);
+    compare_with_rival(trial);
 }
 
 static void learn_graph(struct trial *trial, redcc_int trip, double seconds) {
@@ -230,26 +270,23 @@ static void learn_graph(struct trial *trial, redcc_int trip, double seconds) {
         return;
     }
     const int before = trial->graph_tries++;
-    if (before == 0) { /* with the inspection: what it takes, if it must be done again */
+    if (before == 0 && trial->graph_best == 0) { /* what the inspection takes, if done again */
         const double longer = seconds - trial->serial_best * (double)trip / trial->threads;
         trial->graph_seconds = longer > 0 ? longer : trial->graph_seconds;
+    } else if (before > 0) {
+        trial->graph_best = before == 1 ? each : shorter(trial->graph_best, each);
     }
-    if (before == 1 || (before > 1 && each < trial->graph_best))
-        trial->graph_best = each;
-    if (trial->graph_tries < PARALLEL_TRIES)
-        return;
-    if (trial->graph_best < best_without_graph(trial)) {
-        trial->graph = GRAPH_KEPT;
-        trial->rule = RULE_GRAPH_KEPT;
-    } else {
-        lose_graph(trial);
-    }
+    compare_with_rival(trial);
 }
 
 double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course course,
                           bool by_graph, double seconds) {
     struct trial *trial = trial_of(chooser, trip);
-    if (course == COURSE_SOLO)
+    if (trial->doubted)
+        settle_doubt(trial, seconds / (double)trip);
+    else if (trial->graph == GRAPH_TRIED && !by_graph)
+        learn_rival(trial, seconds / (double)trip);
+    else if (course == COURSE_SOLO)
         learn_serial(trial, trip, seconds);
     else if (by_graph)
         learn_graph(trial, trip, seconds);
@@ -262,7 +299,7 @@ double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course c
 void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason reason) {
     struct trial *trial = trial_of(chooser, trip);
     if (reason == REASON_NO_MEMORY && trial->graph == GRAPH_TRIED) {
-        lose_graph(trial); /* what there was before may do with less */
+        lose_graph(trial, GRAPH_REST); /* what there was before may do with less */
     } else if (reason == REASON_REPLICATION || reason == REASON_COSTLY) {
         rest(trial, reason, 16, 4, 1 << 20);
     } else { /* may be otherwise for the next call's arrays */
@@ -273,7 +310,7 @@ void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason r
 
 void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip) {
     struct trial *trial = trial_of(chooser, trip);
-    lose_graph(trial);
+    lose_graph(trial, GRAPH_REST);
     trial->graph_seconds = 0;
 }
 
@@ -351,9 +388,10 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
         trial->sweep_seconds = trial->rule == RULE_COSTLY ? sweep_seconds : 0;
         return trial->rule;
     }
-    if (!findings->reusable)
+    if (!findings->reusable) {
         trial->graph_seconds = 0;
-    else if (trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
+        trial->graph = GRAPH_UNTRIED;
+    } else if (trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
         trial->graph_seconds = findings->touches * redcc_graph_touch;
     if (findings->by_graph && findings->reusable && trial->graph != GRAPH_LOST &&
         !cut_in_vain(trial, findings->trip)) {

@@ -42,7 +42,8 @@ struct pace_trial {
     double working; /* of all threads together, less what was executed twice; beside */
 };
 
-/** How far ownership by the access graph has come. */
+/** How far ownership by the access graph has come. TRIED: it and what there was before take turns,
+ *  so that both meet the machine as it is now. */
 enum graph_trial { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
 
 /** What is known of a loop at trip counts of one size. */
@@ -54,7 +55,9 @@ struct trial {
     int serial_tries;
     int parallel_tries;
     struct pace_trial pace;
-    int slow; /* executions in turn in which PARALLEL took longer than serial_best */
+    int slow;         /* executions in turn in which PARALLEL took longer than serial_best */
+    double slow_best; /* of them; seconds an iteration */
+    bool doubted;     /* they were many: the sequential loop is timed once more */
     long calls;
     long retry_at;      /* SERIAL: this call tries again */
     long rest;          /* how many calls the last decision for SERIAL rested */
@@ -62,9 +65,11 @@ struct trial {
     double parallel_best;
     double sweep_seconds; /* that an inspection was deferred for; 0: none was */
     enum graph_trial graph;
-    int graph_tries;
+    int graph_tries; /* TRIED: executions so far; KEPT: 0 once plans of other methods are gone */
+    int rival_tries; /* TRIED: executions of what there was before */
     double graph_seconds; /* that cutting the graph will take; 0: not known, or not to be done */
     double graph_best;    /* seconds an iteration */
+    double rival_best;    /* the same */
     long graph_runs;      /* executions since it was cut */
     long graph_rest;      /* calls that it rested when it was cut in vain */
     long graph_retry_at;
@@ -77,11 +82,11 @@ struct chooser {
 /** What to do in this call. */
 struct choice {
     enum course course;
-    bool by_graph;       /* PARALLEL: by a plan with owners cut from the access graph ... */
-    bool first_by_graph; /* ... which is to be made now */
-    enum pace pace;      /* PARALLEL, by a plan with spare parts */
-    long rested;         /* PARALLEL: how many calls were SERIAL before it was tried again */
-    enum reason reason;  /* for SERIAL */
+    bool by_graph;      /* PARALLEL: by a plan with owners cut from the access graph ... */
+    bool graph_settled; /* ... which has just been decided: other plans need not stay beside it */
+    enum pace pace;     /* PARALLEL, by a plan with spare parts */
+    long rested;        /* PARALLEL: how many calls were SERIAL before it was tried again */
+    enum reason reason; /* for SERIAL */
     enum rule rule;
 };
 

@@ -214,8 +214,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         execution->rested = choice.rested;
         execution->pace = choice.pace;
         execution->by_graph = choice.by_graph;
-        if (choice.first_by_graph) /* what there was before need not stay beside it */
-            redcc_drop_plans(state);
+        if (choice.graph_settled) /* what there was before need not stay beside it */
+            redcc_drop_plain_plans(state);
         *reason = choice.reason;
         note_rule(statistics, choice.rule);
     } else if (execution->method->keeps > execution->order)

@@ -205,4 +205,7 @@ void redcc_keep_plan(struct execution *execution);
 /** Gives back all plans that are kept, so that there is memory for another. */
 void redcc_drop_plans(struct loop_state *state);
 
+/** Gives back those that are not made from the access graph. */
+void redcc_drop_plain_plans(struct loop_state *state);
+
 #endif

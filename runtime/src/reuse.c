@@ -114,9 +114,18 @@ void redcc_keep_plan(struct execution *execution) {
     execution->plan_is_kept = true;
 }
 
+static void drop_plan(struct loop_state *state, int place) {
+    redcc_plan_free(state->plans[place]);
+    state->plans[place] = NULL;
+}
+
 void redcc_drop_plans(struct loop_state *state) {
-    for (int p = 0; p < REDCC_PLANS; p++) {
-        redcc_plan_free(state->plans[p]);
-        state->plans[p] = NULL;
-    }
+    for (int p = 0; p < REDCC_PLANS; p++)
+        drop_plan(state, p);
+}
+
+void redcc_drop_plain_plans(struct loop_state *state) {
+    for (int p = 0; p < REDCC_PLANS; p++)
+        if (state->plans[p] && !state->plans[p]->method->by_graph)
+            drop_plan(state, p);
 }

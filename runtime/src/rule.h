@@ -46,12 +46,16 @@
       "two executions by a plan have been timed and one or two by one thread, or what that takes " \
       "is reckoned (below)",                                                                       \
       "the faster course is kept for trip counts of that size (between two powers of two)")        \
-    X(RULE_GRAPH_KEPT, "two executions by one of these two were faster than all else",             \
+    X(RULE_GRAPH_KEPT,                                                                             \
+      "it and what there was before have been timed three times each, in turn; it was the faster", \
       "it is kept")                                                                                \
-    X(RULE_GRAPH_LOST, "they were not",                                                            \
-      "what there was before; tried again after 1024 calls (after 16, then at growing distances, " \
-      "where it was cut and other subscripts came before it had paid)")                            \
-    X(RULE_SLOWER, "a parallel course is slower than the sequential loop was, 16 times in turn",   \
+    X(RULE_GRAPH_LOST, "it was not",                                                               \
+      "what there was before; tried again after 16 to 1024 calls, the sooner the less slow it "    \
+      "was (after 16, then at growing distances, where it was cut and other subscripts came "      \
+      "before it had paid)")                                                                       \
+    X(RULE_SLOWER,                                                                                 \
+      "a parallel course is slower than the sequential loop was, 16 times in turn, and than it "   \
+      "is, timed once more",                                                                       \
       "both are timed again")                                                                      \
     X(RULE_RESTING, "the original loop was chosen",                                                \
       "tried again after 16 to 256 calls, the sooner the less slow the parallel course was (16 "   \
