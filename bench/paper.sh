@@ -8,7 +8,7 @@
 #   PAPER_METHODS="..."       the methods
 . bench/common.sh
 methods=${PAPER_METHODS:-expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 pe-dwa-lip:4 localwrite \
-  graph-localwrite wavefront dwa-lip-fixed}
+  spare-localwrite graph-localwrite spare-graph-localwrite wavefront dwa-lip-fixed}
 model=${PAPER_MODEL:-4 8 16 32}
 warm=${PAPER_WARM:-1}
 cmake --build --preset release --target bench_loops bench_cache_model >/dev/null
@@ -57,9 +57,9 @@ if ! command -v gnuplot >/dev/null; then
 else
   {
     echo "set terminal pngcairo size 1250,1350 font ',11'; set output '$plot'"
-    echo "set multiplot layout 3,2 margins 0.06,0.82,0.05,0.95 spacing 0.06,0.07 title \\"
+    echo "set multiplot layout 3,2 margins 0.06,0.80,0.05,0.95 spacing 0.06,0.07 title \\"
     echo "  'The heavy loop: filled and solid is measured, open and dashed is modelled from the schedules'"
-    echo "set linetype 9 linecolor rgb 'grey50'; set logscale x 2; set grid; set xrange [1.8:36]; set xlabel 'threads'"
+    echo "set linetype 9 linecolor rgb 'grey50'; set linetype 10 linecolor rgb 'brown'; set linetype 11 linecolor rgb 'olive'; set logscale x 2; set grid; set xrange [1.8:36]; set xlabel 'threads'"
     key="set key at screen 0.99,0.95 right top Left reverse font ',10'"
     for part in 5:speed-up 8:efficiency 9:memory; do
       for mesh in sorted shuffled; do
