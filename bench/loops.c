@@ -7,21 +7,22 @@
  *
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
- * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds, each of two
- * executions by each course in turn, of which the second counts: none is to start in the caches,
- * and with the sleeping threads, that another left; and 9 with an inspection. Prints lines
+ * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds and more,
+ * for half as long, each of two executions by each course in turn, of which the second counts: none
+ * is to start in the caches, and with the sleeping threads, that another left; and 9 with an
+ * inspection. Prints lines
  *
  *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
  *   inspection_of_serial,extra_percent,replication,modelled
  *
- * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own; inspection is
- * in executions of the sequential loop; extra memory as a share of the reduction arrays; modelled
- * is the iterations of the loop over those that its threads take one after the other by the
- * schedule, waits included (length.h). With `others`, also the lines of OpenMP's atomics, its
- * reduction of array sections (which takes stacks as large as the arrays: ulimit -s,
- * OMP_STACKSIZE), array expansion written by hand, and, as this machine's bound, `unmerged`: equal
- * shares of the iterations, each into an array of its own. WARM 0: one execution only, for the
- * model at many threads.
+ * seconds are medians; speed-ups are medians, lowest and highest of the rounds' own, of many rounds
+ * without the twentieth part at either end; inspection is in executions of the sequential loop;
+ * extra memory as a share of the reduction arrays; modelled is the iterations of the loop over
+ * those that its threads take one after the other by the schedule, waits included (length.h). With
+ * `others`, also the lines of OpenMP's atomics, its reduction of array sections (which takes stacks
+ * as large as the arrays: ulimit -s, OMP_STACKSIZE), array expansion written by hand, and, as this
+ * machine's bound, `unmerged`: equal shares of the iterations, each into an array of its own. WARM
+ * 0: one execution only, for the model at many threads.
  */
 #include "loop.h"
 
@@ -31,7 +32,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 467, NODES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1), ROUNDS = 9 };
+enum { SIDE = 467, NODES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
+enum { ROUNDS = 9, MOST_ROUNDS = 999 };
 
 static int (*triangle)[3], (*slot)[9];
 static int (*edge)[2], edges;
@@ -416,18 +418,29 @@ struct spread {
     double lowest, median, highest;
 };
 
-static struct spread spread_of(const double *values) {
-    double sorted[ROUNDS];
-    memcpy(sorted, values, sizeof sorted);
-    qsort(sorted, ROUNDS, sizeof *sorted, by_size);
-    return (struct spread){sorted[0], sorted[ROUNDS / 2], sorted[ROUNDS - 1]};
+static struct spread spread_of(const double *values, int count) {
+    double sorted[MOST_ROUNDS];
+    const int left_out = count / 20;
+    memcpy(sorted, values, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, by_size);
+    return (struct spread){sorted[left_out], sorted[count / 2], sorted[count - 1 - left_out]};
 }
 
-static struct spread ratios(const double *above, const double *below) {
-    double ratio[ROUNDS];
-    for (int round = 0; round < ROUNDS; round++)
+static struct spread ratios(const double *above, const double *below, int count) {
+    double ratio[MOST_ROUNDS];
+    for (int round = 0; round < count; round++)
         ratio[round] = above[round] / below[round];
-    return spread_of(ratio);
+    return spread_of(ratio, count);
+}
+
+/* Rounds of all courses before `end`, for so many seconds; returns how many there were. */
+static int time_rounds(double taken[COURSES][MOST_ROUNDS], int end, double most) {
+    const double begin = omp_get_wtime();
+    int round = 0;
+    for (; round < ROUNDS || (round < MOST_ROUNDS && omp_get_wtime() - begin < most); round++)
+        for (int course = 0; course < end; course++)
+            taken[course][round] = second_seconds((enum course_of_bench)course);
+    return round;
 }
 
 static const char *order_of(enum course_of_bench course, const struct statistics *it) {
@@ -445,26 +458,24 @@ int main(int count, char **arguments) {
     const int end = count > 4 ? COURSES : ATOMIC;
     run_loop = heavy ? run_heavy : run_light;
     make_mesh(strcmp(arguments[2], "shuffled") == 0);
-    static double taken[COURSES][ROUNDS], fresh[ROUNDS];
+    static double taken[COURSES][MOST_ROUNDS], fresh[ROUNDS];
     const double begin = omp_get_wtime();
     do
         seconds(1, REDCC);
     while (omp_get_wtime() - begin < warm);
     const struct loop_state *state = described->state;
     const struct statistics kept = state->reported.statistics;
-    for (int round = 0; round < ROUNDS && warm > 0; round++)
-        for (int course = 0; course < end; course++)
-            taken[course][round] = second_seconds((enum course_of_bench)course);
+    const int rounds = warm > 0 ? time_rounds(taken, end, warm / 2) : 1;
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
-    const double alone = spread_of(taken[SERIAL]).median;
+    const double alone = spread_of(taken[SERIAL], rounds).median;
     const double bytes = 24.0 * (double)NODES + (heavy ? 72.0 * BLOCKS : 0);
     static const char *const names[] = {"serial",       "",        "omp-atomic",
                                         "omp-sections", "by-hand", "unmerged"};
     for (int course = REDCC; course < end; course++) {
         const struct spread gain =
-            warm > 0 ? ratios(taken[SERIAL], taken[course]) : (struct spread){0, 0, 0};
-        const double mine = spread_of(taken[course]).median;
+            warm > 0 ? ratios(taken[SERIAL], taken[course], rounds) : (struct spread){0, 0, 0};
+        const double mine = spread_of(taken[course], rounds).median;
         const int ours = course == REDCC;
         const double extra = ours               ? (double)kept.extra_bytes
                              : course == ATOMIC ? 0
@@ -474,7 +485,8 @@ int main(int count, char **arguments) {
                ours ? kept.method ? kept.method->name : "serial" : names[course],
                omp_get_max_threads(), order_of((enum course_of_bench)course, &kept), alone, mine,
                gain.median, gain.lowest, gain.highest,
-               ours && warm > 0 ? (spread_of(fresh).median - mine) / alone : 0, 100 * extra / bytes,
+               ours && warm > 0 ? (spread_of(fresh, ROUNDS).median - mine) / alone : 0,
+               100 * extra / bytes,
                ours && kept.in_loops ? (double)kept.executed / (double)kept.in_loops : 1,
                ours && kept.length ? (double)kept.trip / (double)kept.length : 0);
     }
