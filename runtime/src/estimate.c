@@ -3,15 +3,15 @@
 
 #include "memory.h"
 
-/* Of each owner, and of it and the spare ones behind it (or before it, up to the share's first):
- * iterations that it takes part in, and the last one of them, counted from 1. */
+/* Of each owner, and of each share, which is an owner and the spare ones behind it: iterations that
+ * it takes part in, and the last one of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
 };
 struct parts {
     struct part *of_owner; /* [owners] */
-    struct part *of_share; /* [owners], of which every (1 + spares)th is used */
+    struct part *of_share; /* [owners / (1 + spares)] */
 };
 
 static void take_part(struct part *part, uint32_t iteration) {
@@ -46,15 +46,15 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
         now.low = owner < now.low ? owner : now.low;
         now.high = owner > now.high ? owner : now.high;
         take_part(&parts.of_owner[owner], iteration);
-        take_part(&parts.of_share[owner - owner % each], iteration);
+        take_part(&parts.of_share[owner / each], iteration);
     }
     return changes;
 }
 
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate) {
-    const size_t owners = partition->owners;
-    struct part *part = redcc_memory_take_zeroed(2 * owners, sizeof *part);
+    const size_t owners = partition->owners, shares = owners / (1 + partition->spares);
+    struct part *part = redcc_memory_take_zeroed(owners + shares, sizeof *part);
     if (!part)
         return false;
     const struct parts parts = {part, part + owners};
@@ -65,10 +65,12 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
         iterations += sample[thread]->iterations + 1;
         touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
     }
-    for (size_t owner = 0; owner < owners; owner++) {
-        const uint32_t share = parts.of_share[owner].iterations;
-        most = share > most ? share : most;
-        spared += parts.of_owner[owner].iterations - share;
+    for (size_t owner = 0; owner < owners; owner++)
+        spared += parts.of_owner[owner].iterations;
+    for (size_t share = 0; share < shares; share++) {
+        const uint32_t taken = parts.of_share[share].iterations;
+        most = taken > most ? taken : most;
+        spared -= taken;
     }
     *estimate = (struct estimate){.share = (double)most / iterations,
                                   .spared = (double)spared / iterations,
