@@ -8,7 +8,7 @@
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
  * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds and more,
- * for half as long, each of two executions by each course in turn, of which the second counts: none
+ * for twice as long, each of two executions by each course in turn, of which the second counts: none
  * is to start in the caches, and with the sleeping threads, that another left; and 9 with an
  * inspection. Prints lines
  *
@@ -465,7 +465,7 @@ int main(int count, char **arguments) {
     while (omp_get_wtime() - begin < warm);
     const struct loop_state *state = described->state;
     const struct statistics kept = state->reported.statistics;
-    const int rounds = warm > 0 ? time_rounds(taken, end, warm / 2) : 1;
+    const int rounds = warm > 0 ? time_rounds(taken, end, 2 * warm) : 1;
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
     const double alone = spread_of(taken[SERIAL], rounds).median;
