@@ -8,8 +8,8 @@
  *   REDCC_METHOD=localwrite OMP_NUM_THREADS=2 loops heavy|light sorted|shuffled [WARM [others]]
  *
  * WARM seconds of executions come first (2; so that `auto` has settled). Then 9 rounds and more,
- * for twice as long, each of two executions by each course in turn, of which the second counts: none
- * is to start in the caches, and with the sleeping threads, that another left; and 9 with an
+ * for twice as long, each of two executions by each course in turn, of which the second counts:
+ * none is to start in the caches, and with the sleeping threads, that another left; and 9 with an
  * inspection. Prints lines
  *
  *   loop,mesh,method,threads,order,serial_seconds,seconds,speed_up,lowest,highest,
