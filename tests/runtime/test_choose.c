@@ -281,8 +281,7 @@ static void a_graph_is_compared_with_its_own_time(void **unused) {
     static struct chooser chooser;
     const struct times quiet = {1e-3, 0.9e-3, 0.6e-3}, busy = {2e-3, 1.8e-3, 1.2e-3};
     const struct times serial = {1e-3, 1.1e-3, 0.6e-3}, both = {2e-3, 2.2e-3, 1.2e-3};
-    assert_int_equal(settle_graph(&chooser, quiet, busy), 996); /* and one sequential */
-    ;
+    assert_int_equal(settle_graph(&chooser, quiet, busy), 996); /* one is sequential */
     assert_int_equal(settle_graph(&chooser, serial, both), 996);
 }
 
