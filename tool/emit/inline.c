@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 /** Options that change from function to function may forbid to inline one into another. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
@@ -46,7 +47,7 @@ static bool declare_callee(ir_node *node, void *context) {
     if (node->kind != IR_CALL || node->children[0]->kind != IR_FUNCTION ||
         !is_called_once(d->loop->unit, node->children[0]->function))
         return true;
-    const char *name = node->children[0]->function->name;
+    const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
     if (!d->is_open)
         buffer_text(&d->out->out, "#if !defined(__clang__) && defined(__OPTIMIZE__)\n"
                                   "#pragma GCC diagnostic ignored \"-Wnested-externs\"\n"
