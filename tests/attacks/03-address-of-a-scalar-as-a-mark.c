@@ -114,6 +114,41 @@ static void base_pointer(int n, double *b) {
     }
 }
 
+/* what each iteration assigns, and the counter, have a copy in each thread; a sum has not */
+static void private_mark(int n) {
+    int i = 0;
+    for (int t = 0; t < n; t += 6)
+        entry[t] = &i;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse escapes
+        i = k[t];
+        if (entry[t] != &i)
+            h[i] += 0.2;
+    }
+}
+
+static void counter_mark(int n) {
+    int t;
+    for (t = 0; t < n; t += 6)
+        entry[t] = &t;
+    for (t = 0; t < n; t++) // EXPECT: refuse
+        if (entry[t] != &t)
+            h[k[t]] += 0.2;
+}
+
+static void sum_mark(int n) {
+    double sum = 0;
+    for (int t = 0; t < n; t += 6)
+        entry[t] = &sum;
+    for (int t = 0; t < n; t++) { // EXPECT: parallel
+        if (entry[t] == &sum)
+            sum += 0.1;
+        h[k[t]] += 0.2;
+    }
+    h[0] += sum;
+    for (int t = 0; t < n; t += 6)
+        entry[t] = 0;
+}
+
 static _Thread_local int own_mark;
 
 static void thread_local_mark(int n) {
@@ -152,6 +187,9 @@ int main(void) {
     outer_scope(N);
     in_the_subscript(N);
     base_pointer(N, h);
+    private_mark(N);
+    counter_mark(N);
+    sum_mark(N);
     thread_local_mark(N);
     record(N);
     constant(N);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* For check-planted: what plant_errors.c does to these loops must be found, and cost no other loop. */
+/* For check-planted: what plant_errors.c does to these loops must be found, and cost no other loop.
+ */
 static double here[64], hers[64];
 static int one[1000];
 
@@ -50,7 +51,7 @@ void fifth(int n) {
 }
 
 void sixth(int n) {
-    struct afar own = {{1, 2}};
+    struct afar own = {1, 2};
     for (int t = 0; t < n; t++) // EXPECT: transformed
         hers[one[t]] += (t % 2 ? own.i : own.j);
 }
