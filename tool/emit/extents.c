@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 bool has_affine_extents(const loop_text *loop) {
     for (unsigned i = 0; i < loop->source_count; i++)
@@ -37,10 +38,11 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     if (!has_affine_extents(loop))
         return;
     const counted_loop *counted = &loop->facts->counted;
-    const char *counter = counted->counter->name;
+    const char *counter = origin_variable(loop->arena, counted->counter);
     writer_line(out, "{ /* rows of the first and of the last iteration */");
     out->depth++;
-    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type, counter, loop->counter_type);
+    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type,
+                origin_declarator(loop->arena, counted->counter), loop->counter_type);
     for (unsigned i = 0; i < loop->source_count; i++)
         if (loop->sources[i].fact->extent == EXTENT_AFFINE)
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,

@@ -5,6 +5,7 @@
  * only compares it with what the iterations before have touched.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "emit/print.h"
 #include "emit/syntax.h"
 #include "support/vector.h"
@@ -229,7 +230,7 @@ static void tell_up_to(inspector *self, const told_row *item, unsigned row) {
 static void tell_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const counted_loop *counted = &span_of(self, loop)->counted;
-    const char *counter = counted->counter->name;
+    const char *counter = origin_variable(p->arena, counted->counter);
     const row_list rows = rows_of_span(self, counted->body);
     for (unsigned i = 0; i < rows.count; i++)
         if (mentions(rows.items[i].row, counted->counter))
@@ -294,12 +295,14 @@ static void declare_variables(const inspector *self, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
-    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
-                unused, loop->counter_type, loop_iteration_offset(loop));
+    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+                origin_declarator(loop->arena, counter), unused, loop->counter_type,
+                loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const ir_variable *variable = facts->privates[i].variable;
         if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
-            writer_line(out, "__typeof__(%s) %s;", variable->name, variable->name);
+            writer_line(out, "__typeof__(%s) %s;", origin_variable(loop->arena, variable),
+                        origin_declarator(loop->arena, variable));
     }
     declare_forwards(loop, out, true);
 }

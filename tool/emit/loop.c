@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -113,8 +114,8 @@ static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
     if (counter_outlives(facts))
-        writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
-                    loop->counter_type);
+        writer_line(out, "%s = (%s)redcc__final;",
+                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
     write_last_values(loop, out, true);
     take_sought_values(loop, out);
     out->depth--;
@@ -184,7 +185,7 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     const char *text = loop->unit->source->text;
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
-    buffer_append(&out->out, text + range.begin, range.end - range.begin);
+    origin_copy(&out->out, text, range.begin, range.end);
     buffer_format(&out->out, "\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }

@@ -18,7 +18,8 @@ typedef struct array_text {
     const char *local; /* what stands for it in the executor: the same name (a shadow), or another
                           that replaces the user's bytes; NULL, as is base: nothing does, of an
                           array whose elements are scattered */
-    const char *owner; /* the local that redcc_owns is asked with */
+    const char *declarator; /* the same, where it is declared */
+    const char *owner;      /* the local that redcc_owns is asked with */
     bool is_shadowed;
 } array_text;
 
@@ -29,12 +30,6 @@ typedef struct source_text {
 } source_text;
 
 enum { SOURCE_NOT_TOLD = -1 };
-
-/** A piece of the text written that is a copy of the user's. */
-typedef struct text_span {
-    size_t begin, end;
-    const char *changes; /* what was put into the copy, one piece a line */
-} text_span;
 
 typedef struct loop_text {
     arena *arena;
@@ -49,7 +44,6 @@ typedef struct loop_text {
     const source_text *sources;
     const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
-    VECTOR(text_span) copies; /* in order */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -163,8 +157,8 @@ const char *taken_name(const ir_unit *unit);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
-/** loop.c: the text that replaces bytes `replaced` of the file; NULL, with the obstacle in *why,
- *  where it cannot be written. */
+/** loop.c: the text that replaces bytes `replaced` of the file, with marks (origin.h); NULL, with
+ * the obstacle in *why, where it cannot be written. */
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
                        const emit_options *options, ir_range *replaced, reason *why);
 
