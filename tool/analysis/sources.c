@@ -167,12 +167,21 @@ static source_plan plan_touched(const judgement *j, const judged_access *read, l
     return (source_plan){is_safe && slice_can_tell(j, item.row, node, place), item};
 }
 
+/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
+ * ones only. The object may end there. */
+static bool may_reach_beyond(const judged_access *read, const ir_node *row) {
+    return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
+           row->children[0]->kind == IR_CAST;
+}
+
 source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
     source_plan plan = {0};
     if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
         return plan;
     const ir_node *row = extent_of_bit_field(access_extent(read->access.lvalue), of_contents);
     if (!row || !can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
+        return plan;
+    if (of_contents && may_reach_beyond(read, row))
         return plan;
     const ir_node *base = read->where.base;
     bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
