@@ -217,6 +217,12 @@ static const ir_node *search_element(rewriting *r, const access *item) {
     element->range = item->lvalue->range;
     element->children[0] = item->lvalue->children[0];
     element->children[1] = (ir_node *)start;
+    const ir_type *cursor = item->lvalue->children[1]->type;
+    if (!start->type || !ir_type_equal(start->type, cursor)) {
+        element->children[1] = ir_new(r->all->memory, IR_CAST, cursor, 1);
+        element->children[1]->range = start->range;
+        element->children[1]->children[0] = (ir_node *)start;
+    }
     r->is_exact = true;
     const ir_node *result = rewrite(r, element);
     return r->is_exact ? result : NULL;

@@ -95,13 +95,15 @@ static void write_attempt(loop_text *loop, writer *out) {
                         loop_operand(loop, facts->arrays[i].base));
     fill_extents(loop, out);
     fill_key(loop, out);
-    const char *memory = operands_are_there(loop);
-    if (memory) {
-        writer_line(out, "if (%s) {", memory);
+    const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
+    const bool is_conditional = memory || known;
+    if (is_conditional) {
+        writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
+                    memory ? memory : "");
         out->depth++;
     }
     write_execution(loop, out);
-    if (memory) {
+    if (is_conditional) {
         out->depth--;
         writer_line(out, "}");
     }

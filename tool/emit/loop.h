@@ -8,6 +8,7 @@
 #ifndef EMIT_LOOP_H
 #define EMIT_LOOP_H
 
+#include "analysis/row_address.h"
 #include "emit/emit.h"
 #include "emit/text.h"
 #include "support/vector.h"
@@ -106,10 +107,23 @@ void write_description(loop_text *loop, writer *out);
 void declare_key(loop_text *loop, writer *out);
 void fill_key(loop_text *loop, writer *out);
 
-/** extents.c: redcc__known, for the sources whose place is known before the inspection. */
+/** extents.c: redcc__known, for the sources whose place is known before the inspection; */
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
+/** what must hold of them for the parallel form to be entered, or NULL. */
+const char *extents_are_known(const loop_text *loop);
+
+/** unconditional.c: texts that may be evaluated where the program does not come to them. Does the
+ *  inspector come to this statement where the program may not? */
+bool is_bare(const loop_facts *facts, const ir_node *statement);
+/** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
+ *  none of these. A rename and its context as ir_c_expression takes them. */
+const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
+/** The address as a number, redcc_size. `counter`: one of its subscripts steps with it (spans), and
+ *  is computed in 64 bits, as if its type were as wide; or NULL. NULL: cannot be spelled. */
+const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
+                           ir_c_rename rename, void *context);
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "analysis/executed.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/syntax.h"
@@ -146,7 +147,7 @@ static bool move_together(const loop_source *left, const loop_source *right) {
         return false;
     if (left->extent == EXTENT_TOUCHED)
         return left->base && right->base && syntax_same(left->base, right->base);
-    return syntax_same(left->row, right->row);
+    return syntax_same(left->row, right->row) && source_ends_equal(left, right);
 }
 
 /** Numbers the sources that the runtime must know: what may overlap, what decides subscripts. */
