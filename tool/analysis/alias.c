@@ -105,9 +105,17 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     return variable_escapes(rules->facts, object);
 }
 
+/* A pointer's promise holds while its block is executed (C17 6.7.3.1p2): of one that the body
+ * declares, for an iteration. */
+static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
+    const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
+    return rules->loop && declarator && ir_contains(rules->loop, declarator);
+}
+
 static const ir_variable *restricted_pointer(const alias_rules *rules, const location *l) {
     if (l->pointer && l->pointer->kind == IR_VARIABLE &&
-        variable_is_restricted(rules->facts, l->pointer->variable))
+        variable_is_restricted(rules->facts, l->pointer->variable) &&
+        !promises_for_one_iteration(rules, l->pointer->variable))
         return l->pointer->variable;
     return NULL;
 }

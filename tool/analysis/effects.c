@@ -401,7 +401,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     }
     const ir_function *function = callee->function;
     bool by_user = is_named_pure(w->all, function);
-    const library_function *library = function->is_renamed ? NULL : library_find(function->name);
+    const library_function *library = library_find(w->all->unit, function);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call, function->name);
     } else if (function->body && !function->is_weak) {

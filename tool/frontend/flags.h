@@ -16,6 +16,8 @@ typedef struct parse_flags {
     map *predefined;      /* names of a compiler's own macros that the parser is told; NULL: it has
                              its own */
     const char *unseen;   /* a flag that lays memory out as the parser does not; NULL: none */
+    bool is_c89;          /* by -std= or -ansi */
+    bool interposes;      /* what is exported may be replaced by another definition */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);

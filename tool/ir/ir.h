@@ -119,6 +119,10 @@ struct ir_function {
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     bool is_weak;    /* what runs may be another definition than the one in this unit */
     bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
+    bool is_interposable;      /* is_weak, because a shared object exports it: the program may have
+                                  another of its name. Not in the text form */
+    bool is_hidden;            /* no other object can name it, or put another in its place */
+    bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: judge nothing in it */
@@ -258,6 +262,7 @@ typedef struct ir_unit {
     unsigned directive_count; /* of the main file, in order */
     ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
+    bool is_c89;          /* names that C99 reserved are the program's. Not in the text form */
     unsigned error_count; /* compiler errors anywhere */
     bool includes_itself; /* its text may be compiled several times. Not in the text form */
     const char *compiler_word; /* a name in the program's own text by which it may ask for the
