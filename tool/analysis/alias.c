@@ -136,8 +136,11 @@ static bool is_constant(const location *l) {
     return type && (type->is_const || l->object->type->is_const) && !type->is_volatile;
 }
 
-overlap locations_overlap(const alias_rules *rules, const location *a, const location *b) {
-    if (a->is_string || b->is_string || is_constant(a) || is_constant(b))
+/* `types_hold`: neither gives the memory another effective type before the other is made. */
+static overlap compare(const alias_rules *rules, const location *a, const location *b,
+                       bool types_hold) {
+    if (a->is_string || b->is_string || a->is_of_locale || b->is_of_locale || is_constant(a) ||
+        is_constant(b))
         return OVERLAP_NO;
     if (a->object && b->object) {
         if (a->object != b->object)
@@ -154,7 +157,7 @@ overlap locations_overlap(const alias_rules *rules, const location *a, const loc
     bool same_pointers_known = (a->object || a->pointer) && (b->object || b->pointer);
     if (same_pointers_known && restrict_parts(rules, a, b))
         return OVERLAP_NO;
-    if (rules->strict_aliasing && !a->has_union && !b->has_union &&
+    if (rules->strict_aliasing && types_hold && !a->has_union && !b->has_union &&
         !types_may_overlap(a->type, b->type))
         return OVERLAP_NO;
     if (record_fields_part(a, b))
@@ -162,4 +165,13 @@ overlap locations_overlap(const alias_rules *rules, const location *a, const loc
     if (rules->assume_noalias && same_pointers_known)
         return OVERLAP_NO;
     return OVERLAP_MAYBE;
+}
+
+overlap locations_overlap(const alias_rules *rules, const location *a, const location *b) {
+    return compare(rules, a, b, true);
+}
+
+overlap locations_overlap_store(const alias_rules *rules, const location *read,
+                                const location *store) {
+    return compare(rules, read, store, read->object || store->object);
 }

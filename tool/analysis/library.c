@@ -136,3 +136,27 @@ const library_function *library_find(const ir_unit *unit, const ir_function *fun
     const library_function *found = find_with_variants(function->name);
     return found && is_reserved(unit, function, found->standard) ? found : NULL;
 }
+
+bool library_is_locale_table(const ir_node *call) {
+    static const char *const names[] = {"__ctype_b_loc", "__ctype_tolower_loc",
+                                        "__ctype_toupper_loc"};
+    if (call->kind != IR_CALL || call->children[0]->kind != IR_FUNCTION ||
+        call->children[0]->function->body)
+        return false;
+    const char *name = call->children[0]->function->name;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (strcmp(name, names[i]) == 0)
+            return true;
+    return false;
+}
+
+/* What is declared const is computed from its arguments: without any, it can but be the same for a
+ * whole thread (pthread_self, __errno_location), and an address may lead to the thread's own. (What
+ * is declared pure may read all memory, that of the arrays as well, and is refused for that.) */
+bool library_tells_of_thread(const ir_function *function) {
+    if (function->is_same_in_threads)
+        return false;
+    const ir_type *result = function->type ? function->type->target : NULL;
+    return function->is_attribute_const &&
+           (function->parameter_count == 0 || !result || result->kind == IR_POINTER);
+}

@@ -21,6 +21,14 @@ typedef struct library_function {
     bool has_variants; /* for float and long double: the same name with f or l behind it */
 } library_function;
 
+/** Is this a call of a function through which <ctype.h> finds its tables, which are the calling
+ *  thread's and which nothing but setlocale and uselocale exchange (glibc)? */
+bool library_is_locale_table(const ir_node *call);
+
+/** May two threads get other results, with the same arguments and the same memory? Of a function
+ *  without a known body, by what it is declared to be. */
+bool library_tells_of_thread(const ir_function *function);
+
 /** The function of the C library, or of the compiler, that is called by this declaration; NULL: it
  *  is the program's own, or another one. `unit` is the one that declares it. */
 const library_function *library_find(const ir_unit *unit, const ir_function *function);

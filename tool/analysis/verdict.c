@@ -182,6 +182,7 @@ static loop_facts *finish_facts(judgement *j) {
     if (j->why.id != REASON_NONE)
         return facts;
     facts->counter_is_live_after = j->counter_is_live_after;
+    facts->sets_errno = j->found.may_set_errno && j->an->unit->math_errno;
     facts->has_short_iterations = candidate_is_short(j->an->unit, j->counted.body);
     facts->updates = j->updates.items;
     facts->update_count = j->updates.count;
