@@ -11,6 +11,7 @@
 #include "settings.h"
 #include "trace.h"
 
+#include <errno.h>
 #include <string.h>
 
 static char *copy_text(const char *text) {
@@ -248,6 +249,7 @@ static int threads_for_compensated(const struct statistics *statistics, redcc_in
 
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
@@ -277,6 +279,9 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
+    execution->request.float_control = execution->float_control;
+    execution->error_before = error_before;
+    atomic_store_explicit(&execution->error, 0, memory_order_relaxed);
     threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
     if (settings->compensated && !settings->method)
         threads = threads_for_compensated(&held->reported.statistics, trip, threads);
@@ -476,6 +481,9 @@ int redcc_leave(redcc_call *call) {
         else
             redcc_plan_free(execution->plan);
     }
+    const int error = done ? redcc_error_of(execution) : 0;
+    const int error_before = execution->error_before;
     let_go(execution->state);
+    errno = error ? error : error_before;
     return done;
 }

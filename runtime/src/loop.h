@@ -123,6 +123,8 @@ struct execution {
     const struct sample **samples;
     const struct summary **summaries;
     const struct range **seen;
+    int error_before;    /* errno of the thread that entered */
+    atomic_ullong error; /* what the loop leaves in errno: execute.c */
     atomic_int last_claimed;
     atomic_uint spares_claimed;
     struct validation validation;
@@ -132,6 +134,9 @@ struct execution {
     double solo_seconds;
     double part_seconds; /* paced: of the first thread's first spare part */
 };
+
+/** execute.c: what mathematical functions called in the loop left in errno; 0: nothing. */
+int redcc_error_of(struct execution *execution);
 
 /** Is the execution, by this plan, one that begins as its pace says? */
 static inline bool redcc_is_paced(const struct execution *execution, const struct plan *plan) {
