@@ -8,6 +8,7 @@
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct float_control {
@@ -27,6 +28,19 @@ static inline struct float_control redcc_float_control(void) {
     __asm__ volatile("mrs %0, fpcr" : "=r"(own.vector));
 #endif
     return own;
+}
+
+/** Does some exception trap? A handler runs where it occurs, and can tell that from where it would
+ *  in the sequential loop. */
+static inline bool redcc_float_traps(struct float_control own) {
+#if defined(__x86_64__)
+    return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
+#elif defined(__aarch64__)
+    return (own.vector & 0x9f00) != 0;
+#else
+    (void)own;
+    return false;
+#endif
 }
 
 /** Makes it the calling thread's. Flags of exceptions that occurred stay. */

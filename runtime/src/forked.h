@@ -6,7 +6,13 @@
 #include <stdbool.h>
 
 /** Had the process, or one it descends from, several threads when it forked? Only the one that
- * forked is in the child, while GCC's OpenMP goes on waiting for the others. Any thread may ask. */
+ * forked is in the child, while GCC's OpenMP goes on waiting for the others. Of a process made by
+ * _Fork or clone, which tell nobody, threads are assumed. (A child that shares its parent's memory,
+ * as vfork's, is not told apart: it may do nothing but execute another program.) To be asked before
+ * the runtime's memory is used. Any thread may ask. */
 bool redcc_is_forked(void);
+
+/** A page of memory, zero, that the system makes zero again in a child; NULL: it cannot. */
+void *redcc_wiped_page(void);
 
 #endif

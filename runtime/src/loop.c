@@ -9,6 +9,8 @@
 #include "memory.h"
 #include "node.h"
 #include "settings.h"
+#include "signals.h"
+#include "team.h"
 #include "trace.h"
 
 #include <string.h>
@@ -60,12 +62,20 @@ static struct loop_state *state_new(redcc_loop *loop) {
     return state;
 }
 
+/* No handler finds locks held. */
+static struct loop_state *state_new_undisturbed(redcc_loop *loop) {
+    const uint64_t signals = redcc_signals_hold();
+    struct loop_state *state = state_new(loop);
+    redcc_signals_release(signals);
+    return state;
+}
+
 /* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
 static struct loop_state *state_of(redcc_loop *loop) {
     void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
     if (state)
         return state;
-    struct loop_state *mine = state_new(loop);
+    struct loop_state *mine = state_new_undisturbed(loop);
     if (!mine)
         return NULL;
     if (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
@@ -141,6 +151,8 @@ static enum reason hindrance(const redcc_loop *loop, const struct settings *sett
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
+    if (redcc_float_traps(redcc_float_control()))
+        return REASON_TRAPS;
     if (insists(settings))
         return REASON_NONE;
     if (redcc_is_forked())
@@ -162,7 +174,7 @@ static struct loop_state *hold(struct loop_state *state, redcc_loop *loop, bool 
     if (!insisting)
         return NULL;
     *reason = REASON_NO_MEMORY;
-    struct loop_state *other = state_new(loop);
+    struct loop_state *other = state_new_undisturbed(loop);
     if (other)
         other->passing = true;
     return other;
@@ -184,6 +196,15 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->known, known, loop->source_count * sizeof *known);
     if (loop->key_count)
         memcpy(request->key, key, loop->key_count * sizeof *key);
+}
+
+/* Does an execution take long enough for somebody to wait for its end? Also where that is not
+ * known. */
+static bool is_long(const struct execution *execution) {
+    const struct statistics *statistics = &execution->state->reported.statistics;
+    return statistics->in_loops == 0 ||
+           statistics->execute_seconds * (double)execution->request.trip >
+               1e-3 * (double)statistics->in_loops;
 }
 
 static void note_rule(struct statistics *statistics, enum rule rule) {
@@ -225,6 +246,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         note_serial(statistics);
         return false;
     }
+    *reason = REASON_NO_THREADS;
+    threads = redcc_team_prepare(threads);
+    if (threads < 2 && !execution->insists)
+        return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_members_ensure(state, loop, threads))
         return false;
@@ -249,6 +274,7 @@ static int threads_for_compensated(const struct statistics *statistics, redcc_in
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
     struct loop_state *state = state_of(loop);
@@ -277,14 +303,18 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
-    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
+    execution->signals = redcc_signals_hold();
+    threads = nested || threads < 1 || forked ? 1 : threads;
     if (settings->compensated && !settings->method)
         threads = threads_for_compensated(&held->reported.statistics, trip, threads);
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
+        const uint64_t signals = execution->signals;
         let_go(held);
+        redcc_signals_release(signals);
         return serially(state, reason);
     }
+    threads = execution->asked;
     redcc_find_candidate(execution, threads);
     redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
                 execution->course == COURSE_SOLO ? "by one thread, timed" : "in parallel",
@@ -310,6 +340,10 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
             execution->reason = REASON_TEAM;
         return;
     }
+    if (thread == 0)
+        redcc_team_came(threads);
+    if (thread == 0 && is_long(execution))
+        redcc_signals_let_default(execution->signals);
     struct member *member = execution->state->member[thread];
     worker->execution = member;
     note_node(member);
@@ -476,6 +510,8 @@ int redcc_leave(redcc_call *call) {
         else
             redcc_plan_free(execution->plan);
     }
+    const uint64_t signals = execution->signals;
     let_go(execution->state);
+    redcc_signals_release(signals);
     return done;
 }

@@ -94,6 +94,7 @@ struct execution {
     enum pace pace;
     long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
+    uint64_t signals;                   /* what it blocked before */
     bool insists;                       /* one thread executes by the plan as well */
     int asked;                          /* threads */
     int threads;                        /* that came */

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What is done before OpenMP makes threads for a region, and after. Nothing, where the calling
+ * thread's last region had as many: GCC's OpenMP and LLVM's keep them.
+ */
+#ifndef REDCC_TEAM_H
+#define REDCC_TEAM_H
+
+/** Before a region of `threads` threads begins: how many can be had (OpenMP ends a program where
+ *  the system refuses it a thread); 1: none beside the calling one. Sees to it that the code the
+ *  threads run is not unloaded while they are there, and that their stacks are as large as the
+ *  main thread's may become. Signals must be held (signals.h). */
+int redcc_team_prepare(int threads);
+
+/** The region has begun, with `threads` threads; to be called by its first thread. */
+void redcc_team_came(int threads);
+
+#endif
