@@ -2,7 +2,9 @@
 /**
  * Sizes come in classes, four to each power of two, so that a block that is given back serves
  * others. Small ones are cut from pieces of memory that are kept for good; large ones are mappings
- * of their own, of which some are kept: pages need not be made again then.
+ * of their own, of which some are kept: pages need not be made again then. Where the lock cannot be
+ * had, as in a handler of a signal that found its own thread at it, a block is a mapping of its
+ * own.
  */
 #include "blocks.h"
 
@@ -78,7 +80,8 @@ void *redcc_block_take(size_t *bytes, bool keep) {
         return redcc_system_map(*bytes);
     }
     *bytes = small ? size : whole_pages(size);
-    redcc_spin_lock(&lock);
+    if (!redcc_spin_hope(&lock))
+        return redcc_system_map(whole_pages(*bytes));
     void *block = take_free(class, *bytes);
     if (!block && small)
         block = cut(size);
@@ -86,13 +89,16 @@ void *redcc_block_take(size_t *bytes, bool keep) {
     return block || small ? block : redcc_system_map(*bytes);
 }
 
-void redcc_block_give(void *block, size_t bytes, bool keep) {
+/* Puts it to those that are free. False: it does not stay. */
+static bool put(void *block, size_t bytes, bool keep) {
     size_t size;
     const unsigned class = class_of(bytes, &size);
     const bool small = bytes <= SMALL_MOST;
-    redcc_spin_lock(&lock);
-    const bool stays =
-        small || (keep && class < CLASSES && size == bytes && kept + bytes <= LARGE_KEPT);
+    if (!small && (!keep || class >= CLASSES || size != bytes))
+        return false;
+    if (!redcc_spin_hope(&lock))
+        return small; /* which is lost */
+    const bool stays = small || kept + bytes <= LARGE_KEPT;
     if (stays) {
         struct free_block *free_block = block;
         free_block->next = free_blocks[class];
@@ -100,7 +106,11 @@ void redcc_block_give(void *block, size_t bytes, bool keep) {
         kept += small ? 0 : bytes;
     }
     redcc_spin_unlock(&lock);
-    if (!stays)
+    return stays;
+}
+
+void redcc_block_give(void *block, size_t bytes, bool keep) {
+    if (!put(block, bytes, keep))
         redcc_system_unmap(block, bytes);
 }
 

@@ -62,20 +62,12 @@ static struct loop_state *state_new(redcc_loop *loop) {
     return state;
 }
 
-/* No handler finds locks held. */
-static struct loop_state *state_new_undisturbed(redcc_loop *loop) {
-    const uint64_t signals = redcc_signals_hold();
-    struct loop_state *state = state_new(loop);
-    redcc_signals_release(signals);
-    return state;
-}
-
 /* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
 static struct loop_state *state_of(redcc_loop *loop) {
     void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
     if (state)
         return state;
-    struct loop_state *mine = state_new_undisturbed(loop);
+    struct loop_state *mine = state_new(loop);
     if (!mine)
         return NULL;
     if (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
@@ -112,6 +104,14 @@ static int serially(struct loop_state *state, enum reason reason) {
         atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
                                   memory_order_relaxed);
     return 0;
+}
+
+void redcc_note_no_memory(redcc_loop *loop) {
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    serially(state, REASON_NO_MEMORY);
 }
 
 static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
@@ -174,7 +174,7 @@ static struct loop_state *hold(struct loop_state *state, redcc_loop *loop, bool 
     if (!insisting)
         return NULL;
     *reason = REASON_NO_MEMORY;
-    struct loop_state *other = state_new_undisturbed(loop);
+    struct loop_state *other = state_new(loop);
     if (other)
         other->passing = true;
     return other;

@@ -176,6 +176,9 @@ void redcc_find_candidate(struct execution *execution, int threads);
  */
 bool redcc_verify(struct member *member);
 
+/** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
+void redcc_note_no_memory(redcc_loop *loop);
+
 /** Is a source so small that every thread reads it, rather than its share? That is dearer by less
  *  than the barrier that is saved. */
 bool redcc_is_small(struct reading reading);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** A lock for what takes less time than to sleep. Signals are held back while it is held
- *  (signals.h), so that no handler finds it held by its own thread. */
+/** A lock for what takes less time than to sleep. Where a handler may find it held by its own
+ * thread, since signals are not held back (signals.h), it must not be waited for without end. */
 #ifndef REDCC_SPIN_H
 #define REDCC_SPIN_H
 
@@ -17,6 +17,16 @@ struct spin {
 static inline bool redcc_spin_try(struct spin *lock) {
     return atomic_load_explicit(&lock->held, memory_order_relaxed) == 0 &&
            atomic_exchange_explicit(&lock->held, 1, memory_order_acquire) == 0;
+}
+
+/** Takes the lock; false: it was not free for so long that it may never be. */
+static inline bool redcc_spin_hope(struct spin *lock) {
+    for (int tries = 0; tries < 10000; tries++) {
+        if (redcc_spin_try(lock))
+            return true;
+        redcc_system_yield();
+    }
+    return false;
 }
 
 static inline void redcc_spin_lock(struct spin *lock) {
