@@ -246,9 +246,9 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         note_serial(statistics);
         return false;
     }
-    *reason = REASON_NO_THREADS;
-    threads = redcc_team_prepare(threads);
-    if (threads < 2 && !execution->insists)
+    threads = redcc_team_prepare(threads, execution->signals);
+    *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
+    if (threads < (execution->insists ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_members_ensure(state, loop, threads))

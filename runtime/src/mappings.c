@@ -130,6 +130,18 @@ static bool parse(const char *line, struct mapping *mapping) {
     return true;
 }
 
+struct range redcc_mapping_of(uintptr_t address) {
+    struct lines lines;
+    struct mapping mapping = {.place = redcc_nowhere};
+    bool found = false;
+    if (!lines_open(&lines, "/proc/self/maps"))
+        return redcc_nowhere;
+    while (!found && next_line(&lines) && parse(lines.line, &mapping))
+        found = mapping.place.first <= address && address < mapping.place.end;
+    redcc_system_close(lines.descriptor);
+    return found ? mapping.place : redcc_nowhere;
+}
+
 /* False: the mapping forbids it. *covered: the pages are mapped up to here. */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
@@ -207,6 +219,11 @@ bool redcc_may_watch(struct mappings *found, struct range pages, int own) {
 }
 
 #else
+
+struct range redcc_mapping_of(uintptr_t address) {
+    (void)address;
+    return redcc_nowhere;
+}
 
 bool redcc_is_confined(void) {
     return true;

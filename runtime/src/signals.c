@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "signals.h"
 
+#include "mappings.h"
 #include "system.h"
 
 #include <signal.h>
@@ -31,8 +32,66 @@ void redcc_signals_release(uint64_t before) {
 /* As the kernel tells it; the rest is not looked at. */
 struct action {
     uintptr_t handler;
-    uintptr_t rest[15];
+    uintptr_t flags;
+    uintptr_t restorer;
+    uintptr_t rest[13];
 };
+
+static bool is_handled(int number, struct action *action) {
+    return redcc_system(SYS_rt_sigaction, number, 0, action, sizeof(uint64_t)) == 0 &&
+           action->handler != (uintptr_t)SIG_DFL && action->handler != (uintptr_t)SIG_IGN;
+}
+
+static bool is_on_other_stack(void) {
+    stack_t now;
+    return redcc_system(SYS_sigaltstack, 0, &now) == 0 && (now.ss_flags & SS_ONSTACK) != 0;
+}
+
+#if defined(__x86_64__) && defined(__LP64__)
+
+/* It reads what lies between variables, too. */
+#define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
+
+/* A handler's return address, and above it what was interrupted: sigreturn(2), struct rt_sigframe.
+ * The stack pointer at that time lay above. */
+NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
+    enum { STACK_POINTER = 1 + 5 + 15 };
+    return *at == restorer && end - at > STACK_POINTER && at[STACK_POINTER] > (uintptr_t)at &&
+           at[STACK_POINTER] <= (uintptr_t)end;
+}
+
+NOT_SANITIZED static bool has_frame(uintptr_t restorer) {
+    const uintptr_t *at = __builtin_frame_address(0);
+    const struct range stack = redcc_mapping_of((uintptr_t)at);
+    const uintptr_t *const end = (const uintptr_t *)stack.end;
+    for (; at < end; at++)
+        if (is_frame(at, end, restorer))
+            return true;
+    return false;
+}
+
+#endif
+
+bool redcc_signals_in_handler(uint64_t before) {
+    uintptr_t restorer = 0;
+    bool some = false, blocked = false;
+    for (int number = 1; number <= 64; number++) {
+        struct action action;
+        if (!is_handled(number, &action))
+            continue;
+        some = true;
+        restorer = action.restorer ? action.restorer : restorer;
+        blocked = blocked || (before & BIT(number));
+    }
+    if (!some)
+        return false;
+#if defined(__x86_64__) && defined(__LP64__)
+    return is_on_other_stack() || has_frame(restorer);
+#else /* a handler's own signal is blocked */
+    (void)restorer;
+    return is_on_other_stack() || blocked;
+#endif
+}
 
 void redcc_signals_let_default(uint64_t before) {
     uint64_t unhandled = 0;
@@ -46,6 +105,11 @@ void redcc_signals_let_default(uint64_t before) {
 }
 
 #else
+
+bool redcc_signals_in_handler(uint64_t before) {
+    (void)before;
+    return false;
+}
 
 uint64_t redcc_signals_hold(void) {
     return 0;

@@ -8,6 +8,7 @@
 #ifndef REDCC_SIGNALS_H
 #define REDCC_SIGNALS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /** Blocks every signal in the calling thread but those that an instruction of its own raises (and
@@ -17,6 +18,11 @@ uint64_t redcc_signals_hold(void);
 
 /** What waited is delivered now. */
 void redcc_signals_release(uint64_t before);
+
+/** Is the calling thread in a handler, which may have found it in malloc or in OpenMP's library?
+ * Some 70 system calls where handlers are installed, and a look at all of its stack. before: what
+ * was blocked before redcc_signals_hold. */
+bool redcc_signals_in_handler(uint64_t before);
 
 /** In the calling thread, between the two: lets those through that the program has left to the
  *  system, so that an interrupt ends it at once, however long the loop takes. Some 30 system

@@ -3,6 +3,7 @@
 #include "team.h"
 
 #include "memory.h"
+#include "signals.h"
 #include "system.h"
 #include "wait.h"
 
@@ -41,6 +42,8 @@ enum {
 struct team {
     int threads;         /* of the thread's last region; 0: there was none */
     int pinned;          /* nothing will be unloaded under its threads */
+    int rest;            /* calls that were refused when a handler was seen last, */
+    int rest_left;       /* and how many of them are left */
     size_t stack_before; /* bytes, to become the usual size again; 0: it was not changed */
 };
 
@@ -197,10 +200,27 @@ static int threads_to_be_had(int threads) {
     return can;
 }
 
-int redcc_team_prepare(int threads) {
-    if (threads < 2 || threads <= team.threads)
+/* Looked at in fewer and fewer calls, where it has been so. */
+static bool is_in_handler(uint64_t before) {
+    enum { REST_MOST = 1024 };
+    if (team.rest_left > 0) {
+        team.rest_left--;
+        return true;
+    }
+    const bool is_so = redcc_signals_in_handler(before);
+    team.rest = is_so ? (team.rest < REST_MOST ? 2 * team.rest + 1 : REST_MOST) : 0;
+    team.rest_left = team.rest;
+    return is_so;
+}
+
+int redcc_team_prepare(int threads, uint64_t before) {
+    if (threads <= team.threads)
         return threads;
+    if (is_in_handler(before))
+        return 0;
     pin_all();
+    if (threads < 2)
+        return threads;
     enlarge_stacks(threads - (team.threads > 0 ? team.threads : 1));
     const int can = threads_to_be_had(threads);
     if (can < 2)
@@ -217,7 +237,8 @@ void redcc_team_came(int threads) {
 
 #else
 
-int redcc_team_prepare(int threads) {
+int redcc_team_prepare(int threads, uint64_t before) {
+    (void)before;
     return threads;
 }
 

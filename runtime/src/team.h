@@ -6,11 +6,15 @@
 #ifndef REDCC_TEAM_H
 #define REDCC_TEAM_H
 
+#include <stdint.h>
+
 /** Before a region of `threads` threads begins: how many can be had (OpenMP ends a program where
- *  the system refuses it a thread); 1: none beside the calling one. Sees to it that the code the
+ *  the system refuses it a thread); 1: none beside the calling one; 0: the region must not begin,
+ *  for the thread is in a handler, which may have found it in malloc. before: what the thread
+ *  blocked before redcc_signals_hold. Sees to it that the code the
  *  threads run is not unloaded while they are there, and that their stacks are as large as the
  *  main thread's may become. Signals must be held (signals.h). */
-int redcc_team_prepare(int threads);
+int redcc_team_prepare(int threads, uint64_t before);
 
 /** The region has begun, with `threads` threads; to be called by its first thread. */
 void redcc_team_came(int threads);
