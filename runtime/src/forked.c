@@ -14,10 +14,10 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-static bool had_threads;      /* of the thread that forks, from before fork to the child */
-static atomic_bool is_forked; /* written where there is one thread only */
-static atomic_char *mark;     /* 1 in the process that has seen it, 0 in a new one; NULL: none */
-static long process;          /* where there is no mark: the one that has been seen */
+static bool had_threads;       /* of the thread that forks, from before fork to the child */
+atomic_bool redcc_had_threads; /* written where there is one thread only */
+atomic_char *redcc_process_mark;
+static long process; /* where there is no mark: the one that has been seen */
 
 #if defined(__linux__)
 
@@ -54,11 +54,11 @@ void *redcc_wiped_page(void) {
 /* The calling process is a new one. */
 static void begin_process(bool with_threads) {
     if (with_threads)
-        atomic_store(&is_forked, true);
+        atomic_store(&redcc_had_threads, true);
     redcc_memory_forked();
-    if (mark)
-        atomic_store(mark, 1);
-    process = mark ? 0 : redcc_system_process();
+    if (redcc_process_mark)
+        atomic_store(redcc_process_mark, 1);
+    process = redcc_process_mark ? 0 : redcc_system_process();
 }
 
 static void before(void) {
@@ -86,18 +86,13 @@ static bool register_handlers(void) {
 
 /* From the beginning, for the program may have parallel regions of its own. */
 __attribute__((constructor)) static void watch(void) {
-    mark = redcc_wiped_page();
+    redcc_process_mark = redcc_wiped_page();
     begin_process(!register_handlers());
 }
 
 /* The program has forked by other means, and nobody looked whether it had threads. */
-static bool is_new_process(void) {
-    return mark ? atomic_load_explicit(mark, memory_order_relaxed) == 0
-                : redcc_system_process() != process;
-}
-
-bool redcc_is_forked(void) {
-    if (is_new_process())
+void redcc_see_process(void) {
+    if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
+                           : redcc_system_process() != process)
         begin_process(true);
-    return atomic_load_explicit(&is_forked, memory_order_relaxed);
 }

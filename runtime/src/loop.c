@@ -147,15 +147,13 @@ static const struct method *method_of(const struct settings *settings) {
 
 /* What forbids running in parallel without a look at the loop's data. */
 static enum reason hindrance(const redcc_loop *loop, const struct settings *settings, int threads,
-                             int nested) {
+                             int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
-    if (redcc_float_traps(redcc_float_control()))
-        return REASON_TRAPS;
     if (insists(settings))
         return REASON_NONE;
-    if (redcc_is_forked())
+    if (forked)
         return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
@@ -283,7 +281,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0 || (settings->method && !settings->method->prepare))
         return 0;
-    enum reason reason = hindrance(loop, settings, threads, nested);
+    enum reason reason = hindrance(loop, settings, threads, nested, forked);
     if (reason != REASON_NONE && !settings->method)
         note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
@@ -303,6 +301,10 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
+    if (redcc_float_traps(execution->float_control)) {
+        let_go(held);
+        return serially(state, REASON_TRAPS);
+    }
     execution->signals = redcc_signals_hold();
     threads = nested || threads < 1 || forked ? 1 : threads;
     if (settings->compensated && !settings->method)
