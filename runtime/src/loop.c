@@ -5,6 +5,7 @@
 #include "budget.h"
 #include "clock.h"
 #include "compensate.h"
+#include "escapes.h"
 #include "forked.h"
 #include "memory.h"
 #include "node.h"
@@ -205,6 +206,39 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
+/* To be called where a region may follow: no handler may leave the execution then, and none begins
+ * one of its own. */
+static void begin_within(struct execution *execution, int threads) {
+    execution->is_within = redcc_within;
+    redcc_within = 1;
+    execution->holds_signals =
+        execution->insists || redcc_may_escape() || redcc_team_grows(threads);
+    if (execution->holds_signals)
+        execution->signals = redcc_signals_hold();
+}
+
+/* The region's threads are there. */
+static void relax_within(struct execution *execution) {
+    if (!execution->holds_signals)
+        return;
+    if (!execution->insists && !redcc_may_escape()) {
+        execution->holds_signals = false;
+        redcc_signals_release(execution->signals);
+    } else if (is_long(execution))
+        redcc_signals_let_default(execution->signals);
+}
+
+/* The loop is let go: nothing of the execution's is touched any more. */
+static void end_within(struct loop_state *state) {
+    const uint64_t signals = state->execution.signals;
+    const bool holds_signals = state->execution.holds_signals;
+    const bool was_within = state->execution.is_within;
+    let_go(state);
+    redcc_within = was_within;
+    if (holds_signals)
+        redcc_signals_release(signals);
+}
+
 static void note_rule(struct statistics *statistics, enum rule rule) {
     atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
 }
@@ -286,6 +320,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
+    if (redcc_within && !insists(settings))
+        return serially(state, REASON_NESTED);
     struct loop_state *held = hold(state, loop, insists(settings), &reason);
     if (!held)
         return serially(state, reason);
@@ -305,15 +341,13 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         let_go(held);
         return serially(state, REASON_TRAPS);
     }
-    execution->signals = redcc_signals_hold();
     threads = nested || threads < 1 || forked ? 1 : threads;
+    begin_within(execution, threads);
     if (settings->compensated && !settings->method)
         threads = threads_for_compensated(&held->reported.statistics, trip, threads);
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
-        const uint64_t signals = execution->signals;
-        let_go(held);
-        redcc_signals_release(signals);
+        end_within(held);
         return serially(state, reason);
     }
     threads = execution->asked;
@@ -342,10 +376,10 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
             execution->reason = REASON_TEAM;
         return;
     }
-    if (thread == 0)
+    if (thread == 0) {
         redcc_team_came(threads);
-    if (thread == 0 && is_long(execution))
-        redcc_signals_let_default(execution->signals);
+        relax_within(execution);
+    }
     struct member *member = execution->state->member[thread];
     worker->execution = member;
     note_node(member);
@@ -512,8 +546,6 @@ int redcc_leave(redcc_call *call) {
         else
             redcc_plan_free(execution->plan);
     }
-    const uint64_t signals = execution->signals;
-    let_go(execution->state);
-    redcc_signals_release(signals);
+    end_within(execution->state);
     return done;
 }

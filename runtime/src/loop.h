@@ -94,10 +94,12 @@ struct execution {
     enum pace pace;
     long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
-    uint64_t signals;                   /* what it blocked before */
-    bool insists;                       /* one thread executes by the plan as well */
-    int asked;                          /* threads */
-    int threads;                        /* that came */
+    uint64_t signals;                   /* what it blocked before; where they are held */
+    bool holds_signals;
+    bool is_within; /* the thread that entered was within another execution */
+    bool insists;   /* one thread executes by the plan as well */
+    int asked;      /* threads */
+    int threads;    /* that came */
     struct barrier barrier;
     enum phase next; /* where the last to arrive sends all */
     bool verified;   /* so far the candidate's subscripts are unchanged */

@@ -11,6 +11,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+_Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
+
 #if defined(__linux__)
 
 #include <fcntl.h>
@@ -228,6 +230,10 @@ int redcc_team_prepare(int threads, uint64_t before) {
     return can;
 }
 
+bool redcc_team_grows(int threads) {
+    return threads > team.threads;
+}
+
 void redcc_team_came(int threads) {
     team.threads = threads;
     if (team.stack_before)
@@ -240,6 +246,11 @@ void redcc_team_came(int threads) {
 int redcc_team_prepare(int threads, uint64_t before) {
     (void)before;
     return threads;
+}
+
+bool redcc_team_grows(int threads) {
+    (void)threads;
+    return false;
 }
 
 void redcc_team_came(int threads) {
