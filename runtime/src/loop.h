@@ -94,9 +94,12 @@ struct execution {
     enum pace pace;
     long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
-    bool insists;                       /* one thread executes by the plan as well */
-    int asked;                          /* threads */
-    int threads;                        /* that came */
+    uint64_t signals;                   /* what it blocked before; where they are held */
+    bool holds_signals;
+    bool is_within; /* the thread that entered was within another execution */
+    bool insists;   /* one thread executes by the plan as well */
+    int asked;      /* threads */
+    int threads;    /* that came */
     struct barrier barrier;
     enum phase next; /* where the last to arrive sends all */
     bool verified;   /* so far the candidate's subscripts are unchanged */
@@ -179,6 +182,9 @@ void redcc_find_candidate(struct execution *execution, int threads);
 /** Are the candidate's subscripts what they were? Every thread calls it and gets the same answer.
  */
 bool redcc_verify(struct member *member);
+
+/** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
+void redcc_note_no_memory(redcc_loop *loop);
 
 /** Is a source so small that every thread reads it, rather than its share? That is dearer by less
  *  than the barrier that is saved. */
