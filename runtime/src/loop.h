@@ -9,16 +9,16 @@
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
 
-#include "choose.h"
-#include "float_control.h"
-#include "graph/divide.h"
-#include "graph/levels.h"
-#include "hook.h"
-#include "plan.h"
+#include "base/float_control.h"
+#include "choose/choose.h"
+#include "execute/hook.h"
+#include "execute/validate.h"
+#include "ownership/graph/divide.h"
+#include "ownership/graph/levels.h"
+#include "ownership/sample.h"
+#include "ownership/sweep.h"
+#include "plan/plan.h"
 #include "report.h"
-#include "sample.h"
-#include "sweep.h"
-#include "validate.h"
 
 enum { REDCC_PLANS = 4, REDCC_ENTRIES = 1024, REDCC_RUNS = 128 };
 

@@ -3,9 +3,9 @@
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
-#include "method.h"
-#include "reason.h"
-#include "rule.h"
+#include "base/reason.h"
+#include "choose/rule.h"
+#include "plan/method.h"
 
 #include <stdatomic.h>
 

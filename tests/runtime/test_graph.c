@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Ownership cut from the access graph, on shuffled meshes: with REDCC_METHOD=graph-localwrite, and
  * without it. */
-#include "budget.h"
-#include "graph/bisect.h"
+#include "base/memory.h"
+#include "choose/budget.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/graph/bisect.h"
 #include "plan_check.h"
 #include "problem.h"
 #include "settings.h"

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Iterations in levels: against the definition, tried on every pair of iterations; and auto, which
  * takes them where no cut of owners serves. */
-#include "budget.h"
-#include "graph/levels.h"
+#include "base/memory.h"
+#include "choose/budget.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/graph/levels.h"
 #include "plan_check.h"
 #include "problem.h"
 

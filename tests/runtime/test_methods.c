@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The method that REDCC_METHOD names, on every shape of loop and many thread counts, against the
  * sequential loop: bit for bit where the method promises it or the values are exact. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "plan_check.h"
 #include "problem.h"
 #include "settings.h"

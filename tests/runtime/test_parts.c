@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The runtime's parts by themselves. */
-#include "barrier.h"
-#include "cuts.h"
-#include "length.h"
-#include "memory.h"
-#include "plan.h"
+#include "base/barrier.h"
+#include "base/memory.h"
+#include "ownership/cuts.h"
+#include "ownership/sample.h"
+#include "ownership/sweep.h"
+#include "plan/length.h"
+#include "plan/plan.h"
 #include "problem.h"
-#include "sample.h"
 #include "settings.h"
-#include "sweep.h"
 
 #include <omp.h>
 #include <setjmp.h>

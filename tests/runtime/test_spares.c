@@ -4,11 +4,11 @@
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; }
  */
-#include "cuts.h"
-#include "estimate.h"
-#include "length.h"
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/cuts.h"
+#include "ownership/estimate.h"
+#include "plan/length.h"
 #include "settings.h"
 
 #include <omp.h>

@@ -4,9 +4,9 @@
 #define _GNU_SOURCE /* sbrk, syscall */
 #include "watched.h"
 
-#include "vouch.h"
-#include "watch.h"
-#include "written_pages.h"
+#include "reuse/pages/watch.h"
+#include "reuse/pages/written_pages.h"
+#include "reuse/vouch.h"
 
 #include <fcntl.h>
 #include <linux/filter.h>

@@ -2,10 +2,10 @@
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 #include "watched.h"
 
-#include "memory.h"
-#include "vouch.h"
-#include "watch.h"
-#include "written_pages.h"
+#include "base/memory.h"
+#include "reuse/pages/watch.h"
+#include "reuse/pages/written_pages.h"
+#include "reuse/vouch.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
