@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The life of a loop: its state, and enter, join, leave. */
+/** The life of a loop: its state, and enter, join, leave. pipeline.h draws what lies between. */
 #include "loop.h"
 
 #include "base/clock.h"
@@ -7,8 +7,6 @@
 #include "base/memory.h"
 #include "base/node.h"
 #include "base/trace.h"
-#include "choose/budget.h"
-#include "execute/compensate.h"
 #include "settings.h"
 
 #include <string.h>
@@ -23,37 +21,49 @@ static void state_free(struct loop_state *state) {
     if (!state)
         return;
     struct execution *execution = &state->execution;
-    for (int p = 0; p < REDCC_PLANS; p++)
-        redcc_plan_free(state->plans[p]);
-    redcc_members_end(state);
-    redcc_memory_give(execution->request.bases);
-    redcc_memory_give(execution->request.known);
-    redcc_memory_give(execution->request.key);
-    redcc_memory_give(execution->touched);
-    redcc_memory_give(execution->sources);
+    struct request *request = &execution->call.request;
+    redcc_cache_drop_all(&state->cache);
+    redcc_threads_end(state);
+    redcc_memory_give(request->bases);
+    redcc_memory_give(request->known);
+    redcc_memory_give(request->key);
+    redcc_memory_give(execution->inspection.touched);
+    redcc_memory_give(execution->inspection.sources);
     redcc_memory_give(state->reported.file);
     redcc_memory_give(state->reported.function);
     redcc_memory_give(state);
+}
+
+/* What the parts of an execution go by, the same for all of them. */
+static void join_parts(struct loop_state *state) {
+    struct execution *execution = &state->execution;
+    struct inspection *inspection = &execution->inspection;
+    execution->state = state;
+    inspection->call = execution->run.call = execution->reuse.call = &execution->call;
+    inspection->barrier = execution->run.barrier = execution->reuse.barrier = &execution->barrier;
+    execution->reuse.cache = &state->cache;
+    execution->reuse.sources = inspection->sources;
+    execution->reuse.written = inspection->touched;
 }
 
 static struct loop_state *state_new(redcc_loop *loop) {
     struct loop_state *state = redcc_memory_take_zeroed(1, sizeof *state);
     if (!state)
         return NULL;
-    struct execution *execution = &state->execution;
-    struct request *request = &execution->request;
-    execution->state = state;
+    struct inspection *inspection = &state->execution.inspection;
+    struct request *request = &state->execution.call.request;
     request->loop = loop;
     request->bases = redcc_memory_take(loop->array_count * sizeof *request->bases);
     request->known = redcc_memory_take(loop->source_count * sizeof *request->known);
     request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
-    execution->touched = redcc_memory_take(loop->array_count * sizeof *execution->touched);
-    execution->sources = redcc_memory_take(loop->source_count * sizeof *execution->sources);
+    inspection->touched = redcc_memory_take(loop->array_count * sizeof *inspection->touched);
+    inspection->sources = redcc_memory_take(loop->source_count * sizeof *inspection->sources);
     state->reported.file = copy_text(loop->file);
     state->reported.function = copy_text(loop->function);
     state->reported.line = loop->line;
-    if (!request->bases || !request->known || !request->key || !execution->touched ||
-        !execution->sources || !state->reported.file || !state->reported.function) {
+    join_parts(state);
+    if (!request->bases || !request->known || !request->key || !inspection->touched ||
+        !inspection->sources || !state->reported.file || !state->reported.function) {
         state_free(state);
         return NULL;
     }
@@ -86,24 +96,6 @@ void redcc_loop_forget(redcc_loop *loop) {
     loop->state = NULL;
 }
 
-static const char *text_of(enum reason reason) {
-    static const char *const texts[] = {
-#define REDCC_REASON(id, text) text,
-        REDCC_REASON_LIST(REDCC_REASON)
-#undef REDCC_REASON
-    };
-    return texts[reason];
-}
-
-static int serially(struct loop_state *state, enum reason reason) {
-    redcc_trace(TRACE_CHOICE, state->execution.request.loop, "the original loop%s%s",
-                reason == REASON_NONE ? "" : ": ", text_of(reason));
-    if (reason != REASON_NONE)
-        atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
-                                  memory_order_relaxed);
-    return 0;
-}
-
 static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
     return settings->order_given ? settings->order : loop->order;
 }
@@ -123,7 +115,7 @@ static void stop_at_contradiction(const redcc_loop *loop, const struct settings 
 /* Does the sequential loop not have these bits: another order of the contributions, other sums?
  * Then one thread executes the loop by a plan as well, also within a parallel region and beside
  * other threads: the bits are to be the same everywhere. */
-static bool insists(const struct settings *settings) {
+static bool is_always_planned(const struct settings *settings) {
     return settings->compensated ||
            (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
 }
@@ -136,12 +128,12 @@ static const struct method *method_of(const struct settings *settings) {
 }
 
 /* What forbids running in parallel without a look at the loop's data. */
-static enum reason hindrance(const redcc_loop *loop, const struct settings *settings, int threads,
-                             int nested) {
+static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
+                                 int threads, int nested) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
-    if (insists(settings))
+    if (is_always_planned(settings))
         return REASON_NONE;
     if (redcc_is_forked())
         return REASON_FORKED;
@@ -150,29 +142,35 @@ static enum reason hindrance(const redcc_loop *loop, const struct settings *sett
     return threads < 2 ? REASON_ONE_THREAD : REASON_NONE;
 }
 
-/* The state for this call: the loop's, held by it, or, where another thread holds that and must
- * not be waited for (it may be waiting for this one), one of its own. NULL, with *reason: none. */
-static struct loop_state *hold(struct loop_state *state, redcc_loop *loop, bool insisting,
-                               enum reason *reason) {
+/* The state for this call: the loop's, which it acquires, or, where another thread holds that and
+ * must not be waited for (it may be waiting for this one), one of its own. NULL, with *reason:
+ * none. */
+static struct loop_state *acquire(struct loop_state *state, redcc_loop *loop, bool always,
+                                  enum reason *reason) {
     int idle = 0;
     if (atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
                                                 memory_order_relaxed))
         return state;
     *reason = REASON_CONCURRENT;
-    if (!insisting)
+    if (!always)
         return NULL;
     *reason = REASON_NO_MEMORY;
     struct loop_state *other = state_new(loop);
     if (other)
-        other->passing = true;
+        other->temporary = true;
     return other;
 }
 
-static void let_go(struct loop_state *state) {
-    if (state->passing)
+static void release(struct loop_state *state) {
+    if (state->temporary)
         state_free(state);
     else
         atomic_store_explicit(&state->busy, 0, memory_order_release);
+}
+
+static int serially(struct loop_state *state, enum reason reason) {
+    redcc_count_fallback(state, reason);
+    return 0;
 }
 
 static void take_request(struct request *request, redcc_int trip, void *const *bases,
@@ -186,64 +184,81 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-static void note_rule(struct statistics *statistics, enum rule rule) {
-    atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
+static void take_settings(struct call *call, const struct settings *settings) {
+    const redcc_loop *loop = call->request.loop;
+    call->method = method_of(settings);
+    call->parameter = settings->parameter;
+    call->order = order_of(loop, settings);
+    if (call->method && call->method->keeps > call->order)
+        call->order = call->method->keeps;
+    call->compensated = settings->compensated;
+    call->validate = settings->validate;
+    call->tracks = settings->watch;
+    call->memory_limit = settings->memory_limit;
+    call->always_planned = is_always_planned(settings);
+    call->entered = redcc_seconds();
+    call->float_control = redcc_float_control();
 }
 
-static void note_serial(struct statistics *statistics) {
-    statistics->method = &redcc_method_serial;
-    statistics->threads = 1;
+/* What auto says of this call. */
+static struct advice advice_for(struct loop_state *state, const struct call *call, int threads) {
+    if (call->method)
+        return (struct advice){.mode = MODE_PARALLEL};
+    const struct advice advice = redcc_advise_entry(&state->chooser, call->request.trip, threads);
+    if (advice.drops_others) /* what there was before need not stay beside it */
+        redcc_cache_drop_others(&state->cache);
+    redcc_note_rule(&state->reported.statistics, advice.rule);
+    return advice;
 }
 
-/* The loop is held: begins an execution. False: to be run serially, for *reason. */
-static bool begin_execution(struct execution *execution, const redcc_loop *loop,
-                            const struct settings *settings, int threads, enum reason *reason) {
+/* The loop is acquired: begins an execution. False: to be run serially, for *reason. */
+static bool begin_execution(struct execution *execution, const redcc_loop *loop, int threads,
+                            enum reason *reason) {
     struct loop_state *state = execution->state;
-    struct statistics *statistics = &state->reported.statistics;
-    execution->method = method_of(settings);
-    execution->parameter = settings->parameter;
-    execution->order = order_of(loop, settings);
-    execution->course = COURSE_PARALLEL;
-    execution->pace = PACE_UNTIMED;
-    execution->rested = 0;
-    execution->by_graph = false;
-    if (!execution->method) {
-        const struct choice choice =
-            redcc_choose_course(&state->chooser, execution->request.trip, threads, redcc_budget());
-        execution->course = choice.course;
-        execution->rested = choice.rested;
-        execution->pace = choice.pace;
-        execution->by_graph = choice.by_graph;
-        if (choice.graph_settled) /* what there was before need not stay beside it */
-            redcc_drop_plain_plans(state);
-        *reason = choice.reason;
-        note_rule(statistics, choice.rule);
-    } else if (execution->method->keeps > execution->order)
-        execution->order = execution->method->keeps;
-    statistics->order = execution->order;
-    if (execution->course == COURSE_SERIAL) {
-        note_serial(statistics);
+    struct call *call = &execution->call;
+    execution->advice = advice_for(state, call, threads);
+    *reason = execution->advice.reason;
+    state->reported.statistics.order = call->order;
+    if (execution->advice.mode == MODE_SERIAL) {
+        redcc_note_serial(&state->reported.statistics);
         return false;
     }
     *reason = REASON_NO_MEMORY;
-    if (!redcc_members_ensure(state, loop, threads))
+    if (!redcc_threads_ensure(state, loop, threads))
         return false;
-    execution->asked = execution->threads = threads;
-    execution->plan = NULL;
-    execution->plan_is_kept = false;
+    call->asked = call->threads = threads;
+    execution->inspection.inspector = state->inspector;
+    execution->inspection.route = ROUTE_SERIAL;
     execution->inspected = false;
-    execution->planless = false;
-    execution->validation = (struct validation){0};
+    execution->reuse.hasher = state->hasher;
+    execution->reuse.skipped_calls = execution->advice.skipped_calls;
     execution->reason = REASON_NONE;
-    atomic_store_explicit(&execution->last_claimed, 0, memory_order_relaxed);
-    atomic_store_explicit(&execution->spares_claimed, 0, memory_order_relaxed);
+    redcc_run_begin(&execution->run, execution->advice.mode);
+    execution->run.validated =
+        call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
     return true;
 }
 
-/* The bits are the same at any number of threads. */
-static int threads_for_compensated(const struct statistics *statistics, redcc_int trip,
-                                   int threads) {
-    return redcc_worth_threads(trip, threads, statistics->execute_seconds, statistics->in_loops);
+/* Is nothing to be decided in this call? Then it is not prepared for either. */
+static bool rests(struct loop_state *state, redcc_int trip, int threads, enum reason *reason) {
+    struct advice advice;
+    if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
+        return false;
+    redcc_note_rule(&state->reported.statistics, advice.rule);
+    redcc_note_serial(&state->reported.statistics);
+    *reason = advice.reason;
+    return true;
+}
+
+/* The bits of compensated sums are the same at any number of threads. */
+static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
+                              redcc_int trip, int threads, int nested) {
+    const struct statistics *statistics = &state->reported.statistics;
+    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
+    return settings->compensated && !settings->method
+               ? redcc_advise_threads(trip, threads, statistics->execute_seconds,
+                                      statistics->in_loops)
+               : threads;
 }
 
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
@@ -257,225 +272,86 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0 || (settings->method && !settings->method->prepare))
         return 0;
-    enum reason reason = hindrance(loop, settings, threads, nested);
+    enum reason reason = reason_not_to(loop, settings, threads, nested);
     if (reason != REASON_NONE && !settings->method)
-        note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
-    struct loop_state *held = hold(state, loop, insists(settings), &reason);
+    const bool always = is_always_planned(settings);
+    struct loop_state *held = acquire(state, loop, always, &reason);
     if (!held)
         return serially(state, reason);
-    struct choice choice;
-    if (!insists(settings) && !settings->method &&
-        redcc_choose_rests(&held->chooser, trip, threads, &choice)) {
-        note_rule(&held->reported.statistics, choice.rule);
-        note_serial(&held->reported.statistics);
-        let_go(held);
-        return serially(state, choice.reason);
-    }
     struct execution *execution = &held->execution;
-    execution->entered = redcc_seconds();
-    execution->insists = insists(settings);
-    execution->float_control = redcc_float_control();
-    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
-    if (settings->compensated && !settings->method)
-        threads = threads_for_compensated(&held->reported.statistics, trip, threads);
-    take_request(&execution->request, trip, bases, known, key);
-    if (!begin_execution(execution, loop, settings, threads, &reason)) {
-        let_go(held);
+    const bool asks_auto = !always && !settings->method;
+    if (asks_auto && rests(held, trip, threads, &reason)) {
+        release(held);
         return serially(state, reason);
     }
-    redcc_find_candidate(execution, threads);
+    take_settings(&execution->call, settings);
+    threads = threads_to_ask_for(held, settings, trip, threads, nested);
+    take_request(&execution->call.request, trip, bases, known, key);
+    if (!begin_execution(execution, loop, threads, &reason)) {
+        release(held);
+        return serially(state, reason);
+    }
+    redcc_find_plan(execution);
     redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
-                execution->course == COURSE_SOLO ? "by one thread, timed" : "in parallel",
-                execution->method ? " by " : "", execution->method ? execution->method->name : "",
-                threads);
+                execution->run.mode == MODE_TIMED ? "by one thread, timed" : "in parallel",
+                execution->call.method ? " by " : "",
+                execution->call.method ? execution->call.method->name : "", threads);
     call->threads = threads;
     call->decided = 1;
     call->execution = execution;
     return 1;
 }
 
-static void note_node(struct member *member) {
+static void note_node(struct thread_state *thread) {
     const int node = redcc_node();
-    member->moved = member->node >= 0 && node != member->node;
-    member->node = node;
+    thread->moved = thread->node >= 0 && node != thread->node;
+    thread->node = node;
 }
 
-void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads) {
+void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads) {
     struct execution *execution = call->execution;
-    *worker = (redcc_worker){.call = call, .thread = thread};
-    if (threads > execution->asked) {
-        if (thread == 0)
+    *worker = (redcc_worker){.call = call, .thread = number};
+    if (threads > execution->call.asked) {
+        if (number == 0)
             execution->reason = REASON_TEAM;
         return;
     }
-    struct member *member = execution->state->member[thread];
-    worker->execution = member;
-    note_node(member);
-    member->float_control = redcc_float_control();
-    redcc_float_control_take(execution->float_control);
-    member->threads = threads;
-    member->plan = NULL;
-    member->failed = false;
-    member->phase = threads == execution->asked ? PHASE_BEGIN : PHASE_RECOUNT;
-    const bool too_few = threads == 1 && !execution->insists;
-    if (too_few)
-        member->phase = PHASE_OVER;
-    if (thread == 0 && threads != execution->asked) {
-        execution->threads = threads;
+    struct thread_state *thread = execution->state->thread[number];
+    struct runner *runner = &thread->runner;
+    worker->execution = thread;
+    note_node(thread);
+    runner->float_control = redcc_float_control();
+    redcc_float_control_take(execution->call.float_control);
+    thread->threads = runner->threads = thread->inspector.threads = thread->hasher.threads =
+        threads;
+    thread->inspector.failed = false;
+    thread->telling = false;
+    runner->plan = NULL;
+    runner->step = STEP_BEGIN;
+    const bool as_asked = threads == execution->call.asked;
+    const bool too_few = threads == 1 && !execution->call.always_planned;
+    thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
+    if (number == 0 && !as_asked) {
+        execution->call.threads = threads;
         execution->reason = too_few ? REASON_ONE_THREAD : REASON_NONE;
     }
-}
-
-static void count_fallback(struct execution *execution) {
-    struct loop_state *state = execution->state;
-    const redcc_loop *loop = execution->request.loop;
-    if (execution->reason == REASON_OVERLAP)
-        redcc_trace(TRACE_CHOICE, loop, "the original loop: '%s' overlaps '%s'",
-                    loop->sources[execution->clash_source].name,
-                    loop->arrays[execution->clash_array].name);
-    if (execution->reason == REASON_OVERLAP)
-        redcc_report_overlap(&state->reported.statistics,
-                             loop->sources[execution->clash_source].name,
-                             loop->arrays[execution->clash_array].name);
-    else
-        serially(state, execution->reason);
-    state->reported.statistics.method = &redcc_method_serial;
-    state->reported.statistics.threads = 1;
-    if (execution->reason == REASON_NO_MEMORY)
-        redcc_drop_plans(state);
-    if (execution->method)
-        return;
-    redcc_choose_refused(&state->chooser, execution->request.trip, execution->reason);
-    note_rule(&state->reported.statistics,
-              redcc_choose_rule(&state->chooser, execution->request.trip));
-}
-
-/* One thread has executed all: no plan was worth making. */
-static void count_planless(struct execution *execution, double now) {
-    struct loop_state *state = execution->state;
-    struct statistics *statistics = &state->reported.statistics;
-    const redcc_int trip = execution->request.trip;
-    const double inspecting = execution->ready - execution->entered;
-    const enum reason reason = execution->only_timed ? REASON_COSTLY : REASON_REPLICATION;
-    serially(state, reason);
-    statistics->method = &redcc_method_serial;
-    statistics->threads = 1;
-    statistics->inspect_seconds += inspecting;
-    statistics->execute_seconds += now - execution->ready;
-    statistics->executed += trip;
-    statistics->in_loops += trip;
-    statistics->trip = statistics->length = trip;
-    redcc_choose_learn(&state->chooser, trip, COURSE_SOLO, false, execution->solo_seconds);
-    redcc_budget_gain(-inspecting);
-    if (!execution->only_timed)
-        redcc_choose_refused(&state->chooser, trip, reason);
-    note_rule(statistics, redcc_choose_rule(&state->chooser, trip));
-}
-
-static const char *came_by(const struct execution *execution) {
-    if (!execution->plan_is_kept)
-        return "built";
-    return redcc_vouched_sources(execution) > 0 ? "used again, subscripts watched" : "used again";
-}
-
-static void trace_execution(const struct execution *execution, double now) {
-    const struct plan *plan = execution->plan;
-    const redcc_loop *loop = execution->request.loop;
-    const double trip = (double)(plan->trip > 0 ? plan->trip : 1);
-    if (redcc_traces(TRACE_PLAN))
-        redcc_trace(TRACE_PLAN, loop,
-                    "%s: %s, %d threads, %u owners, %.4f iterations executed for one, %u stages, "
-                    "%zu bytes; %.3g s",
-                    came_by(execution), plan->method->name, plan->threads, plan->owners,
-                    (double)plan->executed / trip, redcc_plan_stages(plan), redcc_plan_bytes(plan),
-                    execution->ready - execution->entered);
-    redcc_trace(TRACE_EXECUTION, loop, "%lld iterations by %d threads; %.3g s", plan->trip,
-                execution->course == COURSE_SOLO ? 1 : execution->threads, now - execution->ready);
-}
-
-static void count_nodes(const struct execution *execution, struct statistics *statistics) {
-    unsigned long long nodes = 0;
-    for (int thread = 0; thread < execution->threads; thread++) {
-        const struct member *member = execution->state->member[thread];
-        nodes |= member->node >= 0 ? 1ull << (member->node & 63) : 0;
-        statistics->moves += member->moved;
-    }
-    statistics->nodes = __builtin_popcountll(nodes);
-}
-
-static void learn_pace(struct execution *execution) {
-    const struct plan *plan = execution->plan;
-    double working = 0;
-    for (int thread = 0; thread < execution->threads; thread++) {
-        const struct member *member = execution->state->member[thread];
-        working += member->ended - member->began;
-    }
-    redcc_choose_learn_pace(&execution->state->chooser, plan->trip, execution->pace,
-                            execution->part_seconds,
-                            working * (double)plan->trip / (double)plan->executed);
-}
-
-static void count_execution(struct execution *execution, double now) {
-    struct loop_state *state = execution->state;
-    struct statistics *statistics = &state->reported.statistics;
-    const struct plan *plan = execution->plan;
-    const bool solo = execution->course == COURSE_SOLO;
-    const size_t bytes = execution->plan_is_kept ? 0 : redcc_plan_bytes(plan);
-    statistics->method = solo ? &redcc_method_serial : plan->method;
-    statistics->parameter = plan->parameter;
-    statistics->threads = solo ? 1 : execution->threads;
-    statistics->plans_built += !execution->plan_is_kept;
-    statistics->plans_reused += execution->plan_is_kept;
-    statistics->watched += execution->plan_is_kept && redcc_vouched_sources(execution) > 0;
-    statistics->inspect_seconds += execution->ready - execution->entered;
-    statistics->execute_seconds += now - execution->ready;
-    statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
-    statistics->executed += solo ? plan->trip : plan->executed;
-    statistics->in_loops += plan->trip;
-    statistics->stages = redcc_plan_stages(plan);
-    statistics->trip = plan->trip;
-    statistics->length = solo ? plan->trip : plan->length;
-    statistics->compensated = !solo && redcc_lost_bytes(plan) > 0;
-    count_nodes(execution, statistics);
-    trace_execution(execution, now);
-    if (execution->method)
-        return;
-    if (!solo && redcc_is_paced(execution, plan))
-        learn_pace(execution);
-    redcc_budget_gain(
-        redcc_choose_learn(&state->chooser, plan->trip, execution->course,
-                           plan->map != NULL || plan->method->in_levels,
-                           solo ? execution->solo_seconds : now - execution->entered));
-    note_rule(statistics, redcc_choose_rule(&state->chooser, plan->trip));
 }
 
 int redcc_leave(redcc_call *call) {
     if (!call->decided)
         return 0;
     struct execution *execution = call->execution;
-    const int done = execution->plan != NULL || execution->planless;
-    const bool validated = execution->validation.began;
-    const double now = validated ? execution->executed : redcc_seconds();
-    if (validated)
-        redcc_validation_end(&execution->validation, execution->plan, execution->request.loop,
-                             execution->request.bases,
-                             &execution->state->reported.statistics.validated);
-    if (execution->planless)
-        count_planless(execution, now);
-    else if (done)
-        count_execution(execution, now);
-    else
-        count_fallback(execution);
-    if (execution->inspected)
-        redcc_inspection_end(execution);
-    if (execution->plan && !execution->plan_is_kept) {
-        if (redcc_plan_reusable(&execution->request, execution->sources))
-            redcc_keep_plan(execution);
-        else
-            redcc_plan_free(execution->plan);
+    const bool done = redcc_account(execution);
+    struct plan *plan = execution->run.plan;
+    if (execution->inspected) {
+        redcc_inspection_end(&execution->inspection);
+        if (plan && !(redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
+                      redcc_reuse_keep(&execution->reuse, plan)))
+            redcc_plan_free(plan);
     }
-    let_go(execution->state);
+    release(execution->state);
     return done;
 }

@@ -1,93 +1,88 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The members of a loop: made once, used by every execution. */
+/** The threads' states of a loop: made once, used by every execution. */
 #include "loop.h"
 
 #include "base/memory.h"
 
-static struct member *member_new(struct loop_state *state, const redcc_loop *loop, int thread) {
-    struct member *member = redcc_memory_take_zeroed(1, sizeof *member);
-    if (!member)
-        return NULL;
-    member->execution = &state->execution;
-    member->thread = thread;
-    member->node = -1;
-    member->sources = redcc_memory_take_zeroed(loop->source_count, sizeof *member->sources);
-    member->base = redcc_memory_take_zeroed(loop->array_count, sizeof *member->base);
-    member->owner = redcc_memory_take_zeroed(loop->array_count, sizeof *member->owner);
-    member->fingerprint = redcc_memory_take_zeroed(loop->source_count, sizeof *member->fingerprint);
-    member->taking = redcc_memory_take_zeroed(loop->source_count, sizeof *member->taking);
-    member->hooks.hook = redcc_memory_take_zeroed(loop->array_count, sizeof *member->hooks.hook);
-    return member;
+static bool has_all(const struct thread_state *thread) {
+    return thread->inspector.sources && thread->inspector.nowhere && thread->runner.base &&
+           thread->runner.owner && thread->runner.hooks.hook && thread->hasher.fingerprint &&
+           thread->hasher.partial;
 }
 
-static void member_free(struct member *member) {
-    if (!member)
+static void thread_free(struct thread_state *thread) {
+    if (!thread)
         return;
-    redcc_memory_give(member->sources);
-    redcc_memory_give(member->base);
-    redcc_memory_give(member->owner);
-    redcc_memory_give(member->fingerprint);
-    redcc_memory_give(member->taking);
-    redcc_memory_give(member->hooks.hook);
-    redcc_memory_give(member);
+    redcc_memory_give(thread->inspector.sources);
+    redcc_memory_give(thread->inspector.nowhere);
+    redcc_memory_give(thread->runner.base);
+    redcc_memory_give(thread->runner.owner);
+    redcc_memory_give(thread->runner.hooks.hook);
+    redcc_memory_give(thread->hasher.fingerprint);
+    redcc_memory_give(thread->hasher.partial);
+    redcc_memory_give(thread);
 }
 
-bool redcc_members_ensure(struct loop_state *state, const redcc_loop *loop, int count) {
-    if (count <= state->member_count)
-        return true;
-    struct member **more = redcc_memory_resize(state->member, (size_t)count * sizeof(*more));
-    if (!more)
+static struct thread_state *thread_new(struct loop_state *state, const redcc_loop *loop,
+                                       int number) {
+    const size_t arrays = loop->array_count, sources = loop->source_count;
+    struct thread_state *thread = redcc_memory_take_zeroed(1, sizeof *thread);
+    if (!thread)
+        return NULL;
+    struct inspector *inspector = &thread->inspector;
+    struct runner *runner = &thread->runner;
+    struct hasher *hasher = &thread->hasher;
+    thread->execution = &state->execution;
+    thread->node = -1;
+    thread->thread = inspector->thread = runner->thread = hasher->thread = number;
+    runner->run = &state->execution.run;
+    inspector->sources = redcc_memory_take_zeroed(sources, sizeof *inspector->sources);
+    inspector->nowhere = redcc_memory_take_zeroed(arrays, sizeof *inspector->nowhere);
+    runner->base = redcc_memory_take_zeroed(arrays, sizeof *runner->base);
+    runner->owner = redcc_memory_take_zeroed(arrays, sizeof *runner->owner);
+    runner->hooks.hook = redcc_memory_take_zeroed(arrays, sizeof *runner->hooks.hook);
+    hasher->fingerprint = redcc_memory_take_zeroed(sources, sizeof *hasher->fingerprint);
+    hasher->partial = redcc_memory_take_zeroed(sources, sizeof *hasher->partial);
+    if (has_all(thread))
+        return thread;
+    thread_free(thread);
+    return NULL;
+}
+
+/* Room for `count` in the tables. */
+static bool lengthen(struct loop_state *state, size_t count) {
+    struct thread_state **thread = redcc_memory_resize(state->thread, count * sizeof(*thread));
+    state->thread = thread ? thread : state->thread;
+    struct inspector **inspector =
+        redcc_memory_resize(state->inspector, count * sizeof(*inspector));
+    state->inspector = inspector ? inspector : state->inspector;
+    struct hasher **hasher = redcc_memory_resize(state->hasher, count * sizeof(*hasher));
+    state->hasher = hasher ? hasher : state->hasher;
+    return thread && inspector && hasher;
+}
+
+bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int count) {
+    if (count > state->thread_count && !lengthen(state, (size_t)count))
         return false;
-    state->member = more;
-    while (state->member_count < count) {
-        struct member *member = member_new(state, loop, state->member_count);
-        if (!member || !member->sources || !member->base || !member->owner ||
-            !member->fingerprint || !member->taking || !member->hooks.hook) {
-            member_free(member);
+    for (; state->thread_count < count; state->thread_count++) {
+        struct thread_state *thread = thread_new(state, loop, state->thread_count);
+        if (!thread)
             return false;
-        }
-        state->member[state->member_count++] = member;
+        state->thread[state->thread_count] = thread;
+        state->inspector[state->thread_count] = &thread->inspector;
+        state->hasher[state->thread_count] = &thread->hasher;
     }
     return true;
 }
 
-void redcc_members_end(struct loop_state *state) {
-    for (int thread = 0; thread < state->member_count; thread++)
-        member_free(state->member[thread]);
-    redcc_memory_give(state->member);
-    state->member = NULL;
-    state->member_count = 0;
-}
-
-void redcc_inspection_end(struct execution *execution) {
-    const struct loop_state *state = execution->state;
-    for (int thread = 0; thread < state->member_count; thread++) {
-        struct member *member = state->member[thread];
-        redcc_sample_end(&member->sample);
-        redcc_sweep_end(&member->sweep);
-        redcc_memory_give(member->entries);
-        redcc_memory_give(member->seen);
-        redcc_memory_give(member->executed);
-        member->entries = NULL;
-        member->seen = NULL;
-        member->executed = NULL;
-    }
-    redcc_divide_end(&execution->divide);
-    redcc_levels_end(&execution->levels);
-    redcc_partition_end(&execution->partition);
-    redcc_memory_give(execution->samples);
-    redcc_memory_give(execution->summaries);
-    redcc_memory_give(execution->seen);
-    execution->samples = NULL;
-    execution->summaries = NULL;
-    execution->seen = NULL;
-}
-
-void redcc_meet(struct member *member, void (*alone)(struct execution *)) {
-    struct execution *execution = member->execution;
-    if (redcc_barrier_arrive(&execution->barrier, member->threads)) {
-        alone(execution);
-        redcc_barrier_release(&execution->barrier);
-    }
-    member->phase = execution->next;
+void redcc_threads_end(struct loop_state *state) {
+    for (int thread = 0; thread < state->thread_count; thread++)
+        thread_free(state->thread[thread]);
+    redcc_memory_give(state->thread);
+    redcc_memory_give(state->inspector);
+    redcc_memory_give(state->hasher);
+    state->thread = NULL;
+    state->inspector = NULL;
+    state->hasher = NULL;
+    state->thread_count = 0;
 }

@@ -197,8 +197,8 @@ static int calls_by_levels(struct problem *problem, int threads, int calls) {
         const bool by_levels = state->reported.statistics.method == &redcc_method_wavefront;
         found += by_levels;
         for (int p = 0; by_levels && p < REDCC_PLANS; p++)
-            if (state->plans[p] && state->plans[p]->method->in_levels)
-                check_plan(problem, state->plans[p]);
+            if (state->cache.kept[p] && state->cache.kept[p]->plan->method->in_levels)
+                check_plan(problem, state->cache.kept[p]->plan);
     }
     redcc_loop_forget(&described.loop);
     free(expected);

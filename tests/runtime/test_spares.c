@@ -174,8 +174,8 @@ static const struct method *method_by_auto(void) {
         assert_memory_equal(b, expected, sizeof b);
     }
     const struct loop_state *state = loop.state;
-    if (state->plans[0])
-        method = state->plans[0]->method;
+    if (state->cache.kept[0])
+        method = state->cache.kept[0]->plan->method;
     redcc_loop_forget(&loop);
     return method;
 }
@@ -253,7 +253,7 @@ static void spare_schedules_are_claimed_in_turn(void **unused) {
     struct schedule schedule[9] = {{0}};
     const struct plan plan = {.method = &redcc_method_spare_localwrite,
                               .threads = 3,
-                              .teams = 1,
+                              .teams = {.count = 1},
                               .schedule = schedule,
                               .schedules = 9};
     for (uint32_t claimed = 0; claimed < 7; claimed++)

@@ -10,27 +10,8 @@
 #ifndef REDCC_COMPENSATE_H
 #define REDCC_COMPENSATE_H
 
+#include "plan/lost.h"
 #include "plan/plan.h"
-
-/** What was lost of a group's elements. */
-struct lost {
-    double *value;    /* of each touched element; NULL: the group is not compensated */
-    double *before;   /* of each one that is being updated: what it held */
-    size_t count;     /* of elements */
-    ptrdiff_t offset; /* of the first one, relative to the group's base */
-    char *first;      /* where it is in this execution */
-    redcc_type type;  /* REDCC_FLOAT or REDCC_DOUBLE */
-};
-
-/** Makes room for what is lost in the plan's groups that are sums of floats or doubles. False: no
- *  memory. */
-bool redcc_lost_new(struct plan *plan, const redcc_array *arrays);
-
-/** Gives the room back. */
-void redcc_lost_free(struct plan *plan);
-
-/** Bytes it takes. */
-size_t redcc_lost_bytes(const struct plan *plan);
 
 /** Nothing is lost yet: of the elements that are this thread's share, for arrays at `bases`. */
 void redcc_lost_clear(const struct plan *plan, int thread, void *const *bases);

@@ -10,9 +10,7 @@
 #include <float.h>
 #include <math.h> /* HUGE_VAL; the library is linked to libc alone */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static size_t bytes_of(const struct plan *plan, uint32_t group) {
     const struct offsets touched = plan->touched[group];
@@ -199,20 +197,4 @@ void redcc_validation_end(struct validation *validation, const struct plan *plan
         snprintf(validated->name, sizeof validated->name, "%s", now.array);
     }
     give_back(validation, plan);
-}
-
-/* ---- the end of the program ---------------------------------------------------------------- */
-
-static void end_program(void) {
-    if (!redcc_report_validation())
-        return;
-    fflush(NULL);
-    _exit(REDCC_BROKEN); /* exit must not be called here: it is what called this */
-}
-
-/* What is registered first runs last: the program's own handlers, and all reports, come before. */
-__attribute__((constructor)) static void register_end(void) {
-    const char *value = getenv("REDCC_VALIDATE");
-    if (value && strcmp(value, "1") == 0)
-        atexit(end_program);
 }

@@ -1,21 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#ifndef REDCC_GUARD_H
-#define REDCC_GUARD_H
+/** The overlap guard: may a loop that reads here and writes there run in parallel? */
+#ifndef REDCC_OVERLAP_H
+#define REDCC_OVERLAP_H
 
-#include "ownership/partition.h"
+#include "base/range.h"
+
+/** Which range that is read overlaps which one that is written. */
+struct overlap {
+    uint32_t source;
+    uint32_t array;
+};
 
 /**
- * The guard: may the loop run in parallel? Not where something that it reads (sources
- * [source_count]) overlaps what it updates (touched [array_count], those of groups; the others
- * empty). Returns true where nothing does; else sets *source and *array to a pair that overlaps.
+ * Does nothing that is read (read [read_count]) overlap anything that is written (written
+ * [written_count])? Asked for a new plan at what its inspection found, for a kept one at the places
+ * where the arrays and the sources are in this call. False: *overlap is the first pair that does.
  */
-static inline bool redcc_guard(const struct range *sources, uint32_t source_count,
-                               const struct range *touched, uint32_t array_count, uint32_t *source,
-                               uint32_t *array) {
-    for (*source = 0; *source < source_count; ++*source)
-        for (*array = 0; *array < array_count; ++*array)
-            if (redcc_ranges_overlap(sources[*source], touched[*array]))
+static inline bool redcc_ranges_are_apart(const struct range *read, uint32_t read_count,
+                                          const struct range *written, uint32_t written_count,
+                                          struct overlap *overlap) {
+    for (uint32_t r = 0; r < read_count; r++)
+        for (uint32_t w = 0; w < written_count; w++)
+            if (redcc_ranges_overlap(read[r], written[w])) {
+                *overlap = (struct overlap){r, w};
                 return false;
+            }
     return true;
 }
 

@@ -6,32 +6,8 @@
 #ifndef REDCC_PARTITION_H
 #define REDCC_PARTITION_H
 
+#include "base/range.h"
 #include "redcc/runtime.h"
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-
-/** Addresses [first, end); empty where end <= first. */
-struct range {
-    uintptr_t first;
-    uintptr_t end;
-};
-
-static const struct range redcc_nowhere = {UINTPTR_MAX, 0};
-
-static inline bool redcc_range_empty(struct range range) {
-    return range.end <= range.first;
-}
-
-static inline bool redcc_ranges_overlap(struct range a, struct range b) {
-    return !redcc_range_empty(a) && !redcc_range_empty(b) && a.first < b.end && b.first < a.end;
-}
-
-/** The smallest range that holds both. */
-static inline struct range redcc_range_union(struct range a, struct range b) {
-    return (struct range){a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
-}
 
 /** Do the elements of an array with this base lie anywhere? Between the first and the last of them
  *  there may be anything, or nothing: only what was touched may be read or written. */

@@ -16,7 +16,7 @@ static int copies_needed(const struct plan *plan) {
     case COPY_TOUCHED:
         return plan->threads;
     case COPY_TEAM:
-        return plan->teams - 1;
+        return plan->teams.count - 1;
     case COPY_SHARE:
         return plan->parameter;
     case COPY_NONE:
@@ -86,7 +86,7 @@ int redcc_copy_of(const struct plan *plan, int thread) {
     case COPY_TOUCHED:
         return thread;
     case COPY_TEAM:
-        return redcc_team_of(plan->threads, plan->teams, thread) - 1;
+        return redcc_team_of(plan->threads, plan->teams.count, thread) - 1;
     case COPY_SHARE:
     case COPY_NONE:
         break;
@@ -104,9 +104,9 @@ static void copies_begun_by(const struct plan *plan, int thread, int *first, int
     }
     *first = redcc_copy_of(plan, thread);
     *end = *first + 1;
-    const int team = redcc_team_of(plan->threads, plan->teams, thread);
-    const bool leads =
-        plan->teams == 1 || thread == redcc_team_first(plan->threads, plan->teams, team);
+    const int team = redcc_team_of(plan->threads, plan->teams.count, thread);
+    const bool leads = plan->teams.count == 1 ||
+                       thread == redcc_team_first(plan->threads, plan->teams.count, team);
     if (*first < 0 || !leads)
         *first = *end = 0;
 }
@@ -164,11 +164,11 @@ static void fill_copy(const struct plan *plan, const struct copy *copy, int part
 
 void redcc_copies_fill(const struct plan *plan, int thread) {
     if (plan->method->copies == COPY_TEAM) { /* all threads of the team fill it together */
-        const int team = redcc_team_of(plan->threads, plan->teams, thread);
-        const int first = redcc_team_first(plan->threads, plan->teams, team);
+        const int team = redcc_team_of(plan->threads, plan->teams.count, thread);
+        const int first = redcc_team_first(plan->threads, plan->teams.count, team);
         if (team > 0)
             fill_copy(plan, &plan->copies.copy[team - 1], thread - first,
-                      redcc_team_first(plan->threads, plan->teams, team + 1) - first);
+                      redcc_team_first(plan->threads, plan->teams.count, team + 1) - first);
         return;
     }
     int first, end;

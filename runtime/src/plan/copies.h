@@ -10,12 +10,6 @@
 
 struct plan;
 
-/** Bytes [first, end) relative to the base of a group. */
-struct offsets {
-    ptrdiff_t first;
-    ptrdiff_t end;
-};
-
 /** A copy of all groups. */
 struct copy {
     char **memory;        /* [array_count] of group g; NULL: nothing of it is touched */

@@ -43,12 +43,12 @@ static redcc_int most_iterations(const struct plan *plan, int first, int end) {
 
 /* The team's threads meet after each stage. */
 static redcc_int length_of_team(const struct plan *plan, int team, struct place *place) {
-    const int first = redcc_team_first(plan->threads, plan->teams, team);
-    const int end = redcc_team_first(plan->threads, plan->teams, team + 1);
-    if (plan->stages[team] <= 1)
+    const int first = redcc_team_first(plan->threads, plan->teams.count, team);
+    const int end = redcc_team_first(plan->threads, plan->teams.count, team + 1);
+    if (plan->teams.stages[team] <= 1)
         return most_iterations(plan, first, end);
     redcc_int length = 0;
-    for (uint32_t stage = 0; stage < plan->stages[team]; stage++) {
+    for (uint32_t stage = 0; stage < plan->teams.stages[team]; stage++) {
         redcc_int longest = 0;
         for (int thread = first; thread < end; thread++) {
             const struct schedule *schedule = &plan->schedule[thread];
@@ -108,7 +108,7 @@ redcc_int redcc_plan_length(const struct plan *plan) {
     else if (plan->method->spares)
         length = length_with_spares(plan, place);
     else
-        for (int team = 0; team < plan->teams; team++) {
+        for (int team = 0; team < plan->teams.count; team++) {
             const redcc_int own = length_of_team(plan, team, place);
             length = own > length ? own : length;
         }

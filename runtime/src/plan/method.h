@@ -9,6 +9,8 @@
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
 
+#include "base/share.h"
+#include "ownership/partition.h"
 #include "ownership/summary.h"
 
 struct levels;
@@ -86,19 +88,6 @@ extern const struct method redcc_method_atomic;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
-
-/** Iterations [first, end) that `thread` of `threads` inspects, and executes where a method shares
- *  them out evenly: consecutive shares in the order of the threads. */
-static inline redcc_int redcc_share(redcc_int trip, int threads, int thread) {
-    const redcc_int quotient = trip / threads, rest = trip % threads;
-    return quotient * thread + (thread < rest ? thread : rest);
-}
-
-/** Of `parts` consecutive equal parts of `count` things, the first thing of part `part`; part ==
- *  parts: `count`. */
-static inline uint32_t redcc_part_first(uint32_t count, int parts, int part) {
-    return (uint32_t)((uint64_t)count * (uint64_t)part / (uint64_t)parts);
-}
 
 /** Does the last iteration touch nothing? Somebody executes it all the same, for the last values of
  *  the variables that it sets. */

@@ -11,29 +11,9 @@
 #include "plan/copies.h"
 #include "plan/method.h"
 #include "plan/schedule.h"
-#include "reuse/fingerprint.h"
-#include "reuse/vouch.h"
 
 struct divide;
 struct lost;
-
-/** What one call brings; the pointers are owned by the loop's state. */
-struct request {
-    const redcc_loop *loop;
-    redcc_int trip;
-    void **bases;        /* [array_count] */
-    redcc_extent *known; /* [source_count] */
-    redcc_word *key;     /* [key_count] */
-};
-
-/** What a plan remembers of a source. */
-struct source_record {
-    bool known;            /* its extent comes with each call */
-    bool anchored;         /* known[].first is there to move with */
-    struct offsets extent; /* known: {0, its length}; else relative to the anchor */
-    struct fingerprint fingerprint;
-    struct vouch vouch;
-};
 
 /** Where the owners of a group's units stand in a plan's map. */
 struct group_map {
@@ -43,36 +23,42 @@ struct group_map {
     uint32_t bytes;  /* of a unit */
 };
 
+/** The owner of each unit of all groups. */
+struct owner_map {
+    unsigned char *owner; /* NULL: there is no map */
+    struct group_map *of; /* [array_count] of each group; with the map */
+};
+
+/** Teams of threads, which reach their stages together. */
+struct teams {
+    int count;
+    uint32_t *stages;        /* [count] that each goes through */
+    struct barrier *barrier; /* [count] */
+};
+
 struct plan {
     const struct method *method;
     int parameter;
     int threads;
-    int teams;
+    struct teams teams;
     redcc_int trip;
     uint32_t array_count;
-    uint32_t source_count;
     uint32_t owners;
-    redcc_word *key;              /* [key_count] */
-    uint32_t *group_of;           /* [array_count] as partition.group_of */
-    ptrdiff_t *shift;             /* [array_count] bytes from its group's base to its own */
-    struct offsets *touched;      /* [array_count] of each group, relative to its base */
-    ptrdiff_t *bound;             /* [array_count * (owners + 1)] owner o of group g writes from
-                                     bound[g * (owners + 1) + o] up to the next, relative to its base;
-                                     not where there is a map */
-    unsigned char *map;           /* the owner of each unit of all groups; NULL: none */
-    struct group_map *mapped;     /* [array_count] of each group; with the map */
-    struct source_record *source; /* [source_count] */
-    struct schedule *schedule;    /* [schedules] of each thread; with spares of each owner */
+    uint32_t *group_of;      /* [array_count] as partition.group_of */
+    ptrdiff_t *shift;        /* [array_count] bytes from its group's base to its own */
+    struct offsets *touched; /* [array_count] of each group, relative to its base */
+    ptrdiff_t *bound;        /* [array_count * (owners + 1)] owner o of group g writes from
+                                bound[g * (owners + 1) + o] up to the next, relative to its base;
+                                not where there is a map */
+    struct owner_map map;
+    struct schedule *schedule; /* [schedules] of each thread; with stealable blocks of each owner */
     uint32_t schedules;
-    uint32_t *stages;             /* [teams] */
-    struct barrier *team_barrier; /* [teams] */
-    struct flags *flags;          /* of tasks; NULL: there are none */
-    unsigned round;               /* of this execution: what a flag that is up holds */
-    struct lost *lost;            /* [array_count] of each group, of compensated sums; or NULL */
+    struct flags *flags; /* of tasks; NULL: there are none */
+    unsigned round;      /* of this execution: what a flag that is up holds */
+    struct lost *lost;   /* [array_count] of each group, of compensated sums; or NULL */
     struct copies copies;
     redcc_int executed; /* iterations, replicated ones counted */
     redcc_int length;   /* how long its threads take, in iterations (length.h) */
-    uint64_t last_use;
 };
 
 /** The schedule that a thread begins with; the spare ones behind it, where there are any, it fills
@@ -98,11 +84,11 @@ static inline int redcc_team_first(int threads, int teams, int team) {
 /** The team of a thread. */
 int redcc_team_of(int threads, int teams, int thread);
 
-/** An empty plan for what the partition says, group g being touched in touched[g] and source s
- *  read in sources[s]. NULL: no memory. */
-struct plan *redcc_plan_new(const struct method *method, int parameter, int threads,
-                            const struct request *request, const struct partition *partition,
-                            const struct range *touched, const struct range *sources);
+/** An empty plan for `trip` iterations and what the partition says, group g being touched in
+ *  touched[g]; compensated: with room for what is lost in sums. NULL: no memory. */
+struct plan *redcc_plan_new(const struct method *method, int parameter, int threads, redcc_int trip,
+                            const struct partition *partition, const struct range *touched,
+                            bool compensated);
 
 /** From now on the owners are those of units, as they were divided; the map in `divide` becomes the
  *  plan's. False: no memory. */
@@ -115,16 +101,6 @@ void redcc_plan_free(struct plan *plan);
 /** To be called once when all threads' schedules are there: numbers the stages that are not empty
  *  and adds up what is executed. */
 void redcc_plan_finish(struct plan *plan);
-
-/** May this plan serve this request, if its subscripts are what they were? Everything is compared
- *  but the subscripts' contents, and the guard is asked at the places where the arrays now are.
- *  Sets sources [source_count] to where the sources are. */
-bool redcc_plan_fits(const struct plan *plan, const struct request *request, int threads,
-                     struct range *sources);
-
-/** May a plan for this request be kept for other calls at all? sources [source_count] is what is
- *  read. */
-bool redcc_plan_reusable(const struct request *request, const struct range *sources);
 
 /** Bytes it takes, copies included. */
 size_t redcc_plan_bytes(const struct plan *plan);

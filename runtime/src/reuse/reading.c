@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/reading.h"
 
-#include "reuse/pages/written_pages.h"
+#include "reuse/pages/watch.h"
 
 struct reading redcc_reading_of(const redcc_loop *loop, const struct range *sources,
                                 uint32_t source) {

@@ -3,7 +3,8 @@
 #ifndef REDCC_READING_H
 #define REDCC_READING_H
 
-#include "ownership/partition.h"
+#include "base/range.h"
+#include "redcc/runtime.h"
 #include "reuse/fingerprint.h"
 
 /** Not what an earlier source (counted from 1; 0: none) has shown already, as of row_start[i] and

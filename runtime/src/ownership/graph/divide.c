@@ -2,8 +2,8 @@
 #include "ownership/graph/divide.h"
 
 #include "base/memory.h"
+#include "base/share.h"
 #include "ownership/graph/bisect.h"
-#include "plan/method.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #include "ownership/graph/levels.h"
 
 #include "base/memory.h"
-#include "plan/method.h"
+#include "base/share.h"
 
 enum { FEW = 64 }; /* iterations of a level that one thread executes */
 

@@ -76,9 +76,9 @@ static bool put_in_stages(const struct pairs *pairs, struct schedule *schedule) 
 }
 
 bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
-    const int team = redcc_team_of(plan->threads, plan->teams, thread);
-    const int first = redcc_team_first(plan->threads, plan->teams, team);
-    const int end = redcc_team_first(plan->threads, plan->teams, team + 1);
+    const int team = redcc_team_of(plan->threads, plan->teams.count, thread);
+    const int first = redcc_team_first(plan->threads, plan->teams.count, team);
+    const int end = redcc_team_first(plan->threads, plan->teams.count, team + 1);
     struct pairs pairs = {.blocks = plan->owners,
                           .members = (uint32_t)(end - first),
                           .member = (uint32_t)(thread - first)};

@@ -3,7 +3,7 @@
 #ifndef REDCC_MAPPINGS_H
 #define REDCC_MAPPINGS_H
 
-#include "ownership/partition.h"
+#include "base/range.h"
 
 enum { REDCC_MAPPINGS = 16 };
 

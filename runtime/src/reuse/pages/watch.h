@@ -7,7 +7,10 @@
 #ifndef REDCC_WATCH_H
 #define REDCC_WATCH_H
 
-#include "ownership/partition.h"
+#include "base/range.h"
+
+/** The whole pages in `range`; an empty range where there are none. */
+struct range redcc_whole_pages(struct range range);
 
 /** Has `pages` (whole ones) watched from now on. What is read of them after this call is what they
  *  hold as long as redcc_watch_ask says WATCH_UNTOUCHED of the version returned. 0: cannot be

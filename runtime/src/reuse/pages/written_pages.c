@@ -7,6 +7,8 @@
 #define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MADV_WIPEONFORK, mremap, syscall */
 #include "reuse/pages/written_pages.h"
 
+#include "reuse/pages/watch.h"
+
 #include <unistd.h>
 
 struct range redcc_whole_pages(struct range range) {
@@ -17,7 +19,7 @@ struct range redcc_whole_pages(struct range range) {
     return redcc_range_empty(whole) ? redcc_nowhere : whole;
 }
 
-#if defined(__linux__)
+#if defined(__linux__) && !defined(REDCC_NO_PAGE_TRACKING)
 
 #include "reuse/pages/mappings.h"
 #include "reuse/pages/page_watch_abi.h"

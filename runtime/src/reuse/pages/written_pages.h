@@ -6,10 +6,7 @@
 #ifndef REDCC_WRITTEN_PAGES_H
 #define REDCC_WRITTEN_PAGES_H
 
-#include "ownership/partition.h"
-
-/** The whole pages in `range`; an empty range where there are none. */
-struct range redcc_whole_pages(struct range range);
+#include "base/range.h"
 
 /** Can pages be watched by what was begun in this very process? After a fork the child cannot: what
  *  the parent had open speaks of the parent's memory. */
