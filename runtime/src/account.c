@@ -71,7 +71,7 @@ static void account_unplanned(struct execution *execution, double now) {
     statistics->execute_seconds += now - run->ready;
     statistics->executed += trip;
     statistics->in_loops += trip;
-    statistics->trip = statistics->length = trip;
+    statistics->last.trip = statistics->last.length = trip;
     redcc_tell_executed(&state->chooser, &(struct outcome){.trip = trip,
                                                            .mode = MODE_TIMED,
                                                            .seconds = run->alone,
@@ -149,10 +149,10 @@ static void account_execution(struct execution *execution, double now) {
     statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
     statistics->executed += timed ? plan->trip : plan->executed;
     statistics->in_loops += plan->trip;
-    statistics->stages = redcc_plan_stages(plan);
-    statistics->trip = plan->trip;
-    statistics->length = timed ? plan->trip : plan->length;
-    statistics->compensated = !timed && redcc_lost_bytes(plan) > 0;
+    statistics->last.stages = redcc_plan_stages(plan);
+    statistics->last.trip = plan->trip;
+    statistics->last.length = timed ? plan->trip : plan->length;
+    statistics->last.compensated = !timed && redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)

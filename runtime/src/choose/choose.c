@@ -84,16 +84,16 @@ static int serial_tries_needed(redcc_int trip) {
 
 /* Is it the turn of owners cut from the access graph? */
 static bool graph_turn(struct trial *trial, double budget) {
-    if (trial->graph == GRAPH_LOST && trial->calls >= trial->graph_retry_at)
-        trial->graph = GRAPH_UNTRIED;
-    if (trial->graph == GRAPH_UNTRIED && trial->graph_seconds > 0 &&
+    if (trial->graph.state == GRAPH_LOST && trial->calls >= trial->graph.retry_at)
+        trial->graph.state = GRAPH_UNTRIED;
+    if (trial->graph.state == GRAPH_UNTRIED && trial->graph.seconds > 0 &&
         trial->decided != COURSE_UNDECIDED && trial->serial_best > 0 &&
-        budget >= trial->graph_seconds) {
-        trial->graph = GRAPH_TRIED;
-        trial->graph_tries = trial->rival_tries = 0;
+        budget >= trial->graph.seconds) {
+        trial->graph.state = GRAPH_TRIED;
+        trial->graph.tries = trial->graph.rival_tries = 0;
     }
-    const bool rivals_turn = trial->rival_tries < trial->graph_tries - 1;
-    return trial->graph == GRAPH_KEPT || (trial->graph == GRAPH_TRIED && !rivals_turn);
+    const bool rivals_turn = trial->graph.rival_tries < trial->graph.tries - 1;
+    return trial->graph.state == GRAPH_KEPT || (trial->graph.state == GRAPH_TRIED && !rivals_turn);
 }
 
 /* What there was before the access graph, timed beside it. */
@@ -131,8 +131,8 @@ static struct choice choose_plainly(struct trial *trial, redcc_int trip, double 
 bool redcc_choose_rests(struct chooser *chooser, redcc_int trip, int threads,
                         struct choice *choice) {
     struct trial *trial = trial_of(chooser, trip);
-    const bool asks_budget = trial->sweep_seconds > 0 || trial->graph_seconds > 0 ||
-                             trial->graph == GRAPH_TRIED || trial->graph == GRAPH_KEPT;
+    const bool asks_budget = trial->sweep_seconds > 0 || trial->graph.seconds > 0 ||
+                             trial->graph.state == GRAPH_TRIED || trial->graph.state == GRAPH_KEPT;
     if (trial->threads != threads || trial->decided != COURSE_SERIAL || asks_budget ||
         trial->calls + 1 >= trial->retry_at)
         return false;
@@ -149,13 +149,14 @@ struct choice redcc_choose_course(struct chooser *chooser, redcc_int trip, int t
     trial->calls++;
     struct choice choice = {.course = COURSE_PARALLEL, .by_graph = true};
     if (trial->doubted)
-        choice = (struct choice){.course = COURSE_SOLO, .by_graph = trial->graph == GRAPH_KEPT};
-    else if (!graph_turn(trial, budget))
         choice =
-            trial->graph == GRAPH_TRIED ? choose_rival(trial) : choose_plainly(trial, trip, budget);
-    if (trial->graph == GRAPH_KEPT) {
-        choice.graph_settled = trial->graph_tries > 0;
-        trial->graph_tries = 0;
+            (struct choice){.course = COURSE_SOLO, .by_graph = trial->graph.state == GRAPH_KEPT};
+    else if (!graph_turn(trial, budget))
+        choice = trial->graph.state == GRAPH_TRIED ? choose_rival(trial)
+                                                   : choose_plainly(trial, trip, budget);
+    if (trial->graph.state == GRAPH_KEPT) {
+        choice.graph_settled = trial->graph.tries > 0;
+        trial->graph.tries = 0;
     }
     choice.rule = trial->rule;
     return choice;
@@ -208,7 +209,7 @@ static void settle_doubt(struct trial *trial, double each) {
     if (trial->slow_best <= each)
         return;
     try_again(trial);
-    trial->graph = GRAPH_UNTRIED;
+    trial->graph.state = GRAPH_UNTRIED;
     trial->rule = RULE_SLOWER;
 }
 
@@ -240,41 +241,42 @@ bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int thre
 }
 
 static void lose_graph(struct trial *trial, long rest) {
-    trial->graph = GRAPH_LOST;
-    trial->graph_retry_at = trial->calls + rest;
+    trial->graph.state = GRAPH_LOST;
+    trial->graph.retry_at = trial->calls + rest;
     trial->rule = RULE_GRAPH_LOST;
 }
 
 static void compare_with_rival(struct trial *trial) {
-    if (trial->graph_tries < GRAPH_TRIES || trial->rival_tries < RIVAL_TRIES)
+    if (trial->graph.tries < GRAPH_TRIES || trial->graph.rival_tries < RIVAL_TRIES)
         return;
-    if (trial->graph_best < trial->rival_best) {
-        trial->graph = GRAPH_KEPT;
+    if (trial->graph.best < trial->graph.rival_best) {
+        trial->graph.state = GRAPH_KEPT;
         trial->rule = RULE_GRAPH_KEPT;
     } else {
-        lose_graph(trial,
-                   rest_after_loss(GRAPH_TRIES, trial->graph_best / trial->rival_best, GRAPH_REST));
+        lose_graph(trial, rest_after_loss(GRAPH_TRIES, trial->graph.best / trial->graph.rival_best,
+                                          GRAPH_REST));
     }
 }
 
 static void learn_rival(struct trial *trial, double each) {
-    trial->rival_best = trial->rival_tries++ == 0 ? each : shorter(trial->rival_best, each);
+    trial->graph.rival_best =
+        trial->graph.rival_tries++ == 0 ? each : shorter(trial->graph.rival_best, each);
     compare_with_rival(trial);
 }
 
 static void learn_graph(struct trial *trial, redcc_int trip, double seconds) {
     const double each = seconds / (double)trip;
-    trial->graph_runs++;
-    if (trial->graph == GRAPH_KEPT) {
+    trial->graph.runs++;
+    if (trial->graph.state == GRAPH_KEPT) {
         watch(trial, each);
         return;
     }
-    const int before = trial->graph_tries++;
-    if (before == 0 && trial->graph_best == 0) { /* what the inspection takes, if done again */
+    const int before = trial->graph.tries++;
+    if (before == 0 && trial->graph.best == 0) { /* what the inspection takes, if done again */
         const double longer = seconds - trial->serial_best * (double)trip / trial->threads;
-        trial->graph_seconds = longer > 0 ? longer : trial->graph_seconds;
+        trial->graph.seconds = longer > 0 ? longer : trial->graph.seconds;
     } else if (before > 0) {
-        trial->graph_best = before == 1 ? each : shorter(trial->graph_best, each);
+        trial->graph.best = before == 1 ? each : shorter(trial->graph.best, each);
     }
     compare_with_rival(trial);
 }
@@ -284,7 +286,7 @@ double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course c
     struct trial *trial = trial_of(chooser, trip);
     if (trial->doubted)
         settle_doubt(trial, seconds / (double)trip);
-    else if (trial->graph == GRAPH_TRIED && !by_graph)
+    else if (trial->graph.state == GRAPH_TRIED && !by_graph)
         learn_rival(trial, seconds / (double)trip);
     else if (course == COURSE_SOLO)
         learn_serial(trial, trip, seconds);
@@ -298,7 +300,7 @@ double redcc_choose_learn(struct chooser *chooser, redcc_int trip, enum course c
 
 void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason reason) {
     struct trial *trial = trial_of(chooser, trip);
-    if (reason == REASON_NO_MEMORY && trial->graph == GRAPH_TRIED) {
+    if (reason == REASON_NO_MEMORY && trial->graph.state == GRAPH_TRIED) {
         lose_graph(trial, GRAPH_REST); /* what there was before may do with less */
     } else if (reason == REASON_REPLICATION || reason == REASON_COSTLY) {
         rest(trial, reason, 16, 4, 1 << 20);
@@ -311,7 +313,7 @@ void redcc_choose_refused(struct chooser *chooser, redcc_int trip, enum reason r
 void redcc_choose_no_graph(struct chooser *chooser, redcc_int trip) {
     struct trial *trial = trial_of(chooser, trip);
     lose_graph(trial, GRAPH_REST);
-    trial->graph_seconds = 0;
+    trial->graph.seconds = 0;
 }
 
 void redcc_choose_levels(struct chooser *chooser, redcc_int trip) {
@@ -361,18 +363,18 @@ static enum rule plain_way(const struct findings *findings, double sweep_seconds
 /* A graph was cut before, and other subscripts have come before it has paid: then it rests, longer
  * each time. */
 static bool cut_in_vain(struct trial *trial, redcc_int trip) {
-    if (trial->graph_runs == 0)
+    if (trial->graph.runs == 0)
         return false;
-    const double best = trial->graph_best > 0 ? trial->graph_best : trial->serial_best / 2;
-    const double saved = (double)trial->graph_runs * (double)trip * (trial->serial_best - best);
-    trial->graph_runs = 0;
-    if (saved >= trial->graph_seconds) {
-        trial->graph_rest = 0;
+    const double best = trial->graph.best > 0 ? trial->graph.best : trial->serial_best / 2;
+    const double saved = (double)trial->graph.runs * (double)trip * (trial->serial_best - best);
+    trial->graph.runs = 0;
+    if (saved >= trial->graph.seconds) {
+        trial->graph.rest = 0;
         return false;
     }
-    trial->graph_rest = trial->graph_rest ? trial->graph_rest * 4 : 16;
-    trial->graph = GRAPH_LOST;
-    trial->graph_retry_at = trial->calls + trial->graph_rest;
+    trial->graph.rest = trial->graph.rest ? trial->graph.rest * 4 : 16;
+    trial->graph.state = GRAPH_LOST;
+    trial->graph.retry_at = trial->calls + trial->graph.rest;
     return true;
 }
 
@@ -383,21 +385,21 @@ enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findi
     if (findings->share * findings->threads <= even_share) {
         trial->rule = undivided == RULE_NONE ? RULE_EVEN : undivided;
         if (findings->swept || trial->rule == RULE_CHEAP_COPIES)
-            trial->graph = GRAPH_UNTRIED;
-        trial->graph_seconds = 0;
+            trial->graph.state = GRAPH_UNTRIED;
+        trial->graph.seconds = 0;
         trial->sweep_seconds = trial->rule == RULE_COSTLY ? sweep_seconds : 0;
         return trial->rule;
     }
     if (!findings->reusable) {
-        trial->graph_seconds = 0;
-        trial->graph = GRAPH_UNTRIED;
-    } else if (trial->graph_seconds == 0 && trial->graph != GRAPH_LOST)
-        trial->graph_seconds = findings->touches * redcc_graph_touch;
-    if (findings->by_graph && findings->reusable && trial->graph != GRAPH_LOST &&
+        trial->graph.seconds = 0;
+        trial->graph.state = GRAPH_UNTRIED;
+    } else if (trial->graph.seconds == 0 && trial->graph.state != GRAPH_LOST)
+        trial->graph.seconds = findings->touches * redcc_graph_touch;
+    if (findings->by_graph && findings->reusable && trial->graph.state != GRAPH_LOST &&
         !cut_in_vain(trial, findings->trip)) {
-        if (findings->budget >= trial->graph_seconds)
+        if (findings->budget >= trial->graph.seconds)
             return trial->rule = RULE_GRAPH;
-        trial->graph = GRAPH_UNTRIED; /* when the budget allows it */
+        trial->graph.state = GRAPH_UNTRIED; /* when the budget allows it */
     }
     trial->rule = undivided == RULE_NONE ? plain_way(findings, sweep_seconds) : undivided;
     const bool deferred = trial->rule == RULE_DEFERRED || trial->rule == RULE_COSTLY;

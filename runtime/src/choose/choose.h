@@ -44,7 +44,19 @@ struct pace_trial {
 
 /** How far ownership by the access graph has come. TRIED: it and what there was before take turns,
  *  so that both meet the machine as it is now. */
-enum graph_trial { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
+enum graph_state { GRAPH_UNTRIED, GRAPH_TRIED, GRAPH_KEPT, GRAPH_LOST };
+
+struct graph_trial {
+    enum graph_state state;
+    int tries;         /* TRIED: executions so far; KEPT: 0 once plans of other methods are gone */
+    int rival_tries;   /* TRIED: executions of what there was before */
+    double seconds;    /* that cutting the graph will take; 0: not known, or not to be done */
+    double best;       /* seconds an iteration */
+    double rival_best; /* the same */
+    long runs;         /* executions since it was cut */
+    long rest;         /* calls that it rested when it was cut in vain */
+    long retry_at;
+};
 
 /** What is known of a loop at trip counts of one size. */
 struct trial {
@@ -64,15 +76,7 @@ struct trial {
     double serial_best; /* seconds an iteration */
     double parallel_best;
     double sweep_seconds; /* that an inspection was deferred for; 0: none was */
-    enum graph_trial graph;
-    int graph_tries; /* TRIED: executions so far; KEPT: 0 once plans of other methods are gone */
-    int rival_tries; /* TRIED: executions of what there was before */
-    double graph_seconds; /* that cutting the graph will take; 0: not known, or not to be done */
-    double graph_best;    /* seconds an iteration */
-    double rival_best;    /* the same */
-    long graph_runs;      /* executions since it was cut */
-    long graph_rest;      /* calls that it rested when it was cut in vain */
-    long graph_retry_at;
+    struct graph_trial graph;
 };
 
 struct chooser {
