@@ -6,12 +6,16 @@
 #include "base/trace.h"
 #include "plan/lost.h"
 
+#include <assert.h>
+
 static const char *text_of(enum reason reason) {
     static const char *const texts[] = {
 #define REDCC_REASON(id, text) text,
         REDCC_REASON_LIST(REDCC_REASON)
 #undef REDCC_REASON
     };
+    _Static_assert(sizeof texts / sizeof *texts == REASON_COUNT, "a text for each reason");
+    assert(reason < REASON_COUNT);
     return texts[reason];
 }
 

@@ -9,6 +9,7 @@
 #include "base/trace.h"
 #include "settings.h"
 
+#include <assert.h>
 #include <string.h>
 
 static char *copy_text(const char *text) {
@@ -164,8 +165,10 @@ static struct loop_state *acquire(struct loop_state *state, redcc_loop *loop, bo
 static void release(struct loop_state *state) {
     if (state->temporary)
         state_free(state);
-    else
+    else {
+        assert(atomic_load(&state->busy) == 1);
         atomic_store_explicit(&state->busy, 0, memory_order_release);
+    }
 }
 
 static int serially(struct loop_state *state, enum reason reason) {
@@ -319,6 +322,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
             execution->reason = REASON_TEAM;
         return;
     }
+    assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;

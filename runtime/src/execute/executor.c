@@ -12,6 +12,8 @@
 #include "base/clock.h"
 #include "execute/compensate.h"
 
+#include <assert.h>
+
 static struct barrier *team_barrier(const struct plan *plan, int team) {
     return &plan->teams.barrier[team];
 }
@@ -52,6 +54,7 @@ static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const c
 
 static void place_owners(struct runner *runner) {
     const struct plan *plan = runner->plan;
+    assert(runner->schedule < plan->schedules);
     const uint32_t owner = plan->owners == 1 ? 0 : runner->schedule;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
@@ -148,6 +151,7 @@ static void begin_running(redcc_worker *worker) {
             runner->base[array] = run->call->request.bases[array];
         return;
     }
+    assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
     runner->step = STEP_EXECUTE;
     const bool calibrates = redcc_is_calibration(run, plan);
     runner->schedule = calibrates && runner->thread == 0 ? redcc_spare_schedule(plan, 0)
@@ -217,6 +221,7 @@ static void begin_checking(redcc_worker *worker) {
 static void reach_stage(struct runner *runner, uint32_t stage) {
     const struct plan *plan = runner->plan;
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
+    assert(runner->stage <= stage && stage < plan->teams.stages[team]);
     for (; runner->stage < stage; runner->stage++)
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
 }
@@ -321,6 +326,7 @@ static bool turn_to_chunk(redcc_worker *worker) {
         pass_on(runner->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
         return turn_to_schedule(worker) && turn_to_chunk(worker);
+    assert(worker->position >= 0 && (size_t)worker->position < schedule->chunk_count);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
     get_ready(runner, chunk);
     worker->origin = chunk->origin;

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "ownership/overlap.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
@@ -92,6 +93,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum plan_kind kind) {
         struct kept_plan *kept = cache->kept[p];
         if (!kept || !is_of_kind(kept->plan, kind) || !fits(reuse, kept, threads))
             continue;
+        assert(kept->plan->array_count == reuse->call->request.loop->array_count);
         kept->last_use = ++cache->clock;
         kept->plan->round++;
         reuse->found = kept;
@@ -219,6 +221,7 @@ static struct kept_plan *record(const struct reuse *reuse) {
 
 bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan) {
     struct plan_cache *cache = reuse->cache;
+    assert(!reuse->found && plan->threads == reuse->call->threads);
     struct kept_plan *kept = record(reuse);
     if (!kept)
         return false;
