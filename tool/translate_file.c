@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* memmem */
 #include "translate_file.h"
 
 #include <stdio.h>
@@ -52,9 +53,21 @@ static bool has_errors(const frontend_result *parsed) {
 }
 
 static void show_errors(const frontend_result *parsed) {
+    enum { MOST = 20 };
+    unsigned errors = 0;
     for (unsigned i = 0; i < parsed->diagnostic_count; i++)
-        if (parsed->diagnostics[i].is_error)
+        if (parsed->diagnostics[i].is_error && errors++ < MOST)
             fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
+    if (errors > MOST)
+        fprintf(stderr, "redcc: note: %u more errors are not shown\n", errors - MOST);
+}
+
+/** A file that cannot be parsed. */
+static file_outcome fail_to_parse(const source *file, const frontend_result *parsed) {
+    if (memchr(file->text, 0, file->length))
+        return fail(file->path, "is a binary file, not C source; nothing was written");
+    show_errors(parsed);
+    return fail(file->path, "cannot be parsed; nothing was written");
 }
 
 /* ---- pragmas ------------------------------------------------------------------------------- */
@@ -77,6 +90,15 @@ static analysis_options options_of(const options *o) {
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
                               .report_all = o->all};
+}
+
+/** A name that the program does not give to anything is most likely misspelt. */
+static void show_unknown_pure(const options *o, const source *file, const ir_unit *unit) {
+    for (unsigned i = 0; unit->names && i < o->pure.count; i++)
+        if (!map_get(unit->names, o->pure.items[i], strlen(o->pure.items[i])))
+            fprintf(stderr,
+                    "redcc: warning: --pure=%s: no function of this name is declared in %s\n",
+                    o->pure.items[i], file->path);
 }
 
 static analysis_result judge(arena *a, ir_unit *unit, const options *o,
@@ -205,6 +227,25 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     return count_verdicts(&final);
 }
 
+/** Is this a text that redcc wrote? It begins so; what stands before is the user's (a #version line
+ *  of a preprocessor, a comment of a licence tool). */
+static bool is_translated(const source *file) {
+    static const char beginning[] =
+        "#ifdef _OPENMP\n#include <redcc/runtime.h>\nREDCC_REQUIRE_VERSION(";
+    return memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
+}
+
+static file_outcome leave_translated(arena *a, const options *o, const source *file) {
+    fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
+    const ir_unit unit = {.arena = a, .source = file};
+    const analysis_result nothing = {0};
+    const report_input input = {&unit, &nothing, REDCC_VERSION, options_order_word(o->order)};
+    const char *wrong = show_report(a, o, &input);
+    if (!wrong && o->output)
+        wrong = output_write(a, o->output, file->text, file->length);
+    return wrong ? fail(NULL, wrong) : (file_outcome){0};
+}
+
 /** Standard input gets the name that compilers give it: no file can be called so by accident. */
 static const source *read_input(arena *a, const char *path, const char **wrong) {
     const source *file = source_read(a, path, wrong);
@@ -219,21 +260,22 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
     const source *file = read_input(a, path, &wrong);
     if (!file)
         return fail(NULL, wrong);
+    if (is_translated(file))
+        return leave_translated(a, o, file);
     string_list flags = {0};
     wrong = parser_flags(a, o, path, &flags);
     if (wrong)
         return fail(NULL, wrong);
     const frontend_result parsed = parse(a, file, &flags);
-    if (has_errors(&parsed)) {
-        show_errors(&parsed);
-        return fail(file->path, "cannot be parsed; nothing was written");
-    }
+    if (has_errors(&parsed))
+        return fail_to_parse(file, &parsed);
     if (o->dump_ir)
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)
         return (file_outcome){0};
     if (show_pragma_errors(a, parsed.unit))
         return (file_outcome){.status = FILE_WRONG_PRAGMA};
+    show_unknown_pure(o, file, parsed.unit);
     return translate(a, o, file, &flags, parsed.unit, foreign);
 }
 
