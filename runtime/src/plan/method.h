@@ -38,6 +38,7 @@ enum copy_kind {
 
 struct method {
     const char *name;      /* the literature's; what REDCC_METHOD says */
+    const char *alias;     /* OPTIONAL; what REDCC_METHOD may say as well */
     const char *parameter; /* "a|b", "N": what may follow after a colon; NULL: nothing */
 
     /* Promises */
@@ -88,6 +89,9 @@ extern const struct method redcc_method_atomic;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
+
+/** Do the first `length` letters of `text` name the method? */
+bool redcc_method_is_named(const struct method *method, const char *text, size_t length);
 
 /** Does the last iteration touch nothing? Somebody executes it all the same, for the last values of
  *  the variables that it sets. */
