@@ -136,8 +136,8 @@ struct findings {
  * INDEX, COPIES, DEFERRED, SERIAL. */
 enum rule redcc_choose_way(struct chooser *chooser, const struct findings *findings);
 
-/** Are spare owners (partition.h) worth what they cost, of which *found tells share, spared and
- *  changes? */
+/** Are spare owners (ownership/partition.h) worth what they cost, of which *found tells share,
+ * spared and changes? */
 bool redcc_choose_spares(const struct chooser *chooser, redcc_int trip, int threads,
                          const struct estimate *found);
 

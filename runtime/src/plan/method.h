@@ -4,7 +4,7 @@
  * file for each in methods/, one list of them in methods/list.c; docs/methods.md describes them.
  *
  * A method decides what each thread executes (prepare) and whether threads write to copies; the
- * executor (execute.c) does the rest for all of them: chunks, stages, barriers, merges.
+ * executor (execute/executor.c) does the rest for all of them: chunks, stages, barriers, merges.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -48,10 +48,10 @@ struct method {
                               used by one thread as well */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
-    bool by_graph;  /* the plan comes from what each iteration touches, all of it kept (gather.c),
-                       where that can be done: owners are cut from it (graph/divide.h; else, as
-                       without it, by address), */
-    bool in_levels; /* or the iterations are put in levels (graph/levels.h) */
+    bool by_graph;  /* the plan comes from what each iteration touches, all of it kept
+                       (inspect/logging.c), where that can be done: owners are cut from it
+                       (ownership/graph/divide.h; else, as without it, by address), */
+    bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
     bool spares;    /* REDCC_SPARES spare owners go with each thread's own: whoever comes free first
                        executes what is theirs. (`owners` is not asked) */
