@@ -89,7 +89,8 @@ static analysis_options options_of(const options *o) {
     return (analysis_options){.pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
-                              .report_all = o->all};
+                              .report_all = o->all,
+                              .any_order = o->order == EMIT_ORDER_ANY};
 }
 
 /** A name that the program does not give to anything is most likely misspelt. */
@@ -185,36 +186,52 @@ static void dump(const ir_unit *unit) {
     buffer_free(&text);
 }
 
-/** Parsing what is written costs as much as parsing the input: a report alone does without. */
-static const char *check_result(arena *a, const source *file, const string_list *flags,
-                                const emit_result *written, bool is_kept) {
-    const char *error = written->text ? NULL : "edits overlap";
-    if (!error && written->loop_count > 0 && is_kept)
-        error = self_check(a, file, flags, written->text, written->length);
-    if (!error)
-        return NULL;
-    return arena_format(a,
-                        "internal error, nothing was written: the result would not compile: %s\n"
-                        "redcc: note: please report this with the source file and the command "
-                        "line",
-                        error);
+/** Refuses the loops whose text is wrong. */
+static analysis_result without_wrong(arena *a, const analysis_result *judged,
+                                     const emit_result *written, const reason *found) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged->verdict_count + 1);
+    for (unsigned i = 0; i < judged->verdict_count; i++)
+        verdicts[i] = judged->verdicts[i];
+    for (unsigned i = 0; i < written->loop_count; i++) {
+        loop_verdict *verdict = &verdicts[written->loops[i].verdict];
+        if (found[i].id == REASON_NONE)
+            continue;
+        verdict->kind = VERDICT_REFUSE;
+        verdict->why = found[i];
+        verdict->why.range = verdict->loop->range;
+    }
+    return (analysis_result){judged->verdict_count, verdicts};
+}
+
+/**
+ * Writes what was judged, and checks it. A loop whose text is wrong is left alone, and the rest is
+ * written again. Parsing what is written costs as much as parsing the input: a report alone does
+ * without.
+ */
+static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
+                                 const emit_options *how, bool is_kept, analysis_result *judged) {
+    for (;;) {
+        const emit_result written = emit_file(a, unit, judged, how);
+        reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
+        if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
+            return written;
+        *judged = without_wrong(a, judged, &written, found);
+    }
 }
 
 static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
-    const analysis_result judged =
+    analysis_result judged =
         of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
     const bool is_written = count_verdicts(&judged).transformed > 0;
     const emit_options how = {o->order, o->order_is_given,
                               is_written ? other_runtime_header(a, flags) : NULL};
-    const emit_result written = emit_file(a, unit, &judged, &how);
-    const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);
-    if (wrong)
-        return fail(file->path, wrong);
+    const emit_result written =
+        write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
     const analysis_result final = after_writing(a, unit, &judged, &written, foreign);
     const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
-    wrong = show_report(a, o, &input);
+    const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
         if (!wrong)

@@ -10,6 +10,7 @@
 #include "settings.h"
 
 #include <assert.h>
+#include <errno.h>
 #include <string.h>
 
 static char *copy_text(const char *text) {
@@ -187,7 +188,7 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-static void take_settings(struct call *call, const struct settings *settings) {
+static void take_settings(struct call *call, const struct settings *settings, int error_before) {
     const redcc_loop *loop = call->request.loop;
     call->method = method_of(settings);
     call->parameter = settings->parameter;
@@ -201,6 +202,7 @@ static void take_settings(struct call *call, const struct settings *settings) {
     call->always_planned = is_always_planned(settings);
     call->entered = redcc_seconds();
     call->float_control = redcc_float_control();
+    call->error_before = error_before;
 }
 
 /* What auto says of this call. */
@@ -266,6 +268,7 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
@@ -290,7 +293,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         release(held);
         return serially(state, reason);
     }
-    take_settings(&execution->call, settings);
+    take_settings(&execution->call, settings, error_before);
     threads = threads_to_ask_for(held, settings, trip, threads, nested);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
@@ -356,6 +359,9 @@ int redcc_leave(redcc_call *call) {
                       redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
+    const int error = done ? redcc_error_of(&execution->run) : 0;
+    const int error_before = execution->call.error_before;
     release(execution->state);
+    errno = error ? error : error_before;
     return done;
 }

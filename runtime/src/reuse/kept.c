@@ -60,6 +60,7 @@ static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int th
     const size_t key_bytes = loop->key_count * sizeof *kept->key;
     struct overlap overlap;
     return plan->trip == request->trip && plan->threads == threads &&
+           redcc_float_control_equal(kept->float_control, reuse->call->float_control) &&
            (key_bytes == 0 || memcmp(kept->key, request->key, key_bytes) == 0) &&
            sources_fit(kept, request, reuse->sources) &&
            arrays_fit(plan, request, reuse->written) &&
@@ -215,6 +216,7 @@ static struct kept_plan *record(const struct reuse *reuse) {
     }
     if (key_bytes)
         memcpy(kept->key, request->key, key_bytes);
+    kept->float_control = reuse->call->float_control;
     record_sources(kept->source, reuse);
     return kept;
 }
