@@ -55,11 +55,9 @@ double collisions_depth(const collisions *c, double time, const double (*x)[3]) 
         return 0;
 #pragma omp parallel for schedule(static) reduction(max : deepest)
     for (int i = 0; i < c->vertex_count; i++)
-        for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
-            const collider *k = &c->scene->colliders[n];
+        for (int m = 0; m < c->any_near && c->pin_of[i] < 0; m++) {
+            const collider *k = &c->scene->colliders[c->near_list[m]];
             double p[3], normal[3];
-            if (!c->near[n])
-                continue;
             for (int a = 0; a < 3; a++)
                 p[a] = x[i][a] - k->position[a] - time * k->velocity[a];
             const double depth = -shape_distance(k, p, normal);

@@ -88,12 +88,9 @@ static int build(simulation *sim, char *error) {
         integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
         return -1;
-    if (s->self_gap > 0) {
-        sim->inverse_mass = calloc((size_t)vertices + 1, sizeof *sim->inverse_mass);
-        if (!sim->inverse_mass || self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
-                                                      s->self_friction, s->step) != 0)
-            return -1;
-    }
+    if (s->self_gap > 0 && self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
+                                               s->self_friction, s->step) != 0)
+        return -1;
     plan_make(sim);
     set_start(sim);
     return 0;
@@ -138,7 +135,6 @@ void simulation_free(simulation *sim) {
     collisions_free(&sim->collisions);
     constraints_free(&sim->constraints);
     self_collision_free(&sim->self_collision);
-    free(sim->inverse_mass);
     solver_free(&sim->solver);
     integrator_free(&sim->integrator);
     free(sim->mass);

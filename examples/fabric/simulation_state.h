@@ -56,7 +56,6 @@ struct simulation {
     collisions collisions;
     constraints constraints;
     self_collision self_collision; /* empty without */
-    double *inverse_mass;          /* [vertices] 1/kg, 0: held; NULL without self-collision */
     solver solver;
     solver_status solver_status;
     double push_work; /* J, that keeping out of colliders by force took */
