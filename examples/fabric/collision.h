@@ -139,6 +139,9 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
 /** How deep the deepest vertex that is not pinned is inside a collider at `time`, m; 0: none is. */
 double collisions_depth(const collisions *c, double time, const double (*x)[3]);
 
+/** How many vertices that are not pinned are inside a collider at `time`. */
+long collisions_inside(const collisions *c, double time, const double (*x)[3]);
+
 /** Contacts now; and of them, how many stick. Either may be NULL. */
 void collisions_count(const collisions *c, long *contacts, long *sticking);
 

@@ -128,8 +128,8 @@ static solver_status solve_stage(simulation *sim) {
         .floor = 1e-3 * sim->scene->tolerance * fall * sqrt(sim->total_mass),
         .max_iterations = sim->scene->max_iterations,
     };
-    return solver_solve(&sim->solver, &sim->system, &sim->constraints, &limits, sim->dv,
-                        &sim->iterations);
+    return solver_fallback_solve(&sim->fallback, &sim->solver, &sim->system, &sim->constraints,
+                                 &limits, sim->dv, &sim->iterations);
 }
 
 /* Newton's method finds such forces by itself, at the states it goes through. */

@@ -136,6 +136,7 @@ void simulation_free(simulation *sim) {
     constraints_free(&sim->constraints);
     self_collision_free(&sim->self_collision);
     solver_free(&sim->solver);
+    solver_fallback_free(&sim->fallback);
     integrator_free(&sim->integrator);
     free(sim->mass);
     free(sim->x);
@@ -188,6 +189,22 @@ long simulation_steps_rejected(const simulation *sim) {
 const rejection *simulation_rejections(const simulation *sim, int *count) {
     *count = sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
     return sim->rejections;
+}
+
+run_faults simulation_faults(const simulation *sim) {
+    const monitor *m = &sim->monitor;
+    return (run_faults){
+        .not_solved = m->let_pass[STEP_NOT_SOLVED],
+        .strain = m->let_pass[STEP_STRAIN],
+        .penetration = m->let_pass[STEP_PENETRATION],
+        .passing = m->let_pass[STEP_PASSING],
+        .greatest_strain = m->greatest_strain,
+        .strain_limit = m->scene->limits.strain,
+        .deepest = m->deepest,
+        .start_inside = m->start_inside,
+        .start_depth = m->start_depth,
+        .solved_directly = sim->fallback.solved,
+    };
 }
 
 long simulation_matrix_blocks(const simulation *sim) {

@@ -14,6 +14,7 @@
 #include "self_collision.h"
 #include "simulation.h"
 #include "solver.h"
+#include "solver_fallback.h"
 #include "system.h"
 
 /** A step may be halved ten times: time within it is counted in these. */
@@ -57,6 +58,7 @@ struct simulation {
     constraints constraints;
     self_collision self_collision; /* empty without */
     solver solver;
+    solver_fallback fallback;
     solver_status solver_status;
     double push_work; /* J, that keeping out of colliders by force took */
     monitor monitor;
