@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "impulse.h"
+#include "impact.h"
+#include "mesh_parts.h"
 #include "self_collision.h"
 #include "shape.h"
+#include "surface.h"
 #include "vector.h"
 
 static collider plane = {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.005};
@@ -404,6 +406,108 @@ static void test_fallback_to_direct_solution(void **state) {
     stage_end(&on);
 }
 
+/* A sheet folded over itself, its upper half `apart` above the lower. */
+static stage folded(double apart) {
+    stage on = stage_of(cloth_sheet(7, 3, 0.1, 0.2, 3), cloth_scene());
+    for (int i = 0; i < on.m.vertex_count; i++)
+        if (on.m.position[i][0] > 0.35) {
+            on.m.position[i][0] = 0.71 - on.m.position[i][0];
+            on.m.position[i][2] = apart;
+        }
+    return on;
+}
+
+/* The upper half would end the step exactly on the lower: it ends a tenth of the gap above it, and
+ * another round has nothing left to push. */
+static void test_ends_in_touch(void **state) {
+    (void)state;
+    stage on = folded(0.02);
+    stage_begin(&on);
+    const double h = 0.01;
+    double(*v)[3] = calloc((size_t)on.m.vertex_count, sizeof *v), work = 0;
+    const double(*x)[3] = (const double(*)[3])on.m.position;
+    self_collision s;
+    assert_int_equal(self_collision_init(&s, &on.m, 0.01, 0, 0.02), 0);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        v[i][2] = x[i][2] > 0 ? -0.02 / h : 0;
+    impact_step step = {.h = h,
+                        .x = x,
+                        .v = v,
+                        .of = {on.sim->mass, &on.sim->collisions},
+                        .itself = &s,
+                        .bodies = &on.sim->collisions};
+    assert_int_equal(impact_resolve(&step, &work), 0);
+    assert_int_equal(s.left, 0);
+    assert_below(self_collision_push(&s, &step.of, h, x, v, &work), 2e-3 * 0.01 / h);
+    double lowest = INFINITY, highest = -INFINITY;
+    for (int i = 0; i < on.m.vertex_count; i++)
+        if (on.m.material[i][0] > 0.45)
+            lowest = fmin(lowest, x[i][2] + h * v[i][2]);
+        else if (on.m.material[i][0] < 0.25 && on.m.material[i][0] > 0.15)
+            highest = fmax(highest, x[i][2] + h * v[i][2]);
+    print_message("upper half down to %g m, lower up to %g m\n", lowest, highest);
+    assert_true(lowest > highest);
+    self_collision_free(&s);
+    free(v);
+    stage_end(&on);
+}
+
+/* Near a sharp edge or tip the nearest face alone may have its normal on the wrong side. */
+static void test_tip_is_outside(void **state) {
+    (void)state;
+    enum { around = 16 };
+    char error[256] = "";
+    mesh m;
+    assert_int_equal(mesh_allocate(&m, around + 2, 2 * around), 0);
+    for (int k = 0; k < around; k++) {
+        m.position[k][0] = 0.03 * cos(2 * acos(-1) * k / (int)around);
+        m.position[k][1] = 0.03 * sin(2 * acos(-1) * k / (int)around);
+        m.position[k][2] = 0.1;
+    }
+    memset(m.position[around], 0, sizeof m.position[around]);
+    m.position[around + 1][0] = m.position[around + 1][1] = 0;
+    m.position[around + 1][2] = 0.1;
+    for (int k = 0; k < around; k++) {
+        const int next = (k + 1) % around;
+        const int side[3] = {around, next, k}, top[3] = {around + 1, k, next};
+        memcpy(m.triangle[2 * k], side, sizeof side);
+        memcpy(m.triangle[2 * k + 1], top, sizeof top);
+    }
+    surface *s = surface_new(&m, error);
+    assert_non_null(s);
+    for (int k = 0; k < 100; k++) {
+        const double p[3] = {0.01 * cos(k), 0.01 * sin(k), -0.01};
+        double normal[3];
+        assert_near(surface_distance(s, p, normal), vector_length(p), 1e-14);
+    }
+    surface_free(s);
+}
+
+/* Of demands that contradict each other the first wins. */
+static void test_first_demand_wins(void **state) {
+    (void)state;
+    const double d[3][3] = {{0, 0, 2}, {0, 0, 1}, {1, 0, 1}}, change[3] = {2, 5, 4};
+    constraints c;
+    assert_int_equal(constraints_init(&c, 1), 0);
+    constraint_give(&c, 0, 3, d, change);
+    assert_int_equal(c.given[0], 2);
+    assert_near(c.z[0][2], 1, 1e-14);
+    assert_near(c.z[0][0], 3, 1e-14);
+    constraints_free(&c);
+}
+
+/* A halved step becomes whole again. */
+static void test_step_grows_again(void **state) {
+    (void)state;
+    stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());
+    stage_begin(&on);
+    on.sim->ticks /= 4;
+    stage_run(&on, 5);
+    assert_int_equal(on.sim->ticks, TICKS_PER_STEP);
+    assert_in_range(simulation_steps_taken(on.sim), 7, 12);
+    stage_end(&on);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_push_is_limited),
@@ -417,6 +521,10 @@ int main(void) {
         cmocka_unit_test(test_monitor),
         cmocka_unit_test(test_midpoint_does_not_bounce),
         cmocka_unit_test(test_bdf2_of_unequal_steps),
+        cmocka_unit_test(test_ends_in_touch),
+        cmocka_unit_test(test_tip_is_outside),
+        cmocka_unit_test(test_first_demand_wins),
+        cmocka_unit_test(test_step_grows_again),
         cmocka_unit_test(test_start_inside),
         cmocka_unit_test(test_fallback_to_direct_solution),
     };
