@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Look-up functions that go over a table until they find: with narrow cursors, beginnings that are
+ * converted, other steps. Where the range that is compared between calls is not the one that is
+ * read, a change of the table goes unnoticed. */
+#include "fuzz/attacks/attack.h"
+
+typedef struct search {
+    const char *cursor; /* its type */
+    const char *table;  /* the table's */
+    int first;          /* where it begins, after conversion */
+    const char *start;  /* how that is spelled */
+} search;
+
+static const char *const cursors[] = {"unsigned char",  "unsigned char", "signed char",
+                                      "unsigned short", "int",           "unsigned",
+                                      "long",           "size_t"};
+
+static void choose_start(attack *a, search *s) {
+    const int which = below(a, 8);
+    s->cursor = cursors[which];
+    s->table = chance(a, 70) ? "int" : "short";
+    s->first = chance(a, 50) ? 0 : below(a, 100);
+    s->start = text(a, "%d", s->first);
+    if (which < 2 && chance(a, 60)) /* wraps to where it begins */
+        s->start = text(a, "%d", s->first + 256);
+    else if (which < 2)
+        s->start = text(a, "(unsigned char)(from + %d)", s->first), s->first += 0;
+    else if (which == 3 && chance(a, 50))
+        s->start = text(a, "%d", s->first + 65536);
+    else if (chance(a, 30))
+        s->start = text(a, "from + %d", s->first);
+}
+
+static void put_search(attack *a, const search *s) {
+    static const char *const loops[] = {
+        "%s i = (%s);\nwhile (a[i] <= key)\ni++;\nreturn (int)i;\n",
+        "%s i;\nfor (i = (%s); a[i] <= key; i++)\n;\nreturn (int)i;\n",
+        "%s i = (%s);\nfor (; a[i] <= key; ++i)\n;\nreturn (int)i;\n",
+        "%s i = (%s);\nwhile (!(a[i] > key))\ni += 1;\nreturn i;\n",
+        "%s i = (%s);\ndo {\nif (a[i] > key)\nbreak;\ni++;\n} while (1);\nreturn (int)i;\n",
+    };
+    put(a, PART_GLOBALS, "static int find$(const %s *a, int key, int from) {\n(void)from;\n%s}\n",
+        s->table, text(a, loops[below(a, 5)], s->cursor, s->start));
+}
+
+/* The table rises to a sentinel before a narrow cursor could pass its type. */
+static operand rising(attack *a) {
+    search s;
+    note(a, "search/rising");
+    choose_start(a, &s);
+    put_search(a, &s);
+    const int length = 120, steps = 1 + below(a, 3);
+    put(a, PART_GLOBALS, "static %s rows$[256];\n", s.table);
+    put(a, PART_SETUP,
+        "for (int i = 0; i < 256; i++)\nrows$[i] = (%s)(i < %d ? i / %d * 3 : 30000);\n", s.table,
+        length, steps);
+    for (int i = 0; i < 6; i++) {
+        const int place = s.first + below(a, length - s.first);
+        may_change(a, "rows$[%d] = (%s)(rows$[%d] + 3);", place, s.table, place);
+    }
+    return (operand){text(a, "find$(rows$, (int)(k[t] %% %d), 0)", length * 3 / steps), true,
+                     a->elements > 130, NULL};
+}
+
+/* The cursor passes the end of its type and goes on from 0. */
+static operand wrapping(attack *a) {
+    note(a, "search/wrapping");
+    const int first = 200 + below(a, 50);
+    put(a, PART_GLOBALS,
+        "static int rows$[256];\nstatic int find$(const int *a, int key) {\nunsigned char i = %d;\n"
+        "while (a[i] != key)\ni++;\nreturn i;\n}\n",
+        first);
+    put(a, PART_SETUP, "for (int i = 0; i < 256; i++)\nrows$[i] = (i + %d) %% 256;\n",
+        below(a, 256));
+    for (int i = 0; i < 6; i++) {
+        const int p = below(a, 256), q = below(a, 200);
+        may_change(a, "{ int v = rows$[%d]; rows$[%d] = rows$[%d]; rows$[%d] = v; }", p, p, q, q);
+    }
+    return (operand){text(a, "find$(rows$, k[t] & 255)"), true, a->elements > 256, NULL};
+}
+
+/* One element is read by each call; which, nobody sees from its arguments. */
+static operand indirect(attack *a) {
+    note(a, "search/indirect");
+    const int shift = 1 + below(a, SPARE - 1);
+    put_table(a, "first", a->trips, 0);
+    put_table(a, "second", a->elements, shift);
+    static const char *const forms[] = {
+        "static int look$(const int *p, const int *q, int t) {\nreturn q[p[t] + %d];\n}\n",
+        "static int look$(const int *p, const int *q, int t) {\nq += %d;\nreturn q[p[t]];\n}\n",
+        "static int look$(const int *p, const int *q, int t) {\nconst int *r = p + t;\n"
+        "return *(q + *r + %d);\n}\n",
+        "static int look$(const int *p, const int *q, int t) {\nint s = 0;\n"
+        "for (int i = 0; i < 2; i++)\ns = q[p[t + i] + %d];\nreturn s;\n}\n",
+    };
+    put(a, PART_GLOBALS, "%s", text(a, forms[below(a, 4)], shift));
+    return (operand){text(a, "look$(first$, second$, (int)t)"), true, true, NULL};
+}
+
+operand searches(attack *a) {
+    switch (below(a, 6)) {
+    case 0:
+        return indirect(a);
+    case 1:
+    case 2:
+        return wrapping(a);
+    default:
+        return rising(a);
+    }
+}
