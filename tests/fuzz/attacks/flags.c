@@ -24,5 +24,5 @@ static const block_flags others[] = {
 const block_flags *flags_of_block(uint64_t block) {
     random_source r = {block * 0x51ed27 + 9};
     const int count = (int)(sizeof others / sizeof *others);
-    return random_chance(&r, 55) ? &usual : &others[random_below(&r, count)];
+    return random_chance(&r, 45) ? &usual : &others[random_below(&r, count)];
 }

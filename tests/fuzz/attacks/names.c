@@ -131,7 +131,7 @@ static void put_pair(attack *a, const pair *p, int outer, int inner) {
 static operand extern_in_body(attack *a) {
     note(a, "names/extern");
     const char *object = text(a, "int own$[%d];\n", a->trips + SPARE);
-    const bool before = chance(a, 50);
+    const bool before = chance(a, 80);
     if (before)
         put(a, PART_GLOBALS, "%s", object);
     put(a, PART_GLOBALS, "int other$(int i) {\nextern int own$[];\nreturn own$[i];\n}\n");

@@ -63,7 +63,9 @@ operand odd_text(attack *a) {
         return (operand){text(a, "e$"), true, false, NULL};
     }
     /* the odd texts about one that is external: all of it may be declared again */
-    put(a, PART_GLOBALS, "extern int tab$[];\nint tab$[%d];\n", a->trips + SPARE);
+    if (chance(a, 30))
+        put(a, PART_GLOBALS, "extern int tab$[];\n");
+    put(a, PART_GLOBALS, "int tab$[%d];\n", a->trips + SPARE);
     put(a, PART_SETUP, "attack_fill_ints(tab$, %d, %d);\n", a->trips + SPARE, a->elements);
     put(a, PART_BODY, "%sextern int tab$[];\n",
         chance(a, 30) ? "extern int attack_below(int);\n" : "");

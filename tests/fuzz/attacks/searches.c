@@ -24,7 +24,7 @@ static void choose_start(attack *a, search *s) {
     if (which < 2 && chance(a, 60)) /* wraps to where it begins */
         s->start = text(a, "%d", s->first + 256);
     else if (which < 2)
-        s->start = text(a, "(unsigned char)(from + %d)", s->first), s->first += 0;
+        s->start = text(a, "from + %d + 256", s->first);
     else if (which == 3 && chance(a, 50))
         s->start = text(a, "%d", s->first + 65536);
     else if (chance(a, 30))
@@ -98,13 +98,11 @@ static operand indirect(attack *a) {
 }
 
 operand searches(attack *a) {
-    switch (below(a, 6)) {
-    case 0:
-        return indirect(a);
-    case 1:
-    case 2:
-        return wrapping(a);
-    default:
-        return rising(a);
+    const int which = below(a, 6);
+    operand o = which == 0 ? indirect(a) : which < 3 ? wrapping(a) : rising(a);
+    if (!o.is_subscript) {
+        o.text = text(a, "(int)((unsigned)%s %% %du)", o.text, (unsigned)a->elements);
+        o.is_subscript = true;
     }
+    return o;
 }

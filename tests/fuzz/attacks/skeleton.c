@@ -89,8 +89,8 @@ typedef struct world {
 static const char *const floating_types[] = {"double", "double", "float"};
 static const char *const integer_types[] = {"unsigned long", "short", "unsigned long",
                                             "unsigned",      "int",   "unsigned char"};
-static const char *const counter_types[] = {
-    "int", "int", "int", "unsigned", "unsigned", "unsigned", "long", "size_t", "unsigned short"};
+static const char *const counter_types[] = {"int",      "int",      "int",  "unsigned", "unsigned",
+                                            "unsigned", "unsigned", "long", "size_t"};
 
 /* Distances at which an extent that is wrong by little or by much misses the overlap. */
 static int distance(attack *a) {
@@ -119,7 +119,7 @@ static void choose_world(attack *a, world *w) {
     static const int sizes[] = {16, 40, 120, 300};
     a->is_floating = chance(a, 80);
     a->element = a->is_floating ? one_of(a, 3, floating_types) : one_of(a, 6, integer_types);
-    a->counter_type = one_of(a, 9, counter_types);
+    a->counter_type = chance(a, 3) ? "unsigned short" : one_of(a, 9, counter_types);
     a->trips = chance(a, 10) ? 40 + below(a, 40) : 150 + below(a, 700);
     a->elements = chance(a, 50) ? a->trips - 9 - below(a, 20) : sizes[below(a, 4)];
     if (a->elements > a->trips)
@@ -159,7 +159,7 @@ static void put_header(attack *a, const world *w) {
     };
     const char *step = w->step == 1 ? "++" : text(a, " += %d", w->step);
     buffer_format(&a->parts[PART_BEFORE], "%s {\n",
-                  text(a, forms[chance(a, 93) ? 0 : 1 + below(a, 2)], a->counter_type, step));
+                  text(a, forms[chance(a, 96) ? 0 : 1 + below(a, 2)], a->counter_type, step));
 }
 
 static void put_update(attack *a, const char *subscript, const char *value) {
@@ -225,7 +225,7 @@ static void put_feature(attack *a, const world *w) {
         end_statement(a, &m);
         return;
     }
-    if (o.is_subscript ? role < 6 : o.is_integer && role < 2)
+    if (o.is_subscript ? role < 6 : o.is_integer && role < 3)
         subscript = as_subscript(a, &o);
     else if (role < 8)
         value = as_value(a, &o);
