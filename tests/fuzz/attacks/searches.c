@@ -20,27 +20,27 @@ static void choose_start(attack *a, search *s) {
     s->cursor = cursors[which];
     s->table = chance(a, 70) ? "int" : "short";
     s->first = chance(a, 50) ? 0 : below(a, 100);
-    s->start = text(a, "%d", s->first);
-    if (which < 2 && chance(a, 60)) /* wraps to where it begins */
-        s->start = text(a, "%d", s->first + 256);
-    else if (which < 2)
-        s->start = text(a, "from + %d + 256", s->first);
-    else if (which == 3 && chance(a, 50))
-        s->start = text(a, "%d", s->first + 65536);
-    else if (chance(a, 30))
-        s->start = text(a, "from + %d", s->first);
+    const int around = which < 2 ? 256 : which == 3 ? 65536 : 0; /* wraps to where it begins */
+    const char *first = text(a, chance(a, 50) ? "%d" : "from + %d", s->first + around);
+    static const char *const narrower[] = {"(unsigned char)(%s + 512)", "(signed char)(%s + 256)",
+                                           "(int)(%s + 0.5)", "(short)(%s + 65536)"};
+    s->start = chance(a, 25) ? text(a, narrower[below(a, 4)], first) : first;
 }
 
 static void put_search(attack *a, const search *s) {
     static const char *const loops[] = {
-        "%s i = (%s);\nwhile (a[i] <= key)\ni++;\nreturn (int)i;\n",
-        "%s i;\nfor (i = (%s); a[i] <= key; i++)\n;\nreturn (int)i;\n",
-        "%s i = (%s);\nfor (; a[i] <= key; ++i)\n;\nreturn (int)i;\n",
-        "%s i = (%s);\nwhile (!(a[i] > key))\ni += 1;\nreturn i;\n",
-        "%s i = (%s);\ndo {\nif (a[i] > key)\nbreak;\ni++;\n} while (1);\nreturn (int)i;\n",
+        "%s i = %s;\nwhile (a[i] <= key)\ni++;\nreturn i;\n",
+        "%s i = %s;\nwhile (a[i] <= key)\n++i;\nreturn i;\n",
+        "%s i = %s;\nfor (; a[i] <= key; i++)\n;\nreturn i;\n",
+        "%s i = %s;\nfor (; !(a[i] > key);)\ni++;\nreturn i;\n",
+        "%s i;\nfor (i = %s; a[i] <= key; i++)\n;\nreturn (int)i;\n",
+        "%s i = %s;\nwhile (!(a[i] > key))\ni += 1;\nreturn i;\n",
+        "%s i = %s;\ndo {\nif (a[i] > key)\nbreak;\ni++;\n} while (1);\nreturn (int)i;\n",
     };
-    put(a, PART_GLOBALS, "static int find$(const %s *a, int key, int from) {\n(void)from;\n%s}\n",
-        s->table, text(a, loops[below(a, 5)], s->cursor, s->start));
+    static const char *const results[] = {"int", "unsigned char", "long", "short"};
+    put(a, PART_GLOBALS, "static %s find$(const %s *a, int key, int from) {\n%s}\n",
+        results[chance(a, 60) ? 0 : below(a, 4)], s->table,
+        text(a, loops[below(a, chance(a, 80) ? 4 : 7)], s->cursor, s->start));
 }
 
 /* The table rises to a sentinel before a narrow cursor could pass its type. */
@@ -54,12 +54,20 @@ static operand rising(attack *a) {
     put(a, PART_SETUP,
         "for (int i = 0; i < 256; i++)\nrows$[i] = (%s)(i < %d ? i / %d * 3 : 30000);\n", s.table,
         length, steps);
+    /* Where all look for something far away, what lies before is read as well: an end of the search
+     * that appears there. */
+    const int most = length * 3 / steps, lowest = chance(a, 50) ? most * 2 / 3 : 0;
     for (int i = 0; i < 6; i++) {
-        const int place = s.first + below(a, length - s.first);
-        may_change(a, "rows$[%d] = (%s)(rows$[%d] + 3);", place, s.table, place);
+        const int place =
+            s.first + below(a, lowest ? 1 + (length - s.first) / 2 : length - s.first);
+        if (lowest)
+            may_change(a, "rows$[%d] = 30000;", place);
+        else
+            may_change(a, "rows$[%d] = (%s)(rows$[%d] + 3);", place, s.table, place);
     }
-    return (operand){text(a, "find$(rows$, (int)(k[t] %% %d), 0)", length * 3 / steps), true,
-                     a->elements > 130, NULL};
+    return (operand){text(a, "find$(rows$, k[t] %% %d + %d, k[t] & %d)", most - lowest, lowest,
+                          chance(a, 40) ? 7 : 0),
+                     true, a->elements > 130, NULL};
 }
 
 /* The cursor passes the end of its type and goes on from 0. */
@@ -70,13 +78,21 @@ static operand wrapping(attack *a) {
         "static int rows$[256];\nstatic int find$(const int *a, int key) {\nunsigned char i = %d;\n"
         "while (a[i] != key)\ni++;\nreturn i;\n}\n",
         first);
+    /* Few values are looked for, all of which are found behind the end. */
+    const int values = chance(a, 50) ? 256 : 1 + below(a, 30);
     put(a, PART_SETUP, "for (int i = 0; i < 256; i++)\nrows$[i] = (i + %d) %% 256;\n",
-        below(a, 256));
+        values < 256 ? 106 : below(a, 256));
     for (int i = 0; i < 6; i++) {
         const int p = below(a, 256), q = below(a, 200);
-        may_change(a, "{ int v = rows$[%d]; rows$[%d] = rows$[%d]; rows$[%d] = v; }", p, p, q, q);
+        if (values < 256)
+            may_change(a, "rows$[%d] = %d;",
+                       below(a, 2) ? below(a, 120) : first + below(a, 255 - first),
+                       below(a, values));
+        else
+            may_change(a, "{ int v = rows$[%d]; rows$[%d] = rows$[%d]; rows$[%d] = v; }", p, p, q,
+                       q);
     }
-    return (operand){text(a, "find$(rows$, k[t] & 255)"), true, a->elements > 256, NULL};
+    return (operand){text(a, "find$(rows$, k[t] %% %d)", values), true, a->elements > 256, NULL};
 }
 
 /* One element is read by each call; which, nobody sees from its arguments. */
@@ -100,6 +116,10 @@ static operand indirect(attack *a) {
 operand searches(attack *a) {
     const int which = below(a, 6);
     operand o = which == 0 ? indirect(a) : which < 3 ? wrapping(a) : rising(a);
+    if (chance(a, 70)) {
+        put(a, PART_BODY, "const int f$ = %s;\n", o.text);
+        o.text = text(a, "f$");
+    }
     if (!o.is_subscript) {
         o.text = text(a, "(int)((unsigned)%s %% %du)", o.text, (unsigned)a->elements);
         o.is_subscript = true;
