@@ -52,6 +52,8 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_CALLEE_READS] = "define the function in this file, or say #pragma redcc pure(NAME)",
     [REASON_IN_MACRO] = "write the loop and its updates out",
     [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
+    [REASON_BINDING] = "give one of the two another name",
+    [REASON_INTERNAL] = "please report this with the source file and the command line",
     [REASON_EXISTING_OPENMP] = "remove the directive to have the loop translated",
 };
 

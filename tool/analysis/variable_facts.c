@@ -44,7 +44,9 @@ static bool note_occurrence(ir_node *node, void *context) {
     }
     if (node->kind == IR_DECLARATOR && node->variable) {
         variable_fact *fact = &all->facts[node->variable->id];
-        fact->declarator = node;
+        /* `extern int x;` in a block only names it there, in several functions perhaps */
+        if (node->variable->storage != IR_GLOBAL)
+            fact->declarator = node;
         if (node->child_count) {
             VECTOR_PUSH(all->memory, &fact->writes, node);
             fact->write_count++;

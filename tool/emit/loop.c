@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -94,13 +95,15 @@ static void write_attempt(loop_text *loop, writer *out) {
                         loop_operand(loop, facts->arrays[i].base));
     fill_extents(loop, out);
     fill_key(loop, out);
-    const char *memory = operands_are_there(loop);
-    if (memory) {
-        writer_line(out, "if (%s) {", memory);
+    const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
+    const bool is_conditional = memory || known;
+    if (is_conditional) {
+        writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
+                    memory ? memory : "");
         out->depth++;
     }
     write_execution(loop, out);
-    if (memory) {
+    if (is_conditional) {
         out->depth--;
         writer_line(out, "}");
     }
@@ -113,8 +116,8 @@ static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
     if (counter_outlives(facts))
-        writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
-                    loop->counter_type);
+        writer_line(out, "%s = (%s)redcc__final;",
+                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
     write_last_values(loop, out, true);
     take_sought_values(loop, out);
     out->depth--;
@@ -184,7 +187,7 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     const char *text = loop->unit->source->text;
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
-    buffer_append(&out->out, text + range.begin, range.end - range.begin);
+    origin_copy(&out->out, text, range.begin, range.end);
     buffer_format(&out->out, "\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }

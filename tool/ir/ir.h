@@ -25,6 +25,23 @@ typedef struct ir_range {
     uint32_t end;
 } ir_range;
 
+/** A declaration, as it can be found again in another text of the same program. */
+typedef struct ir_declared {
+    const char *name;
+    const char *file;              /* NULL: the main file */
+    uint32_t offset;               /* of its first declaration's name, macros looked through */
+    bool is_external;              /* of external linkage: another of this name is the same thing */
+    const struct ir_declared *tag; /* of a type name: the structure, union or enumeration that it
+                                      stands for, or points to; NULL: none */
+} ir_declared;
+
+/** A name in the text of a function, and what it means there. */
+typedef struct ir_reference {
+    uint32_t offset; /* in the main file; where the macro is expanded that makes it */
+    bool is_type;    /* of a tag or a type name */
+    const ir_declared *declared;
+} ir_reference;
+
 /* ---- types --------------------------------------------------------------------------------- */
 
 typedef enum ir_type_kind {
@@ -70,7 +87,8 @@ struct ir_type {
     int64_t count;         /* IR_ARRAY: elements; -1 unknown */
     const ir_type *target; /* pointee, element, result */
     const ir_record *record;
-    const char *spelling; /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+    const char *spelling;   /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+    const ir_declared *tag; /* of records and enumerations. Not in the text form */
 };
 
 /** Qualifiers apart, also those of pointees and elements. Compares what a type is, not how it is
@@ -104,6 +122,7 @@ typedef struct ir_variable {
     bool address_taken;          /* by &, or as an array that decays other than under a subscript
                                     or as an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
+    const ir_declared *declared; /* NULL: not known. Not in the text form */
 } ir_variable;
 
 struct ir_function {
@@ -123,6 +142,7 @@ struct ir_function {
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: judge nothing in it */
     bool is_in_main_file;
+    const ir_declared *declared; /* NULL: not known. Not in the text form */
 };
 
 /* ---- nodes --------------------------------------------------------------------------------- */
@@ -275,6 +295,11 @@ typedef struct ir_unit {
     map *names; /* each name that the program, its headers included, gives to a function, type, tag,
                    enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
                    none. Not in the text form */
+    map *inner_names; /* each name that a function's body gives to an enumerator, type or tag -> not
+                         NULL. NULL: none. Not in the text form */
+    unsigned reference_count; /* the names in the bodies of the main file's functions, by their
+                                 place; of one place in any order. Not in the text form */
+    const ir_reference *references;
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)
