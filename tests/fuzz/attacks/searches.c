@@ -65,7 +65,7 @@ static operand rising(attack *a) {
         else
             may_change(a, "rows$[%d] = (%s)(rows$[%d] + 3);", place, s.table, place);
     }
-    return (operand){text(a, "find$(rows$, k[t] %% %d + %d, k[t] & %d)", most - lowest, lowest,
+    return (operand){text(a, "find$(in$, k[t] %% %d + %d, k[t] & %d)", most - lowest, lowest,
                           chance(a, 40) ? 7 : 0),
                      true, a->elements > 130, NULL};
 }
@@ -92,7 +92,7 @@ static operand wrapping(attack *a) {
             may_change(a, "{ int v = rows$[%d]; rows$[%d] = rows$[%d]; rows$[%d] = v; }", p, p, q,
                        q);
     }
-    return (operand){text(a, "find$(rows$, k[t] %% %d)", values), true, a->elements > 256, NULL};
+    return (operand){text(a, "find$(in$, k[t] %% %d)", values), true, a->elements > 256, NULL};
 }
 
 /* One element is read by each call; which, nobody sees from its arguments. */
@@ -114,8 +114,18 @@ static operand indirect(attack *a) {
 }
 
 operand searches(attack *a) {
+    /* By a pointer: of a named array the runtime keeps no plan. */
+    const bool by_pointer = chance(a, 85);
     const int which = below(a, 6);
     operand o = which == 0 ? indirect(a) : which < 3 ? wrapping(a) : rising(a);
+    if (which > 0) {
+        if (by_pointer)
+            put(a, PART_PARAMETERS, ", const __typeof__(rows$[0]) *in$");
+        if (by_pointer)
+            put(a, PART_ARGUMENTS, ", rows$");
+        if (!by_pointer)
+            put(a, PART_GLOBALS, "#define in$ rows$\n");
+    }
     if (chance(a, 70)) {
         put(a, PART_BODY, "const int f$ = %s;\n", o.text);
         o.text = text(a, "f$");
