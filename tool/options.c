@@ -5,6 +5,7 @@
 
 #include "driver/files.h"
 #include "nearest.h"
+#include "support/compiler_options.h"
 
 const char options_help[] =
     "redcc: parallel irregular reductions, with the bits of the sequential program\n"
@@ -94,9 +95,6 @@ static const struct long_option {
     {"--verify", OPTION_VERIFY},
     {"--version", OPTION_VERSION},
 };
-
-/** Flags for the parser that take their value joined or as the next word. */
-static const char *const parser_flags[] = {"-I", "-isystem", "-iquote", "-include", "-D", "-U"};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
@@ -289,14 +287,11 @@ static const char *read_parser_flag(arena *a, options *o, words *w, const char *
         VECTOR_PUSH(a, &o->flags, word);
         return NULL;
     }
-    const char *flag = NULL; /* the longest that fits: -include is not -I */
-    for (size_t i = 0; i < COUNT(parser_flags); i++)
-        if (strncmp(word, parser_flags[i], strlen(parser_flags[i])) == 0)
-            flag = parser_flags[i];
-    if (!flag) {
-        *is_flag = false;
+    const option *known = option_find(word);
+    *is_flag = known && known->meaning & OPTION_CLANG && known->meaning & OPTION_ARGUMENT;
+    if (!*is_flag)
         return NULL;
-    }
+    const char *flag = known->name;
     const char *value = short_value(w, word, strlen(flag));
     if (!value)
         return arena_format(a, "%s takes a value", flag);

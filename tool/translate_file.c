@@ -89,7 +89,8 @@ static analysis_options options_of(const options *o) {
     return (analysis_options){.pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
-                              .report_all = o->all};
+                              .report_all = o->all,
+                              .any_order = o->order == EMIT_ORDER_ANY};
 }
 
 /** A name that the program does not give to anything is most likely misspelt. */

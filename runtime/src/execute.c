@@ -6,6 +6,8 @@
 #include "compensate.h"
 #include "settings.h"
 
+#include <errno.h>
+
 static struct barrier *team_barrier(const struct plan *plan, int team) {
     return &plan->team_barrier[team];
 }
@@ -124,6 +126,7 @@ static void begin_running(redcc_worker *worker) {
     if (member->thread == 0)
         execution->ready = redcc_seconds();
     member->phase = PHASE_RUNNING;
+    errno = 0; /* what the inspector left there is not the loop's */
     member->stage = 0;
     member->runs = (struct run_reader){0};
     worker->position = 0;
@@ -336,10 +339,38 @@ static int next_chunk(redcc_worker *worker) {
     return member->phase == PHASE_CHECKING ? next_to_check(worker) : 0;
 }
 
+/* Mathematical functions set errno to EDOM or ERANGE; it is the calling thread's. That of the last
+ * chunk in which one failed is kept, with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 :
+ * 0). Of iterations that fail in both ways, and are executed by several threads, another may be the
+ * last. */
+static void note_error(const redcc_worker *worker) {
+    const struct member *member = worker->execution;
+    const int error = errno;
+    if ((error != EDOM && error != ERANGE) || member->phase != PHASE_RUNNING)
+        return;
+    const redcc_run *last = worker->run_end - 1;
+    const redcc_int end = worker->origin + last->begin + last->count_and_guard / 2;
+    const unsigned long long noted = 2 * ((unsigned long long)end + 1) + (error == ERANGE ? 1 : 0);
+    atomic_ullong *latest = &member->execution->error;
+    unsigned long long before = atomic_load_explicit(latest, memory_order_relaxed);
+    while (before < noted &&
+           !atomic_compare_exchange_weak_explicit(latest, &before, noted, memory_order_relaxed,
+                                                  memory_order_relaxed))
+        ;
+    errno = 0;
+}
+
+int redcc_error_of(struct execution *execution) {
+    const unsigned long long noted = atomic_load_explicit(&execution->error, memory_order_relaxed);
+    return noted == 0 ? 0 : noted % 2 ? ERANGE : EDOM;
+}
+
 int redcc_next(redcc_worker *worker) {
     const struct member *member = worker->execution;
     if (!member)
         return 0;
+    if (errno)
+        note_error(worker);
     if (next_chunk(worker))
         return 1;
     redcc_float_control_take(member->float_control);

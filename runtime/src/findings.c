@@ -5,8 +5,7 @@
 #include "budget.h"
 #include "memory.h"
 #include "settings.h"
-
-#include <unistd.h>
+#include "system.h"
 
 /* The same bits in whatever order the contributions come? */
 static bool any_order_is_exact(const redcc_loop *loop) {
@@ -20,8 +19,8 @@ static bool memory_allows(size_t bytes) {
     const size_t limit = redcc_settings()->memory_limit, used = redcc_memory_in_use();
     if (limit)
         return used < limit && bytes < limit - used;
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-    return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
+    const uint64_t there = redcc_system_memory();
+    return there == 0 || bytes < there / 4;
 }
 
 /* How often an iteration touches other owners than the one before it, in all threads' shares. */

@@ -2,8 +2,7 @@
 #include "hook.h"
 
 #include "compensate.h"
-
-#include <sched.h>
+#include "system.h"
 
 enum { LOCKS = 1 << 14, TRIES = 100 };
 
@@ -21,7 +20,7 @@ static void lock_unit(struct hooks *hooks, uintptr_t unit) {
     atomic_uchar *lock = &locks[hash >> 50 & (LOCKS - 1)];
     for (int try = 1; atomic_exchange_explicit(lock, 1, memory_order_acquire); try++)
         if (try % TRIES == 0)
-            sched_yield();
+            redcc_system_yield();
     hooks->held = lock;
 }
 

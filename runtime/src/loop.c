@@ -5,12 +5,16 @@
 #include "budget.h"
 #include "clock.h"
 #include "compensate.h"
+#include "escapes.h"
 #include "forked.h"
 #include "memory.h"
 #include "node.h"
 #include "settings.h"
+#include "signals.h"
+#include "team.h"
 #include "trace.h"
 
+#include <errno.h>
 #include <string.h>
 
 static char *copy_text(const char *text) {
@@ -104,6 +108,14 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
+void redcc_note_no_memory(redcc_loop *loop) {
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    serially(state, REASON_NO_MEMORY);
+}
+
 static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
     return settings->order_given ? settings->order : loop->order;
 }
@@ -137,13 +149,13 @@ static const struct method *method_of(const struct settings *settings) {
 
 /* What forbids running in parallel without a look at the loop's data. */
 static enum reason hindrance(const redcc_loop *loop, const struct settings *settings, int threads,
-                             int nested) {
+                             int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
     if (insists(settings))
         return REASON_NONE;
-    if (redcc_is_forked())
+    if (forked)
         return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
@@ -186,6 +198,48 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
+/* Does an execution take long enough for somebody to wait for its end? Also where that is not
+ * known. */
+static bool is_long(const struct execution *execution) {
+    const struct statistics *statistics = &execution->state->reported.statistics;
+    return statistics->in_loops == 0 ||
+           statistics->execute_seconds * (double)execution->request.trip >
+               1e-3 * (double)statistics->in_loops;
+}
+
+/* To be called where a region may follow: no handler may leave the execution then, and none begins
+ * one of its own. */
+static void begin_within(struct execution *execution, int threads) {
+    execution->is_within = redcc_within;
+    redcc_within = 1;
+    execution->holds_signals =
+        execution->insists || redcc_may_escape() || redcc_team_grows(threads);
+    if (execution->holds_signals)
+        execution->signals = redcc_signals_hold();
+}
+
+/* The region's threads are there. */
+static void relax_within(struct execution *execution) {
+    if (!execution->holds_signals)
+        return;
+    if (!execution->insists && !redcc_may_escape()) {
+        execution->holds_signals = false;
+        redcc_signals_release(execution->signals);
+    } else if (is_long(execution))
+        redcc_signals_let_default(execution->signals);
+}
+
+/* The loop is let go: nothing of the execution's is touched any more. */
+static void end_within(struct loop_state *state) {
+    const uint64_t signals = state->execution.signals;
+    const bool holds_signals = state->execution.holds_signals;
+    const bool was_within = state->execution.is_within;
+    let_go(state);
+    redcc_within = was_within;
+    if (holds_signals)
+        redcc_signals_release(signals);
+}
+
 static void note_rule(struct statistics *statistics, enum rule rule) {
     atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
 }
@@ -225,6 +279,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         note_serial(statistics);
         return false;
     }
+    threads = redcc_team_prepare(threads, execution->signals);
+    *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
+    if (threads < (execution->insists ? 1 : 2))
+        return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_members_ensure(state, loop, threads))
         return false;
@@ -248,7 +306,9 @@ static int threads_for_compensated(const struct statistics *statistics, redcc_in
 
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
     struct loop_state *state = state_of(loop);
@@ -257,11 +317,13 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0 || (settings->method && !settings->method->prepare))
         return 0;
-    enum reason reason = hindrance(loop, settings, threads, nested);
+    enum reason reason = hindrance(loop, settings, threads, nested, forked);
     if (reason != REASON_NONE && !settings->method)
         note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
+    if (redcc_within && !insists(settings))
+        return serially(state, REASON_NESTED);
     struct loop_state *held = hold(state, loop, insists(settings), &reason);
     if (!held)
         return serially(state, reason);
@@ -277,14 +339,23 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     execution->entered = redcc_seconds();
     execution->insists = insists(settings);
     execution->float_control = redcc_float_control();
-    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
+    execution->request.float_control = execution->float_control;
+    execution->error_before = error_before;
+    atomic_store_explicit(&execution->error, 0, memory_order_relaxed);
+    if (redcc_float_traps(execution->float_control)) {
+        let_go(held);
+        return serially(state, REASON_TRAPS);
+    }
+    threads = nested || threads < 1 || forked ? 1 : threads;
+    begin_within(execution, threads);
     if (settings->compensated && !settings->method)
         threads = threads_for_compensated(&held->reported.statistics, trip, threads);
     take_request(&execution->request, trip, bases, known, key);
     if (!begin_execution(execution, loop, settings, threads, &reason)) {
-        let_go(held);
+        end_within(held);
         return serially(state, reason);
     }
+    threads = execution->asked;
     redcc_find_candidate(execution, threads);
     redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
                 execution->course == COURSE_SOLO ? "by one thread, timed" : "in parallel",
@@ -309,6 +380,10 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads)
         if (thread == 0)
             execution->reason = REASON_TEAM;
         return;
+    }
+    if (thread == 0) {
+        redcc_team_came(threads);
+        relax_within(execution);
     }
     struct member *member = execution->state->member[thread];
     worker->execution = member;
@@ -476,6 +551,9 @@ int redcc_leave(redcc_call *call) {
         else
             redcc_plan_free(execution->plan);
     }
-    let_go(execution->state);
+    const int error = done ? redcc_error_of(execution) : 0;
+    const int error_before = execution->error_before;
+    end_within(execution->state);
+    errno = error ? error : error_before;
     return done;
 }

@@ -94,9 +94,12 @@ struct execution {
     enum pace pace;
     long rested; /* how many calls auto left to the sequential loop before it tried again */
     struct float_control float_control; /* of the thread that entered */
-    bool insists;                       /* one thread executes by the plan as well */
-    int asked;                          /* threads */
-    int threads;                        /* that came */
+    uint64_t signals;                   /* what it blocked before; where they are held */
+    bool holds_signals;
+    bool is_within; /* the thread that entered was within another execution */
+    bool insists;   /* one thread executes by the plan as well */
+    int asked;      /* threads */
+    int threads;    /* that came */
     struct barrier barrier;
     enum phase next; /* where the last to arrive sends all */
     bool verified;   /* so far the candidate's subscripts are unchanged */
@@ -123,6 +126,8 @@ struct execution {
     const struct sample **samples;
     const struct summary **summaries;
     const struct range **seen;
+    int error_before;    /* errno of the thread that entered */
+    atomic_ullong error; /* what the loop leaves in errno: execute.c */
     atomic_int last_claimed;
     atomic_uint spares_claimed;
     struct validation validation;
@@ -132,6 +137,9 @@ struct execution {
     double solo_seconds;
     double part_seconds; /* paced: of the first thread's first spare part */
 };
+
+/** execute.c: what mathematical functions called in the loop left in errno; 0: nothing. */
+int redcc_error_of(struct execution *execution);
 
 /** Is the execution, by this plan, one that begins as its pace says? */
 static inline bool redcc_is_paced(const struct execution *execution, const struct plan *plan) {
@@ -174,6 +182,9 @@ void redcc_find_candidate(struct execution *execution, int threads);
 /** Are the candidate's subscripts what they were? Every thread calls it and gets the same answer.
  */
 bool redcc_verify(struct member *member);
+
+/** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
+void redcc_note_no_memory(redcc_loop *loop);
 
 /** Is a source so small that every thread reads it, rather than its share? That is dearer by less
  *  than the barrier that is saved. */

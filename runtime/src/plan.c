@@ -84,6 +84,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     plan->threads = threads;
     plan->teams = method->teams ? method->teams(threads, parameter) : 1;
     plan->trip = request->trip;
+    plan->float_control = request->float_control;
     plan->array_count = loop->array_count;
     plan->source_count = loop->source_count;
     plan->owners = partition->owners;
@@ -246,6 +247,7 @@ bool redcc_plan_fits(const struct plan *plan, const struct request *request, int
                      struct range *sources) {
     const size_t key_bytes = request->loop->key_count * sizeof *plan->key;
     return plan->trip == request->trip && plan->threads == threads &&
+           redcc_float_control_equal(plan->float_control, request->float_control) &&
            (key_bytes == 0 || memcmp(plan->key, request->key, key_bytes) == 0) &&
            sources_fit(plan, request, sources) && places_fit(plan, request, sources);
 }

@@ -10,6 +10,7 @@
 #include "copies.h"
 #include "fingerprint.h"
 #include "flags.h"
+#include "float_control.h"
 #include "method.h"
 #include "schedule.h"
 #include "vouch.h"
@@ -21,9 +22,10 @@ struct lost;
 struct request {
     const redcc_loop *loop;
     redcc_int trip;
-    void **bases;        /* [array_count] */
-    redcc_extent *known; /* [source_count] */
-    redcc_word *key;     /* [key_count] */
+    void **bases;                       /* [array_count] */
+    redcc_extent *known;                /* [source_count] */
+    redcc_word *key;                    /* [key_count] */
+    struct float_control float_control; /* of the thread that entered: subscripts may be rounded */
 };
 
 /** What a plan remembers of a source. */
@@ -52,10 +54,11 @@ struct plan {
     uint32_t array_count;
     uint32_t source_count;
     uint32_t owners;
-    redcc_word *key;              /* [key_count] */
-    uint32_t *group_of;           /* [array_count] as partition.group_of */
-    ptrdiff_t *shift;             /* [array_count] bytes from its group's base to its own */
-    struct offsets *touched;      /* [array_count] of each group, relative to its base */
+    redcc_word *key;                    /* [key_count] */
+    struct float_control float_control; /* as the request's */
+    uint32_t *group_of;                 /* [array_count] as partition.group_of */
+    ptrdiff_t *shift;                   /* [array_count] bytes from its group's base to its own */
+    struct offsets *touched;            /* [array_count] of each group, relative to its base */
     ptrdiff_t *bound;             /* [array_count * (owners + 1)] owner o of group g writes from
                                      bound[g * (owners + 1) + o] up to the next, relative to its base;
                                      not where there is a map */

@@ -20,7 +20,8 @@ void redcc_find_candidate(struct execution *execution, int threads) {
 }
 
 static struct reading reading_of(const struct execution *execution, uint32_t source) {
-    return redcc_reading_of(execution->request.loop, execution->sources, source);
+    return redcc_reading_of(execution->request.loop, execution->request.known, execution->sources,
+                            source);
 }
 
 static struct fingerprint joined(const struct execution *execution, uint32_t source) {

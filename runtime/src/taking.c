@@ -29,8 +29,10 @@ static void take_up_to(struct taking *taking, const struct member *member, doubl
     const size_t wanted = part < 1 ? (size_t)((double)count * part) / PIECE * PIECE : count;
     while (taking->taken < wanted) {
         const size_t left = wanted - taking->taken, bytes = left < PIECE ? left : PIECE;
+        const uintptr_t first = (uintptr_t)share + taking->taken;
+        const struct range piece = {first, first + bytes};
         const struct fingerprint parts[] = {taking->so_far,
-                                            redcc_fingerprint(share + taking->taken, bytes)};
+                                            redcc_part_fingerprint(&taking->reading, piece)};
         taking->so_far = redcc_fingerprint_join(parts, 2);
         taking->taken += bytes;
     }
@@ -46,7 +48,8 @@ struct fingerprint redcc_share_fingerprint(const struct member *member, struct r
 static bool is_taken_early(const struct execution *execution, uint32_t source) {
     const struct request *request = &execution->request;
     return request->loop->sources[source].is_subscript && request->known[source].end &&
-           !redcc_is_small(redcc_reading_of(request->loop, execution->sources, source));
+           !redcc_is_small(
+               redcc_reading_of(request->loop, request->known, execution->sources, source));
 }
 
 size_t redcc_begin_taking(struct member *member) {
@@ -58,7 +61,8 @@ size_t redcc_begin_taking(struct member *member) {
         member->taking[s] = (struct taking){.taken = 0};
         if (!is_for_a_plan || !is_taken_early(execution, s))
             continue;
-        member->taking[s].reading = redcc_reading_of(loop, execution->sources, s);
+        member->taking[s].reading =
+            redcc_reading_of(loop, execution->request.known, execution->sources, s);
         share_of(member->taking[s].reading, member, &count);
         bytes += count;
     }
@@ -78,7 +82,8 @@ void redcc_take_fingerprints(struct member *member) {
     for (uint32_t s = 0; s < loop->source_count; s++) {
         if (!loop->sources[s].is_subscript)
             continue;
-        const struct reading reading = redcc_reading_of(loop, execution->sources, s);
+        const struct reading reading =
+            redcc_reading_of(loop, execution->request.known, execution->sources, s);
         struct taking *taking = &member->taking[s];
         if (redcc_is_small(reading)) {
             if (member->thread == 0)

@@ -5,6 +5,7 @@
 #include "elements.h"
 #include "memory.h"
 #include "plan.h"
+#include "settings.h"
 #include "trace.h"
 
 #include <float.h>
@@ -212,7 +213,7 @@ static void end_program(void) {
 
 /* What is registered first runs last: the program's own handlers, and all reports, come before. */
 __attribute__((constructor)) static void register_end(void) {
-    const char *value = getenv("REDCC_VALIDATE");
+    const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)
         atexit(end_program);
 }

@@ -17,7 +17,8 @@ enum {
 };
 
 static struct reading reading_of(const struct execution *execution, uint32_t source) {
-    return redcc_reading_of(execution->request.loop, execution->sources, source);
+    return redcc_reading_of(execution->request.loop, execution->request.known, execution->sources,
+                            source);
 }
 
 /* So many comparisons have cost as much as to watch the pages may cost in vain: who begins then

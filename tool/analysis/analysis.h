@@ -173,6 +173,7 @@ typedef struct loop_facts {
     ir_function *function;
     counted_loop counted;
     bool counter_is_live_after;
+    bool sets_errno;           /* mathematical functions are called that set it where they fail */
     bool has_short_iterations; /* a few of them are not worth asking the runtime */
     unsigned array_count;
     const reduction_array *arrays;
@@ -234,6 +235,7 @@ typedef struct analysis_options {
     const char *const *pure; /* --pure: the user's word */
     bool assume_noalias;     /* --assume-noalias */
     bool report_all;         /* --all: NOT_A_REDUCTION verdicts too */
+    bool any_order;          /* --order=any: other bits will do */
 } analysis_options;
 
 typedef struct analysis_result {

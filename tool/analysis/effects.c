@@ -262,6 +262,12 @@ static void summarise_access(effects *all, const ir_function *function, const ac
         VECTOR_PUSH(all->memory, &result->problems, problem);
         return;
     }
+    if (where.is_of_locale) {
+        kept.lvalue = where.base;
+        kept.is_exact = false;
+        VECTOR_PUSH(all->memory, &result->items, kept);
+        return;
+    }
     rewriting r = {all, function, raw, item->is_exact, 0};
     kept.lvalue = rewrite_lvalue(&r, item->lvalue);
     kept.is_exact = r.is_exact;
@@ -337,6 +343,13 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
 /* Without side effects by attribute or by the user's word: what may it read? */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
+    if (library_is_locale_table(call))
+        return;
+    if (!by_user && library_tells_of_thread(function)) {
+        const bool is_errno = strcmp(function->name, "__errno_location") == 0;
+        access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
+        return;
+    }
     w->list->has_floating_work = w->list->has_unrepeatable_work = true;
     if (function->is_attribute_const)
         return;
@@ -427,7 +440,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     }
     const ir_function *function = callee->function;
     bool by_user = is_named_pure(w->all, function);
-    const library_function *library = function->is_renamed ? NULL : library_find(function->name);
+    const library_function *library = library_find(w->all->unit, function);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call, function->name);
     } else if (function->body && !function->is_weak) {
@@ -447,6 +460,8 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         walk_library_call(w, call, library);
     } else if (function->is_attribute_const || function->is_attribute_pure) {
         walk_pure_call(w, call, false);
+    } else if (function->is_interposable) {
+        access_problem_add(w, REASON_INTERPOSED, call, function->name);
     } else if (!walk_memory_call(w, call)) {
         access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
     }

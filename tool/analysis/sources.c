@@ -176,7 +176,8 @@ static bool may_reach_beyond(const judged_access *read, const ir_node *row) {
 
 source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
     source_plan plan = {0};
-    if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
+    if (!read->access.lvalue || !read->access.is_exact || !read->where.base ||
+        read->where.is_of_locale)
         return plan;
     const ir_node *row = extent_of_bit_field(access_extent(read->access.lvalue), of_contents);
     if (!row || !can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
@@ -284,6 +285,39 @@ static bool is_unreachable(const judgement *j, const location *where) {
     return is_inside || !variable_escapes(j->an->facts, object);
 }
 
+/* Is the lvalue read whenever the expression is evaluated? */
+static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
+    if (expression_same(expression, lvalue))
+        return true;
+    const bool is_partly = expression->kind == IR_CONDITIONAL ||
+                           (expression->kind == IR_BINARY &&
+                            (expression->op == IR_OP_AND || expression->op == IR_OP_OR));
+    if (expression->kind == IR_SIZEOF || expression->kind == IR_OPAQUE)
+        return false;
+    for (unsigned i = 0; i < (is_partly ? 1 : expression->child_count); i++)
+        if (is_read_by(lvalue, expression->children[i]))
+            return true;
+    return false;
+}
+
+/* Does the update read the element, as what it is, before it writes it? Then the element is of that
+ * type already, and nothing that is read before as another. */
+static bool reads_first(const judgement *j, const access *update) {
+    const update_form *form = &update->form;
+    if (update->kind == ACCESS_UPDATE && form->has_operator)
+        return true;
+    if (update->callee)
+        return false;
+    if (update->kind == ACCESS_UPDATE && form->value && is_read_by(form->target, form->value))
+        return true;
+    for (unsigned i = 0; i < j->updates.count; i++) {
+        const ir_node *statement = j->updates.items[i].statement;
+        if (statement->kind == IR_IF && ir_contains(statement, update->node))
+            return is_read_by(update->lvalue, statement->children[0]);
+    }
+    return false;
+}
+
 /* Against every update of the array: they may be of different fields. */
 static overlap overlap_with_array(const judgement *j, const judged_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
@@ -291,7 +325,9 @@ static overlap overlap_with_array(const judgement *j, const judged_access *read,
         const judged_access *update = &j->accesses[i];
         if (update->class != CLASS_REDUCTION || update->array != array)
             continue;
-        overlap meets = locations_overlap(&j->an->rules, &read->where, &update->where);
+        overlap meets = reads_first(j, &update->access)
+                            ? locations_overlap(&j->an->rules, &read->where, &update->where)
+                            : locations_overlap_store(&j->an->rules, &read->where, &update->where);
         if (meets > worst)
             worst = meets;
     }

@@ -120,7 +120,7 @@ static bool misses_input(const command *c) {
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
         return "no C source";
-    if (s->command.meaning & OPTION_GIVE_UP)
+    if (s->command.meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
         return "an option that redcc cannot follow";
     if (s->real.is_foreign)
         return "the compiler is for another machine";

@@ -133,13 +133,16 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
-/* A text without these words is the same with OpenMP: the preprocessor need not be asked. */
+/* A text without these words is the same with OpenMP: the preprocessor need not be asked. (A pragma
+ * of OpenMP may be put together by the program's own _Pragma; glibc's are for warnings.) */
 static bool may_mention_openmp(session *s, const word_list *files) {
-    static const char *const words[] = {"omp", "_OPENMP", "_Pragma"};
-    for (unsigned i = 0; i < sizeof words / sizeof *words; i++)
-        if (dependencies_mention(s->memory, files, words[i]))
-            return true;
-    return false;
+    word_list own = {0};
+    for (unsigned i = 0; i < files->count; i++)
+        if (strncmp(files->items[i], "/usr/include/", 13) != 0)
+            words_add(s->memory, &own, files->items[i]);
+    return dependencies_mention(s->memory, files, "omp") ||
+           dependencies_mention(s->memory, files, "_OPENMP") ||
+           dependencies_mention(s->memory, &own, "_Pragma");
 }
 
 /* What the source or a header of its says that the translated text would be given another meaning

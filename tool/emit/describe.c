@@ -157,13 +157,17 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** What an iteration leaves beside its updates must be there, also if it makes none. */
-static bool needs_every_iteration(const loop_facts *facts) {
+static bool has_values_beside(const loop_facts *facts) {
     return facts->scalar_count > 0 || has_sought_values(facts);
 }
 
+/** What an iteration leaves beside its updates must be there, also if it makes none. */
+static bool needs_every_iteration(const loop_facts *facts) {
+    return has_values_beside(facts) || facts->sets_errno;
+}
+
 static bool needs_order(const loop_facts *facts) {
-    if (needs_every_iteration(facts))
+    if (has_values_beside(facts))
         return true;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)

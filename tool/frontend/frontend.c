@@ -289,6 +289,22 @@ static bool says_may_alias(const char *text) {
     return false;
 }
 
+/* What the flags say of the program as a whole. */
+static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
+    if (chosen->unseen != NULL)
+        unit->unseen_word = chosen->unseen;
+    unit->refusing_option = chosen->refusing;
+    unit->inexact_option = chosen->inexact;
+    unit->is_c89 = chosen->is_c89;
+    unit->math_errno = chosen->math_errno;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        ir_function *function = unit->functions[i];
+        function->is_interposable = chosen->is_shared && !chosen->is_fixed &&
+                                    function->body != NULL && !function->is_hidden;
+        function->is_weak |= function->is_interposable;
+    }
+}
+
 static void run(void *data) {
     task *t = data;
     const char *name = strcmp(t->source->path, "-") == 0 ? "<stdin>" : t->source->path;
@@ -302,8 +318,7 @@ static void run(void *data) {
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
         t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
-        if (chosen.unseen != NULL)
-            t->result.unit->unseen_word = chosen.unseen;
+        apply_flags(t->result.unit, &chosen);
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);

@@ -138,6 +138,12 @@ struct ir_function {
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     bool is_weak;    /* what runs may be another definition than the one in this unit */
     bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
+    bool is_interposable;      /* is_weak, because a shared object exports it: the program may have
+                                  another of its name. Not in the text form */
+    bool is_hidden;            /* no other object can name it, or put another in its place */
+    bool is_same_in_threads;   /* it reads nothing that is a thread's own: said by who has seen its
+                                  body, in another file. Not in the text form */
+    bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: judge nothing in it */
@@ -278,12 +284,18 @@ typedef struct ir_unit {
     unsigned directive_count; /* of the main file, in order */
     ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
-    unsigned error_count; /* compiler errors anywhere */
-    bool includes_itself; /* its text may be compiled several times. Not in the text form */
-    const char *compiler_word; /* a name in the program's own text by which it may ask for the
-                                  compiler: "__clang"; NULL: none. Not in the text form */
-    const char *unseen_word;   /* of what the parser does not know and a compiler may: the tree is
-                                  not what that compiles. NULL: none. Not in the text form */
+    bool is_c89;          /* names that C99 reserved are the program's. Not in the text form */
+    bool math_errno;      /* mathematical functions set errno. Not in the text form */
+    const char *refusing_option; /* of the compiler: by it the program is another than this. NULL:
+                                    none. Not in the text form */
+    const char *inexact_option;  /* by it two copies of a floating-point expression may give other
+                                    bits. NULL: none. Not in the text form */
+    unsigned error_count;        /* compiler errors anywhere */
+    bool includes_itself;        /* its text may be compiled several times. Not in the text form */
+    const char *compiler_word;   /* a name in the program's own text by which it may ask for the
+                                    compiler: "__clang"; NULL: none. Not in the text form */
+    const char *unseen_word;     /* of what the parser does not know and a compiler may: the tree is
+                                    not what that compiles. NULL: none. Not in the text form */
     unsigned header_pragma_count; /* of the program's own headers, as text; not in the text form */
     const char **header_pragmas;
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
