@@ -213,3 +213,19 @@ void redcc_report_write(void) {
     }
     free(beside);
 }
+
+/* ---- the end of the program ---------------------------------------------------------------- */
+
+static void end_program(void) {
+    if (!redcc_report_validation())
+        return;
+    fflush(NULL);
+    _exit(REDCC_BROKEN); /* exit must not be called here: it is what called this */
+}
+
+/* What is registered first runs last: the program's own handlers, and all reports, come before. */
+__attribute__((constructor)) static void register_end(void) {
+    const char *value = getenv("REDCC_VALIDATE");
+    if (value && strcmp(value, "1") == 0)
+        atexit(end_program);
+}

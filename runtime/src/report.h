@@ -3,9 +3,10 @@
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
-#include "method.h"
-#include "reason.h"
-#include "rule.h"
+#include "base/reason.h"
+#include "choose/rule.h"
+#include "execute/validate.h"
+#include "plan/method.h"
 
 #include <stdatomic.h>
 
@@ -15,17 +16,6 @@ enum { REDCC_TEXTS = 8, REDCC_TEXT = 192 };
 struct told_reason {
     char text[REDCC_TEXT];
     long count;
-};
-
-/** What REDCC_VALIDATE=1 found. */
-struct validated {
-    long executions;  /* compared with the sequential loop */
-    long passed_over; /* not compared: of a scattered array no copy can be made */
-    long broken;      /* of these, where the promise was not kept */
-    double largest;   /* difference, in ulps */
-    const char *array;
-    char name[64];     /* of the array where it was found */
-    redcc_int element; /* counted from the array's first one */
 };
 
 /** What is counted without holding the loop is atomic. */

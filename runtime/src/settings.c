@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "settings.h"
 
-#include "memory.h"
+#include "base/memory.h"
+#include "base/trace.h"
 #include "report.h"
-#include "trace.h"
 
 #include <errno.h>
 #include <pthread.h>

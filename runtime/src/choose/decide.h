@@ -13,7 +13,7 @@
 #ifndef REDCC_CHOOSE_DECIDE_H
 #define REDCC_CHOOSE_DECIDE_H
 
-#include "choose/rule.h"
+#include "choose/row.h"
 
 #include <stdbool.h>
 

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/memory.h"
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINE = 64 };
+
+/* Stands in the cache line before a block. */
+struct header {
+    size_t bytes;
+};
+
+static atomic_size_t in_use;
+static atomic_size_t limit; /* 0: none */
+static atomic_long live;
+static atomic_long until_failure = -1;
+
+static bool told_to_fail(void) {
+    if (atomic_load_explicit(&until_failure, memory_order_relaxed) < 0)
+        return false;
+    long left = atomic_load(&until_failure);
+    while (left > 0)
+        if (atomic_compare_exchange_weak(&until_failure, &left, left - 1))
+            return false;
+    return left == 0;
+}
+
+static bool account(size_t bytes) {
+    size_t most = atomic_load_explicit(&limit, memory_order_relaxed);
+    size_t before = atomic_fetch_add(&in_use, bytes);
+    if (most && before + bytes > most) {
+        atomic_fetch_sub(&in_use, bytes);
+        return false;
+    }
+    return true;
+}
+
+void *redcc_memory_take(size_t bytes) {
+    if (bytes > SIZE_MAX / 2 || told_to_fail())
+        return NULL;
+    const size_t whole = (bytes + LINE - 1) / LINE * LINE + LINE;
+    if (!account(whole))
+        return NULL;
+    char *memory = aligned_alloc(LINE, whole);
+    if (!memory) {
+        atomic_fetch_sub(&in_use, whole);
+        return NULL;
+    }
+    ((struct header *)memory)->bytes = whole;
+    atomic_fetch_add(&live, 1);
+    return memory + LINE;
+}
+
+void *redcc_memory_take_zeroed(size_t count, size_t size) {
+    if (size && count > SIZE_MAX / 2 / size)
+        return NULL;
+    void *block = redcc_memory_take(count * size);
+    if (block)
+        memset(block, 0, count * size);
+    return block;
+}
+
+static struct header *header_of(const void *block) {
+    return (struct header *)((uintptr_t)block - LINE);
+}
+
+void *redcc_memory_resize(void *block, size_t bytes) {
+    void *other = redcc_memory_take(bytes);
+    if (other && block) {
+        const size_t held = redcc_memory_size(block) - LINE;
+        memcpy(other, block, held < bytes ? held : bytes);
+        redcc_memory_give(block);
+    }
+    return other;
+}
+
+void redcc_memory_give(void *block) {
+    if (!block)
+        return;
+    atomic_fetch_sub(&in_use, header_of(block)->bytes);
+    atomic_fetch_sub(&live, 1);
+    free(header_of(block));
+}
+
+size_t redcc_memory_size(const void *block) {
+    return block ? header_of(block)->bytes : 0;
+}
+
+void redcc_memory_limit(size_t bytes) {
+    atomic_store(&limit, bytes);
+}
+
+void redcc_memory_fail_after(long calls_from_now) {
+    atomic_store(&until_failure, calls_from_now);
+}
+
+bool redcc_memory_is_exhausted(void) {
+    return atomic_load(&until_failure) == 0;
+}
+
+long redcc_memory_live(void) {
+    return atomic_load(&live);
+}
+
+size_t redcc_memory_in_use(void) {
+    return atomic_load(&in_use);
+}
