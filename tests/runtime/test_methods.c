@@ -105,6 +105,7 @@ static void auto_takes_copies_where_they_are_cheaper(void **unused) {
         struct described described;
         long last;
         problem_describe(&problem, &described);
+        assert_false(problem_run(&problem, &described, 2, &last));
         assert_true(problem_run(&problem, &described, 2, &last));
         const struct loop_state *state = described.loop.state;
         assert_ptr_equal(state->cache.kept[0]->plan->method,
@@ -133,6 +134,8 @@ static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     problem_reset(&problem);
     problem_oracle(&problem);
     memcpy(expected, problem.first, (size_t)problem.doubles * sizeof(double));
+    problem_reset(&problem);
+    assert_false(problem_run(&problem, &described, 2, &last));
     problem_reset(&problem);
     assert_true(problem_run(&problem, &described, 2, &last));
     assert_memory_equal(expected, problem.first, (size_t)problem.doubles * sizeof(double));

@@ -133,15 +133,19 @@ static const char *heading(loop_text *loop) {
     return text;
 }
 
+/** What of the text is there only where the loop may run in parallel. */
+static const char *condition_of(const loop_text *loop) {
+    return loop->facts->slice_has_floating_work ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
+                                                : "#ifdef _OPENMP\n";
+}
+
 static void write_parallel_form(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
-    buffer_text(&out->out, loop->facts->slice_has_floating_work
-                               ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
-                               : "#ifdef _OPENMP\n");
+    buffer_text(&out->out, condition_of(loop));
     buffer_text(&out->out, "#pragma GCC diagnostic push\n"
                            "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
     out->depth = 1;
@@ -185,20 +189,30 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
     buffer_append(&out->out, text + range.begin, range.end - range.begin);
-    buffer_format(&out->out, "\n%s\n%s}", loop_line_directive(loop, range.end - 1),
+    buffer_text(&out->out, "\n");
+}
+
+/** After the loop: how long it took is of use the next time. */
+static void write_timing(loop_text *loop, writer *out, ir_range range) {
+    buffer_text(&out->out, condition_of(loop));
+    writer_line(out, "redcc_sequential_done(&redcc__loop);");
+    buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }
 
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
                        const emit_options *options, ir_range *replaced, reason *why) {
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
-    writer out = {0};
+    writer out = {0}, timing = {.depth = 1};
     prepare_loop(&loop);
     replaced->begin = begin_with_pragmas(unit, facts->loop);
     replaced->end = syntax_statement_end(unit->source, facts->loop);
     write_parallel_form(&loop, &out);
+    write_timing(&loop, &timing, *replaced);
     check_macro_names(&loop, &out.out);
+    check_plain_text(&loop, &timing.out);
     write_sequential_form(&loop, &out, *replaced);
+    buffer_text(&out.out, writer_text(a, &timing));
     const char *text = writer_text(a, &out);
     if (!loop.obstacle)
         return text;

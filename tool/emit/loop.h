@@ -163,6 +163,9 @@ const char *taken_name(const ir_unit *unit);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
+/** The same of text in which nothing of the user's stands. */
+void check_plain_text(loop_text *loop, const buffer *written);
+
 /** loop.c: the text that replaces bytes `replaced` of the file; NULL, with the obstacle in *why,
  *  where it cannot be written. */
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,

@@ -147,6 +147,10 @@ static void check_piece(loop_text *loop, const char *text, size_t begin, size_t 
                       "the macro '%s' would change the text that is written", name);
 }
 
+void check_plain_text(loop_text *loop, const buffer *written) {
+    check_piece(loop, written->data, 0, written->length);
+}
+
 void check_macro_names(loop_text *loop, const buffer *written) {
     size_t from = 0;
     for (unsigned i = 0; i < loop->copies.count; i++) {

@@ -315,6 +315,15 @@ static bool is_short(const struct size_state *size, const struct situation *now)
     return usual(&size->sequential) * (double)now->trip < WAKES * now->wake;
 }
 
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads) {
+    struct size_state *size = size_of(state, trip);
+    if (size->stand != STAND_SHORT || size->threads != threads ||
+        size->rest.calls + 1 >= size->rest.until)
+        return false;
+    size->rest.calls++;
+    return true;
+}
+
 struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
     struct size_state *size = size_of(state, now->trip);
     if (size->threads != now->threads)
@@ -361,6 +370,8 @@ static void note_prospect(struct prospect *known, const struct prospect *found) 
     const struct prospect before = *known;
     *known = *found;
     known->learned = before.learned;
+    known->ruled_out = before.ruled_out;
+    known->possible = found->possible && !before.ruled_out;
     known->measured = before.measured && found->possible;
     if (known->measured)
         known->execution = before.execution;
@@ -523,6 +534,10 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         observe_parallel(state, size, outcome);
         return;
     case RESULT_UNATTRACTIVE:
+        if (outcome->way != WAY_SEQUENTIAL)
+            count_set_up(size, outcome->way, outcome->seconds);
+        size->prospect[outcome->way].possible = false;
+        size->prospect[outcome->way].ruled_out = true;
         if (!some_way_is_better(size))
             rest(size, STAND_RESTING, RULE_UNATTRACTIVE, UNATTRACTIVE_REST, REST_MOST);
         break;
@@ -535,6 +550,7 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         break;
     case RESULT_REFUSED:
         size->prospect[outcome->way].possible = false;
+        size->prospect[outcome->way].ruled_out = true;
         if (size->stand != STAND_PARALLEL || outcome->way == size->way)
             rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REST_MOST);
         break;

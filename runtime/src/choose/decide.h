@@ -13,24 +13,15 @@
 #ifndef REDCC_CHOOSE_DECIDE_H
 #define REDCC_CHOOSE_DECIDE_H
 
-#include "choose/row.h"
+#include "base/way.h"
+#include "choose/rule.h"
 
 #include <stdbool.h>
-
-/** How a loop may be executed. A way is a row of every table below. */
-enum way {
-    WAY_SEQUENTIAL,
-    WAY_COPIES, /**< private copies */
-    WAY_INDEX,  /**< LOCALWRITE, owners by address */
-    WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph */
-    WAY_LEVELS, /**< wavefronts */
-    WAY_BINS,   /**< in-order binning: nothing is set up */
-    WAY_COUNT
-};
 
 /** What a way would cost. */
 struct prospect {
     bool possible;
+    bool ruled_out;   /**< it was tried in vain: not possible until the loop has rested */
     bool measured;    /**< `execution`, rather than estimated */
     double set_up;    /**< seconds, of an inspection and a plan, its sample included; estimated */
     double learned;   /**< seconds that one has taken, or at least takes; 0: none was made */
@@ -38,7 +29,7 @@ struct prospect {
 };
 
 /** Is a plan kept for what this call executes? */
-enum kept {
+enum kept_match {
     KEPT_NONE,
     KEPT_CHANGED, /**< one for other subscripts, as a sample of them shows */
     KEPT_FITS     /**< as far as is known without reading all subscripts */
@@ -49,7 +40,7 @@ struct situation {
     long long trip; /**< iterations */
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
-    enum kept kept[WAY_COUNT];
+    enum kept_match kept[WAY_COUNT];
     int steady;             /**< calls in a row whose sampled subscripts were those of the call
                                  before; -1: not known */
     double forecast;        /**< seconds of a sequential execution that has never been timed;
@@ -160,6 +151,10 @@ struct choice_state {
     struct ledger ledger;
     struct size_state size[REDCC_SIZES]; /* by the logarithm of the trip count */
 };
+
+/** Is this one of the calls that a short loop is left alone in? Then it is counted, and need not be
+ *  decided: a compare and a counter. */
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads);
 
 /** What to do in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
