@@ -52,8 +52,8 @@ void problem_free(struct problem *problem);
 void problem_reset(struct problem *problem);
 
 /** As if each iteration of the original loop took so many seconds, in very many calls before, and
- *  each set-up a tenth of that: then auto comes to a plan in the calls that follow, whatever else the
- *  machine does. The loop must have been executed once. */
+ *  each set-up as long as ten of these: then auto comes to a plan in the calls that follow,
+ * whatever else the machine does. The loop must have been executed once. */
 void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
 
 /** Does problem_run do that after a call that ran serially, where no method is named? At first it

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* auto on real loops: what it has its calls do, with the bits of the original loop each time; and its
- * decision table in docs/methods.md. The bounds themselves are test_choose_bound's. */
+/* auto on real loops: what it has its calls do, with the bits of the original loop each time; and
+ * its decision table in docs/methods.md. The bounds themselves are test_choose_bound's. */
 #include "loop.h"
 
 #include "base/memory.h"
+#include "choose/prospects.h"
 #include "problem.h"
 
 #include <setjmp.h>
@@ -154,8 +155,8 @@ static void an_inspection_ends_at_its_deadline(void **unused) {
     problem_tell_slow(&described.loop, TRIP, 1e-6);
     struct size_state *size = size_of(&described);
     size->looked = true;
-    size->prospect[WAY_INDEX] = (struct prospect){
-        .possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
+    size->prospect[WAY_INDEX] =
+        (struct prospect){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
     assert_false(call_right(&problem, &described));
     assert_int_equal(statistics_of(&described)->rule, RULE_STOPPED);
     assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_DEADLINE]), 1);
@@ -182,6 +183,47 @@ static void short_loops_are_left_alone(void **unused) {
     assert_int_equal(size_of(&described)->stand, STAND_SHORT);
     assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_LITTLE_WORK]), 10);
     end(&problem, &described);
+}
+
+/* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
+static const struct findings shuffled = {.trip = 50000,
+                                         .threads = 2,
+                                         .sequential = 20e-9,
+                                         .share = 0.75,
+                                         .touches = 2,
+                                         .runs = 0.5,
+                                         .reusable = true};
+
+static void prospects_follow_from_what_was_found(void **unused) {
+    (void)unused;
+    struct prospect it[WAY_COUNT];
+    struct findings findings = shuffled;
+    redcc_estimate_prospects(&findings, it);
+    assert_false(it[WAY_COPIES].possible);
+    assert_true(it[WAY_INDEX].possible && it[WAY_GRAPH].possible);
+    assert_true(it[WAY_GRAPH].execution < it[WAY_INDEX].execution);
+    assert_true(it[WAY_GRAPH].set_up > 3 * it[WAY_INDEX].set_up);
+    findings.copies = true;
+    findings.copied = 1e5; /* 15 microseconds of 500 */
+    redcc_estimate_prospects(&findings, it);
+    assert_true(it[WAY_COPIES].execution < it[WAY_GRAPH].execution);
+    findings.copied = 1e7;
+    redcc_estimate_prospects(&findings, it);
+    assert_true(it[WAY_COPIES].execution > findings.sequential);
+    findings.reusable = false; /* each execution inspects */
+    redcc_estimate_prospects(&findings, it);
+    assert_false(it[WAY_GRAPH].possible);
+    assert_true(it[WAY_INDEX].execution > findings.sequential);
+    findings = shuffled;
+    findings.runs = 0; /* sorted */
+    findings.share = 0.51;
+    redcc_estimate_prospects(&findings, it);
+    assert_false(it[WAY_GRAPH].possible);
+    assert_true(it[WAY_INDEX].execution < 0.6 * findings.sequential);
+    findings.sequential = 1e-9; /* a light loop whose iterations all have other owners */
+    findings.runs = 1;
+    redcc_estimate_prospects(&findings, it);
+    assert_true(it[WAY_INDEX].execution > findings.sequential);
 }
 
 static void few_short_iterations_are_one_threads(void **unused) {
@@ -219,6 +261,7 @@ int main(void) {
         cmocka_unit_test(changed_subscripts_are_not_inspected_at_once),
         cmocka_unit_test(an_inspection_ends_at_its_deadline),
         cmocka_unit_test(short_loops_are_left_alone),
+        cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
         cmocka_unit_test(the_decision_table_is_documented),
     };

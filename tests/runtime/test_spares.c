@@ -6,10 +6,10 @@
  */
 #include "base/memory.h"
 #include "loop.h"
-#include "problem.h"
 #include "ownership/cuts.h"
 #include "ownership/estimate.h"
 #include "plan/length.h"
+#include "problem.h"
 #include "settings.h"
 
 #include <omp.h>
@@ -172,7 +172,7 @@ static const struct method *method_by_auto(void) {
     for (int call = 0; call < 8; call++) {
         begin();
         if (execute(2, false) == 0)
-            problem_tell_slow(&loop, TRIP, 1e-8);
+            problem_tell_slow(&loop, TRIP, 9e-8);
         assert_memory_equal(b, expected, sizeof b);
     }
     const struct loop_state *state = loop.state;
