@@ -54,6 +54,21 @@ static enum result result_of(const struct execution *execution) {
     }
 }
 
+/* Does the reason concern one way, or (SEQUENTIAL) all of them? */
+static enum way way_concerned(const struct execution *execution) {
+    switch (execution->reason) {
+    case REASON_NO_MEMORY:
+    case REASON_NO_COPIES:
+    case REASON_MIXED:
+    case REASON_UNATTRACTIVE:
+    case REASON_DEADLINE:
+    case REASON_CHANGED:
+        return execution->advice.way;
+    default:
+        return WAY_SEQUENTIAL;
+    }
+}
+
 /* The part of the set-up that was done when its deadline came. */
 static double part_done(const struct execution *execution) {
     const struct inspection *inspection = &execution->inspection;
@@ -78,7 +93,7 @@ static void account_refused(struct execution *execution, double now) {
     if (execution->call.method)
         return;
     const struct outcome outcome = {.result = result_of(execution),
-                                    .way = execution->advice.way,
+                                    .way = way_concerned(execution),
                                     .trip = trip,
                                     .seconds = now - execution->call.entered,
                                     .done = part_done(execution)};

@@ -524,6 +524,15 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     size->rule = RULE_STOPPED;
 }
 
+/* Of one way: then another one may do. Of all: the loop rests. */
+static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
+    size->prospect[outcome->way].possible = false;
+    size->prospect[outcome->way].ruled_out = true;
+    const bool another = outcome->way != WAY_SEQUENTIAL && some_way_is_better(size);
+    if (size->stand != STAND_PARALLEL && !another)
+        rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REST_MOST);
+}
+
 void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
     struct size_state *size = size_of(state, outcome->trip);
     switch (outcome->result) {
@@ -549,10 +558,7 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         size->rule = RULE_CHANGED;
         break;
     case RESULT_REFUSED:
-        size->prospect[outcome->way].possible = false;
-        size->prospect[outcome->way].ruled_out = true;
-        if (size->stand != STAND_PARALLEL || outcome->way == size->way)
-            rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REST_MOST);
+        observe_refusal(size, outcome);
         break;
     }
     state->ledger.overhead += outcome->seconds;

@@ -70,7 +70,7 @@ enum result {
     RESULT_UNATTRACTIVE, /**< the inspection ended with its sample: redcc_pick_way said so */
     RESULT_STOPPED,      /**< ... or at its deadline */
     RESULT_CHANGED,      /**< the kept plan's subscripts were others */
-    RESULT_REFUSED       /**< a guard, or memory, forbade it */
+    RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: any other, too */
 };
 
 struct outcome {
