@@ -24,9 +24,20 @@ string(REGEX REPLACE "/$" "" redcc_prefix_from_pkgconfig "${redcc_prefix_from_pk
 configure_file(${PROJECT_SOURCE_DIR}/cmake/redcc.pc.in ${PROJECT_BINARY_DIR}/cmake/redcc.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/redcc.pc DESTINATION ${redcc_pkgconfig_folder})
 
-foreach(page redcc redcc-cc fabric)
+set(redcc_pages redcc redcc-cc)
+if(REDCC_EXAMPLES)
+  list(APPEND redcc_pages fabric)
+endif()
+foreach(page ${redcc_pages})
   configure_file(${PROJECT_SOURCE_DIR}/docs/man/${page}.1 ${PROJECT_BINARY_DIR}/man/${page}.1 @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/man/${page}.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES ${PROJECT_SOURCE_DIR}/docs/completions/${page}
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endforeach()
+
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(GLOB redcc_documents ${PROJECT_SOURCE_DIR}/docs/*.md)
+if(NOT REDCC_EXAMPLES)
+  list(FILTER redcc_documents EXCLUDE REGEX "/fabric-[^/]*$")
+endif()
+install(FILES ${redcc_documents} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "driver/words.h"
+#include "support/compiler_options.h"
 
 /** `path` as seen from `folder`. */
 static const char *joined(arena *a, const char *folder, const char *path) {
@@ -40,41 +41,43 @@ static word_list words_of(arena *a, const json_t *entry) {
 
 /* ---- flags --------------------------------------------------------------------------------- */
 
-/** Flags whose value is a path; each may be joined to it or stand before it. */
-static const char *path_flag(const char *word) {
-    static const char *const flags[] = {"-I",         "-isystem", "-iquote",   "-include",
-                                        "-idirafter", "-imacros", "--sysroot="};
-    const char *found = NULL;
-    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
-        if (strncmp(word, flags[i], strlen(flags[i])) == 0)
-            found = flags[i];
-    return found;
+/** What only says how far the compiler goes and what it writes beside. */
+static bool is_about_output(const option *known) {
+    return strcmp(known->name, "-o") == 0 ||
+           known->meaning & (OPTION_NO_LINK | OPTION_NO_OBJECT | OPTION_DEPENDENCY);
 }
 
-/** Flags of a compilation that are not for the parser, with a value in the next word. */
-static bool is_dropped_with_value(const char *word) {
-    return strcmp(word, "-o") == 0 || strcmp(word, "-MF") == 0 || strcmp(word, "-MT") == 0 ||
-           strcmp(word, "-MQ") == 0;
+/** Adds the option words[*i], with the paths that it names as seen from here. */
+static void add_option(arena *a, const word_list *words, unsigned *i, const char *directory,
+                       string_list *flags) {
+    const char *word = words->items[*i];
+    const option *known = option_find(word);
+    const unsigned meaning = known ? known->meaning : 0;
+    const bool is_alone = known && strcmp(word, known->name) == 0;
+    const char *value = NULL;
+    if (is_alone && meaning & OPTION_ARGUMENT && *i + 1 < words->count)
+        value = words->items[++*i];
+    if (known && is_about_output(known))
+        return;
+    if (meaning & OPTION_PATH && !is_alone) {
+        const size_t length = strlen(known->name);
+        word = arena_format(a, "%s%s", known->name, joined(a, directory, word + length));
+    }
+    VECTOR_PUSH(a, flags, word);
+    if (value)
+        VECTOR_PUSH(a, flags, meaning & OPTION_PATH ? joined(a, directory, value) : value);
 }
 
 static void add_flags(arena *a, const word_list *words, const char *directory, const char *input,
                       string_list *flags) {
     for (unsigned i = 1; i < words->count; i++) { /* the first is the compiler */
         const char *word = words->items[i];
-        const char *flag = path_flag(word);
-        if (is_dropped_with_value(word)) {
-            i++;
-        } else if (strcmp(word, "-c") == 0 || strcmp(word, "--") == 0) {
+        if (strcmp(word, "--") == 0)
             continue;
-        } else if (flag && word[strlen(flag)]) {
-            const char *path = joined(a, directory, word + strlen(flag));
-            VECTOR_PUSH(a, flags, arena_format(a, "%s%s", flag, path));
-        } else if (flag && i + 1 < words->count) {
-            VECTOR_PUSH(a, flags, flag);
-            VECTOR_PUSH(a, flags, joined(a, directory, words->items[++i]));
-        } else if (word[0] == '-' || !same_file(joined(a, directory, word), input)) {
+        if (word[0] == '-' && word[1])
+            add_option(a, words, &i, directory, flags);
+        else if (!same_file(joined(a, directory, word), input))
             VECTOR_PUSH(a, flags, word);
-        }
     }
 }
 

@@ -53,6 +53,7 @@ const analysis_options *foreign_apply(arena *a, const foreign_functions *all, ir
         const foreign_function *known = find_usable(all, function);
         if (!known)
             continue;
+        function->is_same_in_threads = true;
         if (known->kind == EXPORTED_CONST)
             function->is_attribute_const = true;
         else if (known->kind == EXPORTED_PURE)

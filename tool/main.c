@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "explain.h"
 #include "frontend/frontend.h"
 #include "options.h"
 #include "translate_file.h"
@@ -61,6 +62,17 @@ static int translate_inputs(const options *o) {
     return all.status;
 }
 
+static int explain(arena *a, const char *word) {
+    const char *section = explain_section(a, word);
+    if (section) {
+        fputs(section, stdout);
+        return EXIT_DONE;
+    }
+    fprintf(stderr, "redcc: error: there is no reason '%s'; the nearest is %s\n", word,
+            explain_nearest(a, word));
+    return EXIT_USAGE;
+}
+
 static int run(arena *a, int argc, char **argv) {
     options o;
     const char *wrong = options_read(a, argc, argv, &o);
@@ -76,6 +88,8 @@ static int run(arena *a, int argc, char **argv) {
         printf("redcc %s (%s)\n", REDCC_VERSION, frontend_version(a));
         return EXIT_DONE;
     }
+    if (o.explain)
+        return explain(a, o.explain);
     if (o.inputs.count == 0)
         return whole_program_analyse(a, &o) ? EXIT_DONE : EXIT_FAILED;
     return translate_inputs(&o);

@@ -3,6 +3,10 @@
 
 #include <string.h>
 
+#include "driver/files.h"
+#include "nearest.h"
+#include "support/compiler_options.h"
+
 const char options_help[] =
     "redcc: parallel irregular reductions, with the bits of the sequential program\n"
     "\n"
@@ -36,6 +40,7 @@ const char options_help[] =
     "  --all                report loops without an irregular update too\n"
     "  --dump=ir            print what the translator understood of the source, for debugging\n"
     "  --in-process         do without the process that guards against a parser that crashes\n"
+    "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug\n"
     "  --help, --version\n"
     "\n"
     "To compile the result:\n"
@@ -55,6 +60,7 @@ typedef enum option_name {
     OPTION_ASSUME_NOALIAS,
     OPTION_COMPILER,
     OPTION_DUMP,
+    OPTION_EXPLAIN,
     OPTION_HELP,
     OPTION_IN_PROCESS,
     OPTION_ORDER,
@@ -77,6 +83,7 @@ static const struct long_option {
     {"--assume-noalias", OPTION_ASSUME_NOALIAS},
     {"--compiler=", OPTION_COMPILER},
     {"--dump=", OPTION_DUMP},
+    {"--explain=", OPTION_EXPLAIN},
     {"--help", OPTION_HELP},
     {"--in-process", OPTION_IN_PROCESS},
     {"--order=", OPTION_ORDER},
@@ -89,36 +96,9 @@ static const struct long_option {
     {"--version", OPTION_VERSION},
 };
 
-/** Flags for the parser that take their value joined or as the next word. */
-static const char *const parser_flags[] = {"-I", "-isystem", "-iquote", "-include", "-D", "-U"};
-
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 /* ---- the nearest valid option -------------------------------------------------------------- */
-
-static size_t smallest(size_t a, size_t b, size_t c) {
-    const size_t ab = a < b ? a : b;
-    return ab < c ? ab : c;
-}
-
-/** Levenshtein's distance: how many letters must be inserted, dropped or changed. */
-static size_t edit_distance(const char *from, const char *to) {
-    enum { LONGEST = 64 };
-    size_t row[LONGEST + 1];
-    const size_t width = strlen(to) < LONGEST ? strlen(to) : LONGEST;
-    for (size_t k = 0; k <= width; k++)
-        row[k] = k;
-    for (size_t i = 0; from[i]; i++) {
-        size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (size_t k = 0; k < width; k++) {
-            const size_t above = row[k + 1];
-            row[k + 1] = smallest(diagonal + (from[i] != to[k]), above + 1, row[k] + 1);
-            diagonal = above;
-        }
-    }
-    return row[width];
-}
 
 static const char *nearest_option(const char *word) {
     const char *best = long_options[0].text;
@@ -141,7 +121,19 @@ static const char *nearest_option(const char *word) {
     return best;
 }
 
+/** Does the word look like a compiler's flag: -O2, -Wall, -fopenmp, -march=native, -g, -pthread? */
+static bool is_compiler_flag(const char *word) {
+    static const char *const beginnings[] = {"-O", "-W",       "-f",        "-m",
+                                             "-g", "-pthread", "-pedantic", "-ansi"};
+    for (size_t i = 0; i < COUNT(beginnings); i++)
+        if (strncmp(word, beginnings[i], strlen(beginnings[i])) == 0)
+            return true;
+    return false;
+}
+
 static const char *unknown_option(arena *a, const char *word) {
+    if (is_compiler_flag(word))
+        return arena_format(a, "'%s' is a compiler flag: put compiler flags after --", word);
     return arena_format(a,
                         "unknown option '%s'; the nearest is '%s' (compiler flags may follow "
                         "after --)",
@@ -223,6 +215,9 @@ static const char *set_option(arena *a, options *o, option_name name, const char
         return read_compiler(a, o, value);
     case OPTION_DUMP:
         return read_dump(a, o, value);
+    case OPTION_EXPLAIN:
+        o->explain = value;
+        return *value ? NULL : "--explain takes the id or slug of a reason, such as R204";
     case OPTION_HELP:
         o->help = true;
         return NULL;
@@ -263,7 +258,9 @@ typedef struct words {
     int next;
 } words;
 
-static const char *read_long_option(arena *a, options *o, const char *word) {
+static const char *read_long_option(arena *a, options *o, words *w, const char *word) {
+    if (strcmp(word, "--explain") == 0) /* the one whose value may be the next word */
+        return set_option(a, o, OPTION_EXPLAIN, w->next < w->count ? w->items[w->next++] : "");
     for (size_t i = 0; i < COUNT(long_options); i++) {
         const char *text = long_options[i].text;
         const size_t length = strlen(text);
@@ -290,14 +287,11 @@ static const char *read_parser_flag(arena *a, options *o, words *w, const char *
         VECTOR_PUSH(a, &o->flags, word);
         return NULL;
     }
-    const char *flag = NULL; /* the longest that fits: -include is not -I */
-    for (size_t i = 0; i < COUNT(parser_flags); i++)
-        if (strncmp(word, parser_flags[i], strlen(parser_flags[i])) == 0)
-            flag = parser_flags[i];
-    if (!flag) {
-        *is_flag = false;
+    const option *known = option_find(word);
+    *is_flag = known && known->meaning & OPTION_CLANG && known->meaning & OPTION_ARGUMENT;
+    if (!*is_flag)
         return NULL;
-    }
+    const char *flag = known->name;
     const char *value = short_value(w, word, strlen(flag));
     if (!value)
         return arena_format(a, "%s takes a value", flag);
@@ -312,7 +306,7 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     if (is_flag)
         return wrong;
     const bool is_output = word[1] == 'o';
-    if (!is_output && word[1] != 'p')
+    if ((!is_output && word[1] != 'p') || is_compiler_flag(word)) /* -pthread is no -p thread */
         return unknown_option(a, word);
     const char *value = short_value(w, word, 2);
     if (!value || !*value)
@@ -327,12 +321,14 @@ static const char *check_together(arena *a, const options *o) {
     if (o->inputs.count > 1 && !o->analyze)
         return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
                             o->inputs.items[1]);
+    if (o->output && path_same_file(o->output, o->inputs.items[0]))
+        return arena_format(a, "the output '%s' is the input: name another file", o->output);
     if (o->analyze && o->output)
         return "--analyze writes no source: -o does not go with it";
     if (o->analyze && o->verify)
         return "--analyze writes no source: --verify does not go with it";
     if (!o->analyze && !o->output && !o->dump_ir && !o->verify)
-        return "where shall the result go? -o FILE, or --analyze";
+        return "no output: give -o FILE or --analyze";
     if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
         return "a report that is not text needs --report-file=FILE, or --analyze";
     if (o->form == REPORT_SARIF && o->inputs.count != 1)
@@ -356,7 +352,7 @@ const char *options_read(arena *a, int argc, char **argv, options *result) {
         else if (strcmp(word, "--") == 0)
             only_flags = true;
         else if (strncmp(word, "--", 2) == 0)
-            wrong = read_long_option(a, result, word);
+            wrong = read_long_option(a, result, &w, word);
         else if (word[0] == '-' && word[1])
             wrong = read_short_option(a, result, &w, word);
         else
@@ -364,5 +360,6 @@ const char *options_read(arena *a, int argc, char **argv, options *result) {
         if (wrong)
             return wrong;
     }
-    return result->help || result->version ? NULL : check_together(a, result);
+    const bool asks = result->help || result->version || result->explain;
+    return asks ? NULL : check_together(a, result);
 }

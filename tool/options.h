@@ -18,6 +18,7 @@ typedef struct options {
     report_form form;
     bool form_is_given;
     const char *report_file;
+    const char *explain; /* --explain: this reason; NULL: none */
     emit_order order;
     bool order_is_given;
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */

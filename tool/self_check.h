@@ -3,16 +3,19 @@
 #ifndef SELF_CHECK_H
 #define SELF_CHECK_H
 
+#include "emit/emit.h"
 #include "frontend/frontend.h"
 #include "options.h"
 
 /**
  * Parses the output as the sequential program, and where the runtime's header is found also as the
- * parallel one. Returns NULL, or in the arena the first compiler error that the input (which has
- * none) did not have.
+ * parallel one. Sets found[i], for loop i of `written`, to what is wrong with its text: a compiler
+ * error that the input (which has none) did not have, or a name that has got another meaning;
+ * leaves it as it is where nothing is. An error that lies in no loop is each one's. Returns whether
+ * nothing was found. What is found lives in the arena.
  */
-const char *self_check(arena *a, const source *input, const string_list *flags, const char *text,
-                       size_t length);
+bool self_check(arena *a, const ir_unit *input, const string_list *flags,
+                const emit_result *written, reason *found);
 
 /** Why the runtime's header could not be included from the output, in the arena: the flags lead to
  *  another one of its name. NULL: they do not, as far as is known. */

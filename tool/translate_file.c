@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* memmem */
 #include "translate_file.h"
 
 #include <stdio.h>
@@ -52,9 +53,21 @@ static bool has_errors(const frontend_result *parsed) {
 }
 
 static void show_errors(const frontend_result *parsed) {
+    enum { MOST = 20 };
+    unsigned errors = 0;
     for (unsigned i = 0; i < parsed->diagnostic_count; i++)
-        if (parsed->diagnostics[i].is_error)
+        if (parsed->diagnostics[i].is_error && errors++ < MOST)
             fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
+    if (errors > MOST)
+        fprintf(stderr, "redcc: note: %u more errors are not shown\n", errors - MOST);
+}
+
+/** A file that cannot be parsed. */
+static file_outcome fail_to_parse(const source *file, const frontend_result *parsed) {
+    if (memchr(file->text, 0, file->length))
+        return fail(file->path, "is a binary file, not C source; nothing was written");
+    show_errors(parsed);
+    return fail(file->path, "cannot be parsed; nothing was written");
 }
 
 /* ---- pragmas ------------------------------------------------------------------------------- */
@@ -76,7 +89,17 @@ static analysis_options options_of(const options *o) {
     return (analysis_options){.pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
-                              .report_all = o->all};
+                              .report_all = o->all,
+                              .any_order = o->order == EMIT_ORDER_ANY};
+}
+
+/** A name that the program does not give to anything is most likely misspelt. */
+static void show_unknown_pure(const options *o, const source *file, const ir_unit *unit) {
+    for (unsigned i = 0; unit->names && i < o->pure.count; i++)
+        if (!map_get(unit->names, o->pure.items[i], strlen(o->pure.items[i])))
+            fprintf(stderr,
+                    "redcc: warning: --pure=%s: no function of this name is declared in %s\n",
+                    o->pure.items[i], file->path);
 }
 
 static analysis_result judge(arena *a, ir_unit *unit, const options *o,
@@ -163,36 +186,52 @@ static void dump(const ir_unit *unit) {
     buffer_free(&text);
 }
 
-/** Parsing what is written costs as much as parsing the input: a report alone does without. */
-static const char *check_result(arena *a, const source *file, const string_list *flags,
-                                const emit_result *written, bool is_kept) {
-    const char *error = written->text ? NULL : "edits overlap";
-    if (!error && written->loop_count > 0 && is_kept)
-        error = self_check(a, file, flags, written->text, written->length);
-    if (!error)
-        return NULL;
-    return arena_format(a,
-                        "internal error, nothing was written: the result would not compile: %s\n"
-                        "redcc: note: please report this with the source file and the command "
-                        "line",
-                        error);
+/** Refuses the loops whose text is wrong. */
+static analysis_result without_wrong(arena *a, const analysis_result *judged,
+                                     const emit_result *written, const reason *found) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged->verdict_count + 1);
+    for (unsigned i = 0; i < judged->verdict_count; i++)
+        verdicts[i] = judged->verdicts[i];
+    for (unsigned i = 0; i < written->loop_count; i++) {
+        loop_verdict *verdict = &verdicts[written->loops[i].verdict];
+        if (found[i].id == REASON_NONE)
+            continue;
+        verdict->kind = VERDICT_REFUSE;
+        verdict->why = found[i];
+        verdict->why.range = verdict->loop->range;
+    }
+    return (analysis_result){judged->verdict_count, verdicts};
+}
+
+/**
+ * Writes what was judged, and checks it. A loop whose text is wrong is left alone, and the rest is
+ * written again. Parsing what is written costs as much as parsing the input: a report alone does
+ * without.
+ */
+static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
+                                 const emit_options *how, bool is_kept, analysis_result *judged) {
+    for (;;) {
+        const emit_result written = emit_file(a, unit, judged, how);
+        reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
+        if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
+            return written;
+        *judged = without_wrong(a, judged, &written, found);
+    }
 }
 
 static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, ir_unit *unit,
                               const foreign_functions *foreign) {
-    const analysis_result judged =
+    analysis_result judged =
         of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
     const bool is_written = count_verdicts(&judged).transformed > 0;
     const emit_options how = {o->order, o->order_is_given,
                               is_written ? other_runtime_header(a, flags) : NULL};
-    const emit_result written = emit_file(a, unit, &judged, &how);
-    const char *wrong = check_result(a, file, flags, &written, o->output || o->verify);
-    if (wrong)
-        return fail(file->path, wrong);
+    const emit_result written =
+        write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
     const analysis_result final = after_writing(a, unit, &judged, &written, foreign);
     const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
-    wrong = show_report(a, o, &input);
+    const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
         if (!wrong)
@@ -203,6 +242,25 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     if (wrong)
         return fail(NULL, wrong);
     return count_verdicts(&final);
+}
+
+/** Is this a text that redcc wrote? It begins so; what stands before is the user's (a #version line
+ *  of a preprocessor, a comment of a licence tool). */
+static bool is_translated(const source *file) {
+    static const char beginning[] =
+        "#ifdef _OPENMP\n#include <redcc/runtime.h>\nREDCC_REQUIRE_VERSION(";
+    return memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
+}
+
+static file_outcome leave_translated(arena *a, const options *o, const source *file) {
+    fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
+    const ir_unit unit = {.arena = a, .source = file};
+    const analysis_result nothing = {0};
+    const report_input input = {&unit, &nothing, REDCC_VERSION, options_order_word(o->order)};
+    const char *wrong = show_report(a, o, &input);
+    if (!wrong && o->output)
+        wrong = output_write(a, o->output, file->text, file->length);
+    return wrong ? fail(NULL, wrong) : (file_outcome){0};
 }
 
 /** Standard input gets the name that compilers give it: no file can be called so by accident. */
@@ -219,21 +277,22 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
     const source *file = read_input(a, path, &wrong);
     if (!file)
         return fail(NULL, wrong);
+    if (is_translated(file))
+        return leave_translated(a, o, file);
     string_list flags = {0};
     wrong = parser_flags(a, o, path, &flags);
     if (wrong)
         return fail(NULL, wrong);
     const frontend_result parsed = parse(a, file, &flags);
-    if (has_errors(&parsed)) {
-        show_errors(&parsed);
-        return fail(file->path, "cannot be parsed; nothing was written");
-    }
+    if (has_errors(&parsed))
+        return fail_to_parse(file, &parsed);
     if (o->dump_ir)
         dump(parsed.unit);
     if (!o->analyze && !o->output && !o->verify)
         return (file_outcome){0};
     if (show_pragma_errors(a, parsed.unit))
         return (file_outcome){.status = FILE_WRONG_PRAGMA};
+    show_unknown_pure(o, file, parsed.unit);
     return translate(a, o, file, &flags, parsed.unit, foreign);
 }
 

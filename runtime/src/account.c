@@ -6,12 +6,16 @@
 #include "base/trace.h"
 #include "plan/lost.h"
 
+#include <assert.h>
+
 static const char *text_of(enum reason reason) {
     static const char *const texts[] = {
 #define REDCC_REASON(id, text) text,
         REDCC_REASON_LIST(REDCC_REASON)
 #undef REDCC_REASON
     };
+    _Static_assert(sizeof texts / sizeof *texts == REASON_COUNT, "a text for each reason");
+    assert(reason < REASON_COUNT);
     return texts[reason];
 }
 
@@ -174,10 +178,10 @@ static void account_execution(struct execution *execution, double now) {
     statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
     statistics->executed += plan->executed;
     statistics->in_loops += plan->trip;
-    statistics->stages = redcc_plan_stages(plan);
-    statistics->trip = plan->trip;
-    statistics->length = plan->length;
-    statistics->compensated = redcc_lost_bytes(plan) > 0;
+    statistics->last.stages = redcc_plan_stages(plan);
+    statistics->last.trip = plan->trip;
+    statistics->last.length = plan->length;
+    statistics->last.compensated = redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)

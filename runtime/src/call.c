@@ -9,6 +9,8 @@
 #include "base/trace.h"
 #include "settings.h"
 
+#include <assert.h>
+#include <errno.h>
 #include <string.h>
 
 static char *copy_text(const char *text) {
@@ -164,8 +166,10 @@ static struct loop_state *acquire(struct loop_state *state, redcc_loop *loop, bo
 static void release(struct loop_state *state) {
     if (state->temporary)
         state_free(state);
-    else
+    else {
+        assert(atomic_load(&state->busy) == 1);
         atomic_store_explicit(&state->busy, 0, memory_order_release);
+    }
 }
 
 static int serially(struct loop_state *state, enum reason reason) {
@@ -184,7 +188,7 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
-static void take_settings(struct call *call, const struct settings *settings) {
+static void take_settings(struct call *call, const struct settings *settings, int error_before) {
     const redcc_loop *loop = call->request.loop;
     call->method = method_of(settings);
     call->parameter = settings->parameter;
@@ -198,6 +202,7 @@ static void take_settings(struct call *call, const struct settings *settings) {
     call->always_planned = is_always_planned(settings);
     call->entered = redcc_seconds();
     call->float_control = redcc_float_control();
+    call->error_before = error_before;
 }
 
 /* What auto says of this call. */
@@ -282,16 +287,19 @@ static void time_original(const redcc_loop *loop, redcc_int trip) {
 void redcc_sequential_done(redcc_loop *loop) {
     if (original.loop != loop)
         return;
+    const int error = errno;
     const double seconds = redcc_seconds() - original.began;
-    struct loop_state *state = loop->state;
+    struct loop_state *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
     enum reason reason;
     original.loop = NULL;
-    if (!state || !acquire(state, loop, false, &reason))
-        return; /* another thread executes it: what was timed here says little */
-    redcc_tell(&state->chooser,
-               &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
-               REASON_NONE);
-    release(state);
+    if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
+        redcc_tell(
+            &state->chooser,
+            &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
+            REASON_NONE);
+        release(state);
+    }
+    errno = error;
 }
 
 /* ---- enter, join, leave ----------------------------------------------------------------------
@@ -299,6 +307,7 @@ void redcc_sequential_done(redcc_loop *loop) {
 
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     original.loop = NULL;
     const struct settings *settings = redcc_settings();
@@ -324,7 +333,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         release(held);
         return serially(state, reason);
     }
-    take_settings(&execution->call, settings);
+    take_settings(&execution->call, settings, error_before);
     threads = threads_to_ask_for(held, settings, trip, threads, nested);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
@@ -359,6 +368,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
             execution->reason = REASON_TEAM;
         return;
     }
+    assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;
@@ -395,7 +405,10 @@ int redcc_leave(redcc_call *call) {
                       redcc_reuse_keep(&execution->reuse, plan)))
             redcc_plan_free(plan);
     }
+    const int error = done ? redcc_error_of(&execution->run) : 0;
+    const int error_before = execution->call.error_before;
     release(execution->state);
+    errno = error ? error : error_before;
     if (!done && asks_auto)
         time_original(call->loop, trip);
     return done;

@@ -42,7 +42,7 @@ struct thread_state {
     int threads;
     enum stage stage;
     bool telling;               /* the program was handed iterations to tell, in this stage */
-    int node;                   /* where it ran last (node.h); -1: not known */
+    int node;                   /* where it ran last (base/node.h); -1: not known */
     bool moved;                 /* from another one, where it ran at the execution before */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */

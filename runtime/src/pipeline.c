@@ -4,10 +4,12 @@
 
 #include "base/clock.h"
 #include "loop.h"
+#include "plan/check.h"
 
 #include <assert.h>
 
 static enum stage refuse(struct execution *execution, enum reason reason) {
+    assert(reason != REASON_NONE);
     execution->reason = reason;
     if (reason != REASON_DEADLINE) /* how far it came is still to be told */
         execution->inspection.route = ROUTE_SERIAL;
@@ -298,40 +300,50 @@ static enum progress join(struct thread_state *thread, redcc_worker *worker) {
 
 /* ---- plan ------------------------------------------------------------------------------------ */
 
+static struct evidence evidence_of(const struct inspection *inspection) {
+    const struct request *request = &inspection->call->request;
+    return (struct evidence){.partition = &inspection->partition,
+                             .summary = inspection->summaries,
+                             .seen = inspection->seen,
+                             .threads = inspection->call->threads,
+                             .trip = request->trip,
+                             .levels = &inspection->levels,
+                             .every_iteration = request->loop->flags & REDCC_EVERY_ITERATION};
+}
+
 static enum progress prepare(struct thread_state *thread, redcc_worker *worker) {
     (void)worker;
     const struct inspection *inspection = &thread->execution->inspection;
-    const struct call *call = inspection->call;
+    const struct request *request = &inspection->call->request;
+    const struct evidence evidence = evidence_of(inspection);
     struct inspector *inspector = &thread->inspector;
     struct plan *plan = thread->execution->run.plan;
-    const struct evidence evidence = {.partition = &inspection->partition,
-                                      .summary = inspection->summaries,
-                                      .seen = inspection->seen,
-                                      .threads = call->threads,
-                                      .trip = call->request.trip,
-                                      .levels = &inspection->levels,
-                                      .every_iteration =
-                                          (call->request.loop->flags & REDCC_EVERY_ITERATION) != 0};
     inspector->failed =
         !plan->method->prepare(plan, &evidence, thread->thread) ||
         !redcc_copies_take(plan, thread->thread, inspector->seen, inspection->partition.base);
-    if (redcc_is_reusable(&call->request, inspection->sources))
-        redcc_hash_rest(&thread->hasher, call->request.loop, inspection->sources);
+    if (redcc_is_reusable(request, inspection->sources))
+        redcc_hash_rest(&thread->hasher, request->loop, inspection->sources);
     return PROGRESS_MEET;
 }
 
 static enum stage after_prepare(struct execution *execution) {
+    struct plan *plan = execution->run.plan;
     if (redcc_inspection_failed(&execution->inspection)) {
-        redcc_plan_free(execution->run.plan);
+        redcc_plan_free(plan);
         execution->run.plan = NULL;
         return refuse(execution, REASON_NO_MEMORY);
     }
-    redcc_plan_finish(execution->run.plan);
+    redcc_plan_finish(plan);
+#ifndef NDEBUG
+    const struct evidence evidence = evidence_of(&execution->inspection);
+    assert(redcc_plan_is_right(plan, &evidence));
+#endif
     return STAGE_RUN;
 }
 
 /* ---- all of them ----------------------------------------------------------------------------- */
 
+_Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
 static const struct stage_entry {
     enum progress (*each)(struct thread_state *, redcc_worker *);
     enum stage (*then)(struct execution *);
@@ -354,6 +366,7 @@ static enum stage meet(struct thread_state *thread, enum stage (*then)(struct ex
     struct execution *execution = thread->execution;
     if (redcc_barrier_arrive(&execution->barrier, thread->threads)) {
         execution->stage = then(execution);
+        assert(execution->stage < STAGES && (execution->stage != STAGE_OVER || execution->reason));
         redcc_barrier_release(&execution->barrier);
     }
     return execution->stage;
@@ -366,6 +379,7 @@ int redcc_inspect(redcc_worker *worker) {
     while (stages[thread->stage].each) {
         const struct stage_entry *stage = &stages[thread->stage];
         const enum progress progress = stage->each(thread, worker);
+        assert(progress != PROGRESS_PASS || stage->passed != STAGE_OVER);
         thread->telling = progress == PROGRESS_TELL;
         if (thread->telling)
             return 1;
@@ -377,6 +391,7 @@ int redcc_inspect(redcc_worker *worker) {
     }
     if (!thread->runner.plan)
         thread->runner.plan = thread->execution->run.plan;
+    assert(thread->runner.plan);
     return 0;
 }
 

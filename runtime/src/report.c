@@ -112,7 +112,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
             redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
     fprintf(out, ", \"nodes\": %d, \"moves\": %ld", it->nodes, it->moves);
-    fprintf(out, ", \"sum\": \"%s\"", it->compensated ? "compensated" : "plain");
+    fprintf(out, ", \"sum\": \"%s\"", it->last.compensated ? "compensated" : "plain");
     if (it->validated.executions > 0)
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
                 it->validated.broken);
@@ -124,9 +124,9 @@ static void write_loop(FILE *out, const struct reported *loop) {
     const redcc_int tenths = /* of a per mille; the decimal point must not depend on the locale */
         it->in_loops ? (redcc_int)(1e4 * (double)it->executed / (double)it->in_loops + 0.5) : 10000;
     fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
-            it->executed, it->stages);
+            it->executed, it->last.stages);
     fprintf(out, ", \"replication\": %lld.%04lld", tenths / 10000, tenths % 10000);
-    const redcc_int modelled = it->length ? it->trip * 100 / it->length : 100;
+    const redcc_int modelled = it->last.length ? it->last.trip * 100 / it->last.length : 100;
     fprintf(out, ", \"modelled_speedup\": %lld.%02lld, \"fallbacks\": [", modelled / 100,
             modelled % 100);
     write_fallbacks(out, it);
@@ -154,7 +154,7 @@ static bool tell_validation(const struct reported *loop) {
     if (it->broken > 0)
         fprintf(stderr, "; the promise of order %s is BROKEN in %ld of them\n",
                 redcc_order_name(loop->statistics.order), it->broken);
-    else if (loop->statistics.compensated)
+    else if (loop->statistics.last.compensated)
         fputs("; the sums are compensated, those of the sequential loop are not\n", stderr);
     else
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));

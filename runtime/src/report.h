@@ -18,6 +18,14 @@ struct told_reason {
     long count;
 };
 
+/** Of the last execution. */
+struct last_execution {
+    redcc_int stages;
+    redcc_int trip;
+    redcc_int length; /* how long it takes by the schedule, in iterations */
+    bool compensated; /* its sums */
+};
+
 /** What is counted without holding the loop is atomic. */
 struct statistics {
     atomic_long calls;
@@ -38,10 +46,7 @@ struct statistics {
     size_t extra_bytes; /* the most that a plan took */
     redcc_int executed; /* iterations in parallel executions, replicated ones counted */
     redcc_int in_loops; /* and not counted */
-    redcc_int stages;   /* of the last plan */
-    redcc_int trip;     /* of the last execution */
-    redcc_int length;   /* how long it takes by the schedule, in iterations */
-    bool compensated;   /* the last execution's sums */
+    struct last_execution last;
     struct validated validated;
 };
 

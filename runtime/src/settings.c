@@ -98,7 +98,7 @@ static void read_method(const char *value) {
     const size_t length = strcspn(value, ":");
     for (const struct method *const *each = redcc_methods; *each; each++) {
         const struct method *method = *each;
-        if (strlen(method->name) != length || strncmp(method->name, value, length) != 0)
+        if (!redcc_method_is_named(method, value, length))
             continue;
         settings.method = method;
         settings.parameter = method->usual;

@@ -4,6 +4,8 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
+
 static bool has_all(const struct thread_state *thread) {
     return thread->inspector.sources && thread->inspector.nowhere && thread->runner.base &&
            thread->runner.owner && thread->runner.hooks.hook && thread->hasher.fingerprint &&
@@ -66,6 +68,7 @@ bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int 
         return false;
     for (; state->thread_count < count; state->thread_count++) {
         struct thread_state *thread = thread_new(state, loop, state->thread_count);
+        assert(!thread || thread->thread == state->thread_count);
         if (!thread)
             return false;
         state->thread[state->thread_count] = thread;

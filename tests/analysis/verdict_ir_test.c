@@ -190,17 +190,36 @@ static void loop_headers(void **state) {
 
 static void library_finds_all_of_its_kind(void **state) {
     (void)state;
-    static const char *const known[] = {"sqrt",  "sqrtf", "sqrtl", "__builtin_fabs", "abs", "labs",
-                                        "llabs", "trunc", "fmin",  "atan2",          "erf", "hypot",
-                                        "pow",   "log1p", "clz",   "__builtin_ctzll"};
-    static const char *const others[] = {"frexp", "modf", "lgamma", "rand", "sincos",    "f",
-                                         "l",     "",     "absurd", "mall", "__builtin_"};
+    static const char *const known[] = {
+        "sqrt",  "sqrtf", "sqrtl", "__builtin_fabs", "abs",   "labs",           "llabs",          "trunc",
+        "fmin",  "atan2", "erf",   "hypot",          "pow",   "__builtin_clz",  "__builtin_ctzll",
+        "log1p", "cabsf", "fmaxl", "__builtin_inff", "cosh"};
+    static const char *const others[] = {"frexp", "modf",   "lgamma", "rand",  "sincos", "f",
+                                         "l",     "",       "absurd", "mall",  "__builtin_", "clz",
+                                         "absf",  "labsl",  "parity", "exp10", "expectf",    "isnan",
+                                         "inf",   "llabsf", "clzf",   "popcountll"};
+    const ir_unit unit = {0};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-        if (!library_find(known[i]))
+        if (!library_find(&unit, &(ir_function){.name = known[i]}))
             fail_msg("%s", known[i]);
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
-        if (library_find(others[i]))
+        if (library_find(&unit, &(ir_function){.name = others[i]}))
             fail_msg("%s", others[i]);
+}
+
+/* Whose name it is depends on the standard, and on who declares it. */
+static void library_names_are_reserved(void **state) {
+    (void)state;
+    const ir_unit old = {.is_c89 = true}, new = {0};
+    ir_node body = {.kind = IR_BLOCK};
+    assert_non_null(library_find(&old, &(ir_function){.name = "sqrt"}));
+    assert_null(library_find(&old, &(ir_function){.name = "round"}));
+    assert_non_null(library_find(&old, &(ir_function){.name = "round", .is_from_system = true}));
+    assert_non_null(library_find(&new, &(ir_function){.name = "round"}));
+    assert_non_null(library_find(&new, &(ir_function){.name = "exp10", .is_from_system = true}));
+    assert_null(library_find(&new, &(ir_function){.name = "parity", .is_from_system = true}));
+    assert_null(library_find(&new, &(ir_function){.name = "sqrt", .is_renamed = true}));
+    assert_null(library_find(&new, &(ir_function){.name = "sqrt", .body = &body}));
 }
 
 static char *file_text(const char *path) {
@@ -241,6 +260,7 @@ int main(void) {
         cmocka_unit_test(slice_has_what_subscripts_need),
         cmocka_unit_test(loop_headers),
         cmocka_unit_test(library_finds_all_of_its_kind),
+        cmocka_unit_test(library_names_are_reserved),
         cmocka_unit_test(each_reason_is_documented_and_named_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -70,11 +70,16 @@ expect_equal "$case_name" "no-overlap(y, x)" "$(guards -O2)"
 expect_equal "$case_name" "no-overlap(y, s) no-overlap(y, x)" "$(guards -O2 -fno-strict-aliasing)"
 expect_equal "$case_name" "no-overlap(y, x)" "$(guards -fno-strict-aliasing -fstrict-aliasing)"
 for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields -fpack-struct -undef -finput-charset=UTF-8 \
-  -mfpmath=387 -mno-sse2 -fsingle-precision-constant -finstrument-functions -fsanitize=undefined,thread; do
+  -ftrapv -fno-signed-bitfields -fsingle-precision-constant -finstrument-functions -fsanitize=undefined,thread; do
   rm -f report
   REDCC_REPORT=$PWD/report "$redcc_cc" gcc -v $option -c x.c 2>messages || fail "$case_name: $option"
   expect_match messages 'an option that redcc cannot follow'
   expect_no_file report
+done
+for option in -ffast-math -Ofast -fassociative-math -mfpmath=387; do
+  rm -f report
+  REDCC_REPORT=$PWD/report "$redcc_cc" gcc $option -c x.c || fail "$case_name: $option"
+  expect_match report '"slug":"inexact-option"'
 done
 end
 
@@ -100,8 +105,8 @@ for condition in '!defined(__clang__)' 'defined(__GNUC__) && !defined(__clang__)
   build_both gcc
   expect_match report '"verdict":"transformed"' # read once more, with the macros of gcc
 done
-ask 'defined(__FAST_MATH__)'
-build_both gcc -ffast-math
+ask 'defined(__NO_MATH_ERRNO__)'
+build_both gcc -fno-math-errno
 expect_match report '"verdict":"transformed"'
 ask 'defined(__clang__) == (MINE > 2)'
 build_both gcc -DMINE=3

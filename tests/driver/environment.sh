@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The variables REDCC_CC, REDCC_OPTS, REDCC_DISABLE, REDCC_KEEP, REDCC_REPORT, REDCC_ROOT.
+# The variables REDCC_CC, REDCC_OPTS, REDCC_DISABLE, REDCC_KEEP, REDCC_BUILD_REPORT, REDCC_STRICT, REDCC_ROOT.
 . "$(dirname "$0")/library.sh"
 make_root "$work/root"
 export REDCC_ROOT="$work/root"
@@ -73,24 +73,80 @@ expect_match messages "warning: cannot keep"
 unset REDCC_KEEP
 end
 
-begin "REDCC_REPORT"
+begin "REDCC_BUILD_REPORT"
 printf '%s' "$source_text" >x.c
 echo 'int f(void) { return 3; }' >'f f.c'
-export REDCC_REPORT="$PWD/a report"
+export REDCC_BUILD_REPORT="$PWD/a report" REDCC_REPORT="$PWD/of the run"
 "$redcc_cc" -c x.c 'f f.c' || fail "$case_name"
 printf '{"redcc":"fake","file":"x.c","loops":[]}\n{"redcc":"fake","file":"f f.c","loops":[]}\n' >expected
-sort expected >sorted && sort "$REDCC_REPORT" | expect_same sorted /dev/stdin
-rm "$REDCC_REPORT"
+sort expected >sorted && sort "$REDCC_BUILD_REPORT" | expect_same sorted /dev/stdin
+rm "$REDCC_BUILD_REPORT"
 FAKE_STATUS=1 "$redcc_cc" -c x.c
+FAKE_STATUS=7 "$redcc_cc" -c x.c 2>/dev/null
 FAKE_BREAK=1 "$redcc_cc" -c x.c 2>/dev/null
+"$redcc_cc" -c -fwrapv x.c 'f f.c'
+jq -r '"\(.file): \(.loops | length): \(.left_alone)"' "$REDCC_BUILD_REPORT" >actual
+cat >expected <<'END'
+x.c: 0: redcc: x.c:1:1: error: fake trouble
+x.c: 0: redcc failed: x.c:1:1: error: fake trouble
+x.c: 0: its translated text does not compile
+x.c: 0: an option that redcc cannot follow
+f f.c: 0: an option that redcc cannot follow
+END
+expect_same expected actual
+rm "$REDCC_BUILD_REPORT"
 expect_no_file "$REDCC_REPORT"
 for i in $(seq 16); do "$redcc_cc" -c x.c -o "$i.o" & done
 wait
-expect_equal "$case_name: lines" 16 "$(grep -cx '{"redcc":"fake","file":"x.c","loops":\[\]}' "$REDCC_REPORT")"
-expect_equal "$case_name: lines" 16 "$(wc -l <"$REDCC_REPORT")"
-REDCC_REPORT=/proc/nowhere/report "$redcc_cc" -c x.c 2>messages || fail "$case_name"
+expect_equal "$case_name: lines" 16 "$(grep -cx '{"redcc":"fake","file":"x.c","loops":\[\]}' "$REDCC_BUILD_REPORT")"
+expect_equal "$case_name: lines" 16 "$(wc -l <"$REDCC_BUILD_REPORT")"
+REDCC_BUILD_REPORT=/proc/nowhere/report "$redcc_cc" -c x.c 2>messages || fail "$case_name"
 expect_match messages "warning: cannot append"
+unset REDCC_BUILD_REPORT
+"$redcc_cc" -c x.c 2>messages || fail "$case_name: by the run's name"
+expect_match messages "note: the build's report goes to '.*of the run'.*REDCC_BUILD_REPORT=FILE"
+expect_file "$REDCC_REPORT"
 unset REDCC_REPORT
+end
+
+begin "REDCC_STRICT"
+printf '%s' "$source_text" >x.c
+export REDCC_STRICT=1
+"$redcc_cc" x.c -o p 2>messages || fail "$case_name: a build in which all goes well"
+expect_empty messages
+for trouble in "FAKE_STATUS=1" "FAKE_STATUS=2" "FAKE_BREAK=1" "REDCC_OPTS=--bad"; do
+  env "$trouble" "$redcc_cc" -c x.c -o "no.o" 2>messages && fail "$case_name: $trouble"
+  expect_match messages "error: x.c: not translated \(REDCC_STRICT\): "
+  expect_no_file no.o
+done
+"$redcc_cc" -fwrapv -c x.c -o no.o 2>messages && fail "$case_name: -fwrapv"
+expect_match messages "error: x.c: not translated .*an option that redcc cannot follow"
+expect_no_file no.o
+REDCC_STRICT=0 FAKE_STATUS=1 "$redcc_cc" -c x.c 2>messages || fail "$case_name: REDCC_STRICT=0"
+unset REDCC_STRICT
+end
+
+begin "--redcc-summary"
+cat >report <<'END'
+{"redcc":"1","file":"a.c","loops":[{"verdict":"transformed","reason":null},{"verdict":"refused","reason":{"id":"R104","slug":"update-value-used"}}]}
+{"redcc":"1","file":"b.c","loops":[{"verdict":"refused","reason":{"id":"R104","slug":"update-value-used"}},{"verdict":"refused","reason":{"id":"R001","slug":"first"}}]}
+{"redcc":"1","file":"c.c","loops":[],"left_alone":"it has \"verdict\":\"transformed\" in it"}
+END
+"$redcc_cc" --redcc-summary report >actual || fail "$case_name"
+cat >expected <<'END'
+redcc-cc: files: 3, 1 with a loop made parallel, 1 left alone; irregular reductions: 1 parallel, 3 refused
+  refused: R104 update-value-used: 2
+  refused: R001 first: 1
+  left alone: it has "verdict":"transformed" in it: 1
+END
+expect_same expected actual
+echo 'no report' >>report
+"$redcc_cc" --redcc-summary report >actual 2>messages && fail "$case_name: a wrong line"
+expect_match messages "error: report:4: expected a JSON object"
+expect_empty actual
+"$redcc_cc" --redcc-summary nowhere 2>messages && fail "$case_name: no file"
+expect_match messages "cannot read 'nowhere'"
+"$redcc_cc" --redcc-summary 2>messages; expect_equal "$case_name" 2 $?
 end
 
 begin "companions are found from the program's own place"

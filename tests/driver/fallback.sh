@@ -153,12 +153,30 @@ begin "a source with OpenMP in it, and OpenMP off: the pragmas stay asleep"
 { printf '%s' "$source_text"; echo '#pragma omp declare simd'; echo 'int k(int a) { return a; }'; } >x.c
 expect_untranslated
 expect_untranslated -v
-expect_match messages 'mentions OpenMP'
+expect_match messages 'it has OpenMP pragmas'
 "$redcc_cc" -fopenmp x.c -o p || fail "$case_name"
 expect_equal "$case_name" "translated ran" "$(./p | paste -sd' ')"
 { echo '#include "has_omp.h"'; printf '%s' "$source_text"; } >x.c
-printf '#ifdef _OPENMP\n#define NOTHING\n#endif\n' >has_omp.h
-expect_untranslated
+printf '#ifdef _OPENMP\n#define puts(x) puts("other " x)\n#endif\n' >has_omp.h
+expect_untranslated -v
+expect_match messages 'its text is another with OpenMP'
+printf 'int omp_get_max_threads(void);\n' >has_omp.h
+echo '/* omp */' >>has_omp.h
+expect_untranslated -v
+expect_match messages "names of OpenMP's library"
+# ... and what never becomes awake makes no difference
+cat >has_omp.h <<'END'
+/* omp parallel would help here */
+#ifdef USE_OMP
+#include <omp.h>
+#pragma omp parallel for
+#endif
+#ifdef _OPENMP
+#define NOTHING
+#endif
+END
+"$redcc_cc" -v x.c -o p 2>messages || fail "$case_name: a word in dead code"
+expect_equal "$case_name: a word in dead code" "translated ran" "$(./p | paste -sd' ')"
 headers=""
 for header in assert complex ctype errno fenv float inttypes iso646 limits locale math pthread setjmp \
   signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string strings \

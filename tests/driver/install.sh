@@ -78,7 +78,7 @@ complete_with() { # FILE FUNCTION WORDS...: what is offered for the last word
 }
 expect_equal completion json "$(complete_with redcc _redcc redcc --report = j)"
 expect_equal completion --order= "$(complete_with redcc _redcc redcc --or)"
-expect_equal completion --redcc-show "$(complete_with redcc-cc _redcc_cc redcc-cc --redcc-s)"
+expect_equal completion --redcc-show "$(complete_with redcc-cc _redcc_cc redcc-cc --redcc-sh)"
 expect_equal completion render "$(complete_with fabric _fabric fabric re)"
 # what a page or a completion names, the program knows
 "$prefix/bin/redcc" --help >help

@@ -154,7 +154,7 @@ test_package() { # NAME
   rm -rf "$folder"
   mkdir -p "$folder"
   build_with plain "$real_compiler"
-  REDCC_REPORT=$folder/loops.jsonl build_with redcc "$PREFIX/bin/redcc-cc"
+  REDCC_BUILD_REPORT=$folder/loops.jsonl build_with redcc "$PREFIX/bin/redcc-cc"
   check_with plain 1
   for threads in 1 2 4; do
     check_with redcc $threads

@@ -2,6 +2,6 @@
 // The structures of the runtime's header would not be those of its library.
 // FLAGS: -fpack-struct=4
 void kernel(int n, const int *restrict s, double *restrict h, const double *e) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse compiler
+    for (int t = 0; t < n; t++) // EXPECT: refuse option
         h[s[t]] += e[t];
 }

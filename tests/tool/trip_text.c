@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "ir/ir.h"
 
 static const struct type_row {
@@ -77,6 +78,10 @@ static ir_node *zero(arena *a, const ir_type *type) {
     return node;
 }
 
+static const char *plain(arena *a, const char *marked) {
+    return origin_unmark(a, marked, strlen(marked), false, NULL);
+}
+
 static void print_generated(arena *a, unsigned number, const struct type_row *counter,
                             const struct type_row *bound, const struct form *form, bool from_zero) {
     static const struct type_row plain_int = {"int", true, 4};
@@ -92,11 +97,11 @@ static void print_generated(arena *a, unsigned number, const struct type_row *co
     };
     loop_text loop = {.arena = a, .facts = &facts, .counter_type = counter->spelling};
     writer out = {.depth = 1};
-    const char *entry = write_trip_count(&loop, &out);
+    const char *entry = plain(a, write_trip_count(&loop, &out));
     printf("static redcc_int generated_%u(%s from, %s to, redcc_int *last) {\n", number,
            counter->spelling, bound->spelling);
     printf("%s    (void)from;\n    *last = redcc__final;\n    return %s ? redcc__trip : 0;\n}\n",
-           writer_text(a, &out), entry);
+           plain(a, writer_text(a, &out)), entry);
     if (loop.obstacle)
         printf("#error %s\n", loop.obstacle);
 }

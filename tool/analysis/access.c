@@ -138,10 +138,22 @@ static void walk_unary(access_walk *w, const ir_node *node) {
     }
 }
 
+/* May the loop be left in the midst of its iterations? */
+static bool is_left_early(const ir_node *node, bool by_break) {
+    if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
+        return true;
+    const bool breaks_inside = by_break && !ir_is_loop(node) && node->kind != IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_left_early(node->children[i], breaks_inside))
+            return true;
+    return false;
+}
+
 static void walk_for(access_walk *w, const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
-    bool is_certain = counted_constant(node, &counter, &first, &last);
+    bool is_certain =
+        counted_constant(node, &counter, &first, &last) && !is_left_early(node->children[3], true);
     access_walk_node(w, node->children[0]);
     access_walk_node(w, node->children[1]);
     w->condition_depth += is_certain ? 0 : 1;

@@ -105,9 +105,17 @@ static bool is_reachable(const alias_rules *rules, const ir_variable *object,
     return variable_escapes(rules->facts, object);
 }
 
+/* A pointer's promise holds while its block is executed (C17 6.7.3.1p2): of one that the body
+ * declares, for an iteration. */
+static bool promises_for_one_iteration(const alias_rules *rules, const ir_variable *pointer) {
+    const ir_node *declarator = variable_fact_of(rules->facts, pointer)->declarator;
+    return rules->loop && declarator && ir_contains(rules->loop, declarator);
+}
+
 static const ir_variable *restricted_pointer(const alias_rules *rules, const location *l) {
     if (l->pointer && l->pointer->kind == IR_VARIABLE &&
-        variable_is_restricted(rules->facts, l->pointer->variable))
+        variable_is_restricted(rules->facts, l->pointer->variable) &&
+        !promises_for_one_iteration(rules, l->pointer->variable))
         return l->pointer->variable;
     return NULL;
 }
@@ -128,8 +136,11 @@ static bool is_constant(const location *l) {
     return type && (type->is_const || l->object->type->is_const) && !type->is_volatile;
 }
 
-overlap locations_overlap(const alias_rules *rules, const location *a, const location *b) {
-    if (a->is_string || b->is_string || is_constant(a) || is_constant(b))
+/* `types_hold`: neither gives the memory another effective type before the other is made. */
+static overlap compare(const alias_rules *rules, const location *a, const location *b,
+                       bool types_hold) {
+    if (a->is_string || b->is_string || a->is_of_locale || b->is_of_locale || is_constant(a) ||
+        is_constant(b))
         return OVERLAP_NO;
     if (a->object && b->object) {
         if (a->object != b->object)
@@ -146,7 +157,7 @@ overlap locations_overlap(const alias_rules *rules, const location *a, const loc
     bool same_pointers_known = (a->object || a->pointer) && (b->object || b->pointer);
     if (same_pointers_known && restrict_parts(rules, a, b))
         return OVERLAP_NO;
-    if (rules->strict_aliasing && !a->has_union && !b->has_union &&
+    if (rules->strict_aliasing && types_hold && !a->has_union && !b->has_union &&
         !types_may_overlap(a->type, b->type))
         return OVERLAP_NO;
     if (record_fields_part(a, b))
@@ -154,4 +165,13 @@ overlap locations_overlap(const alias_rules *rules, const location *a, const loc
     if (rules->assume_noalias && same_pointers_known)
         return OVERLAP_NO;
     return OVERLAP_MAYBE;
+}
+
+overlap locations_overlap(const alias_rules *rules, const location *a, const location *b) {
+    return compare(rules, a, b, true);
+}
+
+overlap locations_overlap_store(const alias_rules *rules, const location *read,
+                                const location *store) {
+    return compare(rules, read, store, read->object || store->object);
 }

@@ -60,7 +60,9 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
                    .prover = prover,
                    .facts = facts,
                    .effects = effects_new(a, unit, options, facts),
-                   .rules = {facts, unit->strict_aliasing, options->assume_noalias},
+                   .rules = {.facts = facts,
+                             .strict_aliasing = unit->strict_aliasing,
+                             .assume_noalias = options->assume_noalias},
                    .text = unit_text_new(a, unit),
                    .pragmas = &pragmas};
     loop_search loops = {.an = &an};

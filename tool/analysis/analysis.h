@@ -100,6 +100,13 @@ typedef enum source_extent {
     EXTENT_TOUCHED    /* the inspector tells it, at the place of `row` in the slice */
 } source_extent;
 
+/** Iterations in which the counter does not stand so to `bound`, compared as numbers, do not read.
+ */
+typedef struct counter_limit {
+    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, NOT_EQUAL */
+    const ir_node *bound;   /* loop-invariant integer; evaluating it reads no memory */
+} counter_limit;
+
 /** Something read that may overlap a reduction array, or decides its subscripts. */
 typedef struct loop_source {
     const char *name;    /* "x", "s->x" */
@@ -111,6 +118,13 @@ typedef struct loop_source {
                              inspector can compute &row; it and what it needs are in the slice */
     bool is_subscript;    /* its contents decide which elements are touched */
     bool needs_guard;     /* may overlap a reduction array as far as the analysis knows */
+    bool is_sometimes; /* read in some iterations only: its address may have no meaning in others,
+                          and is computed as a number (row_address.h knows it, unless TOUCHED) */
+    bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
+                          all bounds there: both ends are to be computed with checks (exact.h) */
+    bool is_ahead; /* EXTENT_TOUCHED: a condition inside of `place` decides whether it is read */
+    unsigned limit_count; /* EXTENT_AFFINE, is_checked */
+    const counter_limit *limits;
 } loop_source;
 
 typedef struct private_variable {
@@ -159,6 +173,7 @@ typedef struct loop_facts {
     ir_function *function;
     counted_loop counted;
     bool counter_is_live_after;
+    bool sets_errno;           /* mathematical functions are called that set it where they fail */
     bool has_short_iterations; /* a few of them are not worth asking the runtime */
     unsigned array_count;
     const reduction_array *arrays;
@@ -220,6 +235,7 @@ typedef struct analysis_options {
     const char *const *pure; /* --pure: the user's word */
     bool assume_noalias;     /* --assume-noalias */
     bool report_all;         /* --all: NOT_A_REDUCTION verdicts too */
+    bool any_order;          /* --order=any: other bits will do */
 } analysis_options;
 
 typedef struct analysis_result {

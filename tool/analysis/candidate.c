@@ -24,14 +24,14 @@ bool candidate_is_tiny(const ir_node *loop) {
     return counted_constant(loop, &counter, &first, &last) && last - first < TINY;
 }
 
-bool candidate_is_short(const ir_node *body) {
+bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
     if (ir_is_loop(body) && !candidate_is_tiny(body))
         return false;
     const ir_node *callee = body->kind == IR_CALL ? body->children[0] : NULL;
-    if (callee && (callee->kind != IR_FUNCTION || !library_find(callee->function->name)))
+    if (callee && (callee->kind != IR_FUNCTION || !library_find(unit, callee->function)))
         return false;
     for (unsigned i = 0; i < body->child_count; i++)
-        if (!candidate_is_short(body->children[i]))
+        if (!candidate_is_short(unit, body->children[i]))
             return false;
     return true;
 }

@@ -10,7 +10,7 @@ bool candidate_is_tiny(const ir_node *loop);
 
 /** Is an iteration's work that of a few statements: no loops but tiny ones, no calls but of the C
  *  library's mathematics? */
-bool candidate_is_short(const ir_node *body);
+bool candidate_is_short(const ir_unit *unit, const ir_node *body);
 
 /** Do the elements that an iteration updates depend on the loop's counter, by subscripts or by
  *  conditions? Otherwise (repetitions, time steps) all iterations update the same, and there is

@@ -22,7 +22,7 @@ struct effects {
     const analysis_options *options;
     variable_facts *facts;
     summary *summaries;       /* by function id */
-    const char **local_names; /* of all automatic variables, sorted */
+    const char **local_names; /* of all functions' own variables, sorted */
     unsigned local_name_count;
 };
 
@@ -50,8 +50,12 @@ static int compare_names(const void *a, const void *b) {
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Could a local variable somewhere stand in front of the global one? */
+/* Could something of a function, a variable, enumerator or type, stand in front of the global one?
+ */
 static bool is_shadowed(const effects *all, const ir_variable *global) {
+    if (all->unit->inner_names &&
+        map_get(all->unit->inner_names, global->name, strlen(global->name)))
+        return true;
     return bsearch(&global->name, all->local_names, all->local_name_count,
                    sizeof all->local_names[0], compare_names) != NULL;
 }
@@ -60,7 +64,10 @@ static void collect_local_names(effects *all) {
     const ir_unit *unit = all->unit;
     all->local_names = ARENA_ARRAY(all->memory, const char *, unit->variable_count + 1);
     for (unsigned i = 0; i < unit->variable_count; i++)
-        if (unit->variables[i]->name && variable_is_automatic(unit->variables[i]))
+        if (unit->variables[i]->name &&
+            (variable_is_automatic(unit->variables[i]) ||
+             unit->variables[i]->storage == IR_STATIC_LOCAL ||
+             (unit->variables[i]->storage == IR_THREAD_LOCAL && unit->variables[i]->function)))
             all->local_names[all->local_name_count++] = unit->variables[i]->name;
     qsort(all->local_names, all->local_name_count, sizeof all->local_names[0], compare_names);
 }
@@ -210,6 +217,12 @@ static const ir_node *search_element(rewriting *r, const access *item) {
     element->range = item->lvalue->range;
     element->children[0] = item->lvalue->children[0];
     element->children[1] = (ir_node *)start;
+    const ir_type *cursor = item->lvalue->children[1]->type;
+    if (!start->type || !ir_type_equal(start->type, cursor)) {
+        element->children[1] = ir_new(r->all->memory, IR_CAST, cursor, 1);
+        element->children[1]->range = start->range;
+        element->children[1]->children[0] = (ir_node *)start;
+    }
     r->is_exact = true;
     const ir_node *result = rewrite(r, element);
     return r->is_exact ? result : NULL;
@@ -247,6 +260,12 @@ static void summarise_access(effects *all, const ir_function *function, const ac
     if (where.object && item->kind != ACCESS_READ) {
         access_problem problem = {REASON_IMPURE_CALL, item->node, function->name};
         VECTOR_PUSH(all->memory, &result->problems, problem);
+        return;
+    }
+    if (where.is_of_locale) {
+        kept.lvalue = where.base;
+        kept.is_exact = false;
+        VECTOR_PUSH(all->memory, &result->items, kept);
         return;
     }
     rewriting r = {all, function, raw, item->is_exact, 0};
@@ -324,6 +343,13 @@ static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
 /* Without side effects by attribute or by the user's word: what may it read? */
 static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
+    if (library_is_locale_table(call))
+        return;
+    if (!by_user && library_tells_of_thread(function)) {
+        const bool is_errno = strcmp(function->name, "__errno_location") == 0;
+        access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
+        return;
+    }
     w->list->has_floating_work = w->list->has_unrepeatable_work = true;
     if (function->is_attribute_const)
         return;
@@ -351,6 +377,18 @@ static bool walk_memory_call(access_walk *w, const ir_node *call) {
     return true;
 }
 
+/* Are all globals in it declared where the call stands? */
+static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
+    const ir_declared *declared = lvalue->kind == IR_VARIABLE ? lvalue->variable->declared : NULL;
+    if (declared && !declared->file && declared->offset > call->range.begin &&
+        !variable_is_automatic(lvalue->variable))
+        return false;
+    for (unsigned i = 0; i < lvalue->child_count; i++)
+        if (!is_declared_before(lvalue->children[i], call))
+            return false;
+    return true;
+}
+
 static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
     const ir_function *function = call->children[0]->function;
     effects *all = w->all;
@@ -370,7 +408,8 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         item.callee = function;
         if (item.lvalue) {
             item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
-            item.is_exact = item.is_exact && expression_is_plain(item.lvalue);
+            item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&
+                            is_declared_before(item.lvalue, call);
         }
         if (item.from) {
             item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
@@ -401,7 +440,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     }
     const ir_function *function = callee->function;
     bool by_user = is_named_pure(w->all, function);
-    const library_function *library = function->is_renamed ? NULL : library_find(function->name);
+    const library_function *library = library_find(w->all->unit, function);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call, function->name);
     } else if (function->body && !function->is_weak) {
@@ -421,6 +460,8 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         walk_library_call(w, call, library);
     } else if (function->is_attribute_const || function->is_attribute_pure) {
         walk_pure_call(w, call, false);
+    } else if (function->is_interposable) {
+        access_problem_add(w, REASON_INTERPOSED, call, function->name);
     } else if (!walk_memory_call(w, call)) {
         access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
     }

@@ -28,8 +28,9 @@ bool expression_same(const ir_node *a, const ir_node *b) {
         a->variable != b->variable || a->function != b->function || a->field != b->field ||
         ((a->flags ^ b->flags) & IR_ARROW) || a->kind == IR_OPAQUE)
         return false;
-    if ((a->kind == IR_NUMBER || a->kind == IR_STRING || a->kind == IR_SIZEOF) &&
-        !same_text(a->text, b->text))
+    if (a->kind == IR_SIZEOF) /* without a value: its text may mean another type elsewhere */
+        return false;
+    if ((a->kind == IR_NUMBER || a->kind == IR_STRING) && !same_text(a->text, b->text))
         return false;
     if (a->kind == IR_CAST && !ir_type_equal(a->type, b->type))
         return false;

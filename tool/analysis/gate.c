@@ -100,6 +100,8 @@ static bool has_macro(const ir_node *node) {
 bool judge_text(judgement *j) {
     const source *s = j->an->unit->source;
     const ir_node *loop = j->loop;
+    if (j->an->unit->refusing_option)
+        return judgement_refuse(j, REASON_OPTION, loop, j->an->unit->refusing_option);
     if (j->function->has_errors)
         return judgement_refuse(j, REASON_ERRORS, loop, j->function->name);
     if (loop->flags & IR_FROM_MACRO)
@@ -174,6 +176,14 @@ static bool reads_errno(const ir_node *node) {
     return false;
 }
 
+/* Whoever called the function may look at it as well. */
+static bool file_reads_errno(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body && reads_errno(unit->functions[i]->body))
+            return true;
+    return false;
+}
+
 /* An update whose value is used: what is done with it hardly matters. */
 static bool judge_values(judgement *j) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
@@ -209,7 +219,9 @@ bool judge_accesses(judgement *j) {
         const access_problem *p = &j->found.problems.items[0];
         return judgement_refuse(j, p->why, p->node, p->name);
     }
-    if (j->found.may_set_errno && reads_errno(j->function->body))
+    if (j->found.has_floating_work && j->an->unit->inexact_option && !j->an->options->any_order)
+        return judgement_refuse(j, REASON_INEXACT_OPTION, j->loop, j->an->unit->inexact_option);
+    if (j->found.may_set_errno && j->an->unit->math_errno && file_reads_errno(j->an->unit))
         return judgement_refuse(j, REASON_ERRNO, j->loop, j->found.errno_setter);
     j->access_count = j->found.items.count;
     j->accesses = ARENA_ARRAY(j->an->memory, judged_access, j->access_count + 1);

@@ -2,6 +2,7 @@
 /* What the inspector does: the slice of rows and touched sources, the sources in the order of
  * reading, the key, and whether all of that tells when a plan may be used again. */
 #include "analysis/bases.h"
+#include "analysis/executed.h"
 #include "analysis/expression.h"
 #include "analysis/slice.h"
 #include "analysis/sources.h"
@@ -120,9 +121,10 @@ static void add_source(judgement *j, const loop_source *item) {
         loop_source *other = &j->sources.items[i];
         if (other->extent != item->extent || !expression_same(other->row, item->row) ||
             !stays_until(j, item->row, other->place, item->place) ||
-            other->is_subscript != item->is_subscript)
+            other->is_subscript != item->is_subscript || !source_ends_equal(other, item))
             continue;
         other->needs_guard |= item->needs_guard;
+        other->is_ahead |= item->is_ahead;
         return;
     }
     VECTOR_PUSH(j->an->memory, &j->sources, *item);

@@ -2,6 +2,7 @@
 #include "analysis/location.h"
 
 #include "analysis/expression.h"
+#include "analysis/library.h"
 
 enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
 
@@ -59,8 +60,23 @@ static location member_location(const question *q, const ir_node *node, unsigned
     return l;
 }
 
+/* (*__ctype_b_loc())[c], and *__ctype_b_loc() itself: of the C library, in no object of ours. */
+static location locale_location(const ir_node *table) {
+    return (location){.is_of_locale = true, .is_inexact = true, .base = table};
+}
+
+static bool is_locale_table(const ir_node *node) {
+    return node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE &&
+           library_is_locale_table(node->children[0]);
+}
+
 static location lvalue_location(const question *q, const ir_node *node, unsigned depth) {
     location l;
+    if (is_locale_table(node)) {
+        l = locale_location(node);
+        l.type = node->type;
+        return l;
+    }
     switch (node->kind) {
     case IR_VARIABLE:
         l = (location){.object = node->variable, .base = node};
@@ -126,6 +142,8 @@ static bool is_result(const ir_node *value) {
 
 static location pointed_location(const question *q, const ir_node *node, unsigned depth) {
     location l;
+    if (is_locale_table(node))
+        return locale_location(node);
     if (node->type && node->type->kind == IR_ARRAY) {
         l = lvalue_location(q, node, depth);
         add_step(&l, NULL, NULL, NULL);

@@ -23,9 +23,11 @@ typedef struct location {
     const ir_type *type;    /* what is accessed */
     unsigned step_count;
     location_step steps[8];
-    bool is_inexact; /* steps end where the rest is not known: more steps, casts */
-    bool is_punned;  /* a cast to another pointer type lies between */
-    bool is_string;  /* a string literal: nothing can overlap it that is written */
+    bool is_inexact;   /* steps end where the rest is not known: more steps, casts */
+    bool is_punned;    /* a cast to another pointer type lies between */
+    bool is_of_locale; /* a table of the C library that classifies characters: the program reads it
+                        */
+    bool is_string;    /* a string literal: nothing can overlap it that is written */
     bool has_union, has_bit_field;
 } location;
 

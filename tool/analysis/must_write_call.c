@@ -18,25 +18,26 @@ typedef struct known_function {
     const char *name;
     unsigned access_count;
     known_access accesses[2];
+    bool is_gnu; /* the name is the program's, unless the system declares it */
 } known_function;
 
-/* C17 7.12 and 7.24; sincos is GNU's. None keeps an address; memcpy, memmove, memset and mempcpy
- * give a pointer into their first argument back. */
+/* C17 7.12 and 7.24, and some of GNU's and POSIX'. None keeps an address; memcpy, memmove, memset
+ * and mempcpy give a pointer into their first argument back. */
 static const known_function known_functions[] = {
-    {"memset", 1, {{true, 0, 0, 2}}},
-    {"memcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}},
-    {"memmove", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}},
-    {"mempcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}},
-    {"memcmp", 2, {{false, 0, 0, 2}, {false, 1, 0, 2}}},
-    {"bzero", 1, {{true, 0, 0, 1}}},
-    {"sincos", 2, {{true, 1, 8, 0}, {true, 2, 8, 0}}},
-    {"sincosf", 2, {{true, 1, 4, 0}, {true, 2, 4, 0}}},
-    {"frexp", 1, {{true, 1, 4, 0}}},
-    {"frexpf", 1, {{true, 1, 4, 0}}},
-    {"modf", 1, {{true, 1, 8, 0}}},
-    {"modff", 1, {{true, 1, 4, 0}}},
-    {"remquo", 1, {{true, 2, 4, 0}}},
-    {"remquof", 1, {{true, 2, 4, 0}}},
+    {"memset", 1, {{true, 0, 0, 2}}, false},
+    {"memcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}, false},
+    {"memmove", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}, false},
+    {"mempcpy", 2, {{false, 1, 0, 2}, {true, 0, 0, 2}}, true},
+    {"memcmp", 2, {{false, 0, 0, 2}, {false, 1, 0, 2}}, false},
+    {"bzero", 1, {{true, 0, 0, 1}}, true},
+    {"sincos", 2, {{true, 1, 8, 0}, {true, 2, 8, 0}}, true},
+    {"sincosf", 2, {{true, 1, 4, 0}, {true, 2, 4, 0}}, true},
+    {"frexp", 1, {{true, 1, 4, 0}}, false},
+    {"frexpf", 1, {{true, 1, 4, 0}}, false},
+    {"modf", 1, {{true, 1, 8, 0}}, false},
+    {"modff", 1, {{true, 1, 4, 0}}, false},
+    {"remquo", 1, {{true, 2, 4, 0}}, false},
+    {"remquof", 1, {{true, 2, 4, 0}}, false},
 };
 
 /* __builtin_memcpy and __builtin___memcpy_chk, as fortified headers call it, are memcpy. */
@@ -51,12 +52,17 @@ static bool is_called(const char *name, const char *plain) {
     return strcmp(name, plain) == 0;
 }
 
+/* Names that C reserves, or, of GNU's, that the compiler reserves or a header of the system has. */
+static bool is_of_library(const ir_function *function, const known_function *known) {
+    return !known->is_gnu || function->is_from_system || strncmp(function->name, "__", 2) == 0;
+}
+
 static const known_function *find_known(const ir_function *function) {
-    if (function->body != NULL || function->is_static)
+    if (function->body != NULL || function->is_static || function->is_renamed)
         return NULL;
     for (size_t i = 0; i < sizeof known_functions / sizeof known_functions[0]; i++)
         if (is_called(function->name, known_functions[i].name))
-            return &known_functions[i];
+            return is_of_library(function, &known_functions[i]) ? &known_functions[i] : NULL;
     return NULL;
 }
 
@@ -139,7 +145,7 @@ static call_summary *find_summary(must_write *prover, const ir_function *functio
 /* Why the body cannot be interpreted with these arguments; NULL: it can. */
 static const char *find_obstacle(const ir_function *function, unsigned count,
                                  const value *arguments, unsigned depth) {
-    if (function->body == NULL)
+    if (function->body == NULL || function->is_weak)
         return "it is passed to a function whose body is not known";
     if (function->has_errors)
         return "it is passed to a function that has errors";

@@ -56,19 +56,30 @@ static bool is_known(const judgement *j, const ir_variable *variable) {
     return variable == j->counted.counter;
 }
 
-/* Of a record that the loop only reads each thread may have a copy, as of a scalar. */
+/* Of a record or scalar that the loop only reads each thread may have a copy, unless the loop asks
+ * for its address: `if (entry[t] == &deleted)`. */
 static bool may_be_copied(const judgement *j, const ir_variable *variable) {
+    if (variable_written_in(j->an->facts, j->loop, variable))
+        return false;
     if (variable->type->kind != IR_RECORD)
         return ir_type_is_scalar(variable->type);
-    return !variable->address_taken && variable->storage != IR_THREAD_LOCAL &&
-           !variable_written_in(j->an->facts, j->loop, variable);
+    return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
+}
+
+/* The address of this thread's own object, which other threads would not name by it. */
+static bool takes_thread_local_address(const judgement *j, const ir_variable *variable) {
+    return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
+           variable_written_in(j->an->facts, j->loop, variable);
 }
 
 static bool capture(ir_node *node, void *context) {
     judgement *j = context;
     ir_variable *variable = node->variable;
-    if (node->kind != IR_VARIABLE || !variable || is_known(j, variable) ||
-        !may_be_copied(j, variable))
+    if (node->kind != IR_VARIABLE || !variable || is_known(j, variable))
+        return true;
+    if (takes_thread_local_address(j, variable))
+        return judgement_refuse(j, REASON_THREAD_LOCAL, node, variable->name);
+    if (!may_be_copied(j, variable))
         return true;
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     if (!declarator || !ir_contains(j->loop, declarator))
@@ -84,5 +95,5 @@ bool judge_privates(judgement *j) {
     ir_walk((ir_node *)j->counted.bound, capture, j);
     j->counter_is_live_after = !j->counted.counter_is_declared_in_header &&
                                variable_is_live_after(j->an->facts, j->loop, j->counted.counter);
-    return true;
+    return j->why.id == REASON_NONE;
 }

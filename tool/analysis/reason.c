@@ -50,8 +50,16 @@ static const char *const advices[REASON_COUNT] = {
                            "#pragma redcc pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
     [REASON_CALLEE_READS] = "define the function in this file, or say #pragma redcc pure(NAME)",
+    [REASON_INTERPOSED] =
+        "make it static, hide it (-fvisibility=hidden), or say that what takes its "
+        "place does the same (-fno-semantic-interposition)",
+    [REASON_THREAD_STATE] = "call it before the loop",
+    [REASON_INEXACT_OPTION] =
+        "compile this file without the option, or give up the bits: --order=any",
     [REASON_IN_MACRO] = "write the loop and its updates out",
     [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
+    [REASON_BINDING] = "give one of the two another name",
+    [REASON_INTERNAL] = "please report this with the source file and the command line",
     [REASON_EXISTING_OPENMP] = "remove the directive to have the loop translated",
 };
 

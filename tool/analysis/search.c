@@ -59,6 +59,13 @@ static bool returns(const ir_node *statement, const ir_variable *cursor) {
     return value && value->kind == IR_VARIABLE && value->variable == cursor;
 }
 
+/* Counted up far enough it comes to the end of all memory, or has no meaning; a narrower one would
+ * begin again at 0. */
+static bool cannot_wrap(const ir_type *cursor) {
+    return cursor->kind == IR_INTEGER &&
+           (cursor->size == 8 || (cursor->is_signed && cursor->size >= 4));
+}
+
 const ir_node *search_start(const ir_function *function, const ir_node *read) {
     const ir_node *body = function->body;
     const ir_node *subscript = read->kind == IR_INDEX ? read->children[1] : NULL;
@@ -66,7 +73,8 @@ const ir_node *search_start(const ir_function *function, const ir_node *read) {
         return NULL;
     const ir_variable *cursor = subscript->variable;
     const ir_node *loop = body->children[body->child_count - 2];
-    if (cursor->storage != IR_LOCAL || cursor->address_taken ||
+    if (cursor->storage != IR_LOCAL || cursor->address_taken || !cannot_wrap(cursor->type) ||
+        !ir_type_equal(function->type->target, cursor->type) ||
         !returns(body->children[body->child_count - 1], cursor) || !only_counts_up(loop, cursor) ||
         count_writes(body, cursor) != 1)
         return NULL;

@@ -11,6 +11,7 @@
 
 #include <string.h>
 
+#include "analysis/exact.h"
 #include "analysis/expression.h"
 #include "analysis/forward.h"
 
@@ -309,8 +310,21 @@ static bool has_own_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
 }
 
+/* x[t - 1] where t is 0: its address, of no iteration that reads it, would make the extent reach
+ * over all memory. Its condition is worth some work. */
+static bool is_wild(const slicer *s, const ir_node *node) {
+    const ir_variable *counter = s->j->counted.counter;
+    if (node->type && node->type->kind == IR_INTEGER)
+        return exact_may_wrap(node, counter) && exact_may_fall_below(node, counter);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_wild(s, node->children[i]))
+            return true;
+    return false;
+}
+
 static void keep_for_touch(slicer *s, const slice_touch *touch) {
-    bool is_safe = slice_is_safe_here(s->j, touch->row, true);
+    const bool is_safe = slice_is_safe_here(s->j, touch->row, true);
+    const bool is_wanted = !is_safe || is_wild(s, touch->row);
     const ir_variable *counter;
     int64_t first, last;
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop && !s->obstacle;
@@ -323,7 +337,7 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
-        if (!try_to_keep(s, outer, true) && !is_safe && !try_to_keep(s, outer, false))
+        if (!try_to_keep(s, outer, true) && is_wanted && !try_to_keep(s, outer, false) && !is_safe)
             fail(s, outer);
     }
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;
@@ -341,9 +355,8 @@ static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *j
     if (node->id > jump->id && s->keep[node->id]) {
         if (has_own_condition(node))
             return false;
-        for (unsigned i = 0; is_simple && i < node->child_count; i++)
-            if (!slice_is_safe_here(s->j, node->children[i], false))
-                return false;
+        if (is_simple && !slice_is_safe_here(s->j, node, false))
+            return false;
     }
     if (is_simple)
         return true;

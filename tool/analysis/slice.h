@@ -31,7 +31,12 @@ bool slice_can_tell(const judgement *j, const ir_node *row, const ir_node *node,
 /** The statement or declarator of the body around `node`; NULL: it stands in the loop's header. */
 const ir_node *slice_place(const judgement *j, const ir_node *node);
 
-/** May this expression be evaluated where the program did not: no loads, calls or divisions? */
+/** Does a condition within the statement `place` decide whether it comes to `node`? */
+bool slice_is_ahead(const ir_node *node, const ir_node *place);
+
+/** May this expression be evaluated where the program did not: no loads, no calls, nothing that may
+ *  trap or have no meaning (divisions, conversions of floating values, shifts)? Overflow of signed
+ *  sums and products is left to who writes it: emit/unconditional.c. */
 bool slice_is_safe_anywhere(const ir_node *row);
 
 /** The same, in the loop: loads are allowed that each iteration makes in any case. `as_address`:

@@ -8,7 +8,10 @@
 #include <string.h>
 
 #include "analysis/bases.h"
+#include "analysis/exact.h"
+#include "analysis/executed.h"
 #include "analysis/expression.h"
+#include "analysis/row_address.h"
 #include "analysis/update_array.h"
 #include "analysis/variation.h"
 
@@ -75,10 +78,10 @@ static bool is_fixed_base(const judgement *j, const ir_node *base) {
                : variation_is_fixed(j->an->facts, j->loop, base);
 }
 
-/* Is the address of `row` computed before the loop without reading memory that the program would
- * not have read: by variables alone, or by pointers that each iteration reads anyway? */
+/* Is the address of `row` computed before the loop without doing what the program would not have
+ * done: by variables alone, or in each iteration anyway? */
 static bool is_safe_before(const judged_access *read, const ir_node *row) {
-    return !read->access.is_conditional || !expression_has_load(row, true);
+    return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
 static bool can_be_spelled(const judgement *j, const ir_node *row) {
@@ -93,39 +96,105 @@ static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) 
     return of_contents || row->flags & IR_ARROW ? NULL : row->children[0];
 }
 
+static bool may_fall_below(const row_address *address, const ir_variable *counter) {
+    for (unsigned i = 0; i < address->term_count; i++)
+        if (exact_may_wrap(address->terms[i].subscript, counter) &&
+            exact_may_fall_below(address->terms[i].subscript, counter))
+            return true;
+    return false;
+}
+
+static bool may_wrap(const row_address *address, const ir_variable *counter) {
+    for (unsigned i = 0; i < address->term_count; i++)
+        if (exact_may_wrap(address->terms[i].subscript, counter))
+            return true;
+    return false;
+}
+
+static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) {
+    if (row->type && row->type->kind == IR_INTEGER)
+        return exact_may_wrap(row, counter);
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (subscripts_may_wrap(row->children[i], counter))
+            return true;
+    return false;
+}
+
+/* The ends of a row that moves one way. In iterations that do not read it the subscript may be
+ * anything: `x[t - 1]` where t is 0. Where that is likely and no condition on the counter says
+ * which iterations these are, the inspector finds what is read (`can_be_told`). */
+static bool plan_affine(const judgement *j, const judged_access *read, bool can_be_told,
+                        source_plan *plan) {
+    const ir_variable *counter = j->counted.counter;
+    loop_source *item = &plan->source;
+    row_address address;
+    const bool is_known = row_address_of(item->row, &address);
+    item->extent = EXTENT_AFFINE;
+    item->is_sometimes = read->access.is_conditional;
+    item->is_checked = item->is_sometimes || (is_known ? may_wrap(&address, counter)
+                                                       : subscripts_may_wrap(item->row, counter));
+    if (item->is_checked && !is_known)
+        return false;
+    if (item->is_sometimes)
+        item->limit_count = executed_limits(j, read->access.node, &item->limits);
+    return !item->is_sometimes || item->limit_count || !can_be_told ||
+           !may_fall_below(&address, counter);
+}
+
+/* Where the row lies is known before the inspection. */
+static bool plan_known(const judgement *j, const judged_access *read, bool can_be_told,
+                       source_plan *plan) {
+    row_address address;
+    plan->is_possible = true;
+    plan->source.extent = EXTENT_INVARIANT;
+    plan->source.is_sometimes = read->access.is_conditional;
+    if (is_invariant_row(j, plan->source.row))
+        return !plan->source.is_sometimes || row_address_of(plan->source.row, &address);
+    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_told, plan);
+}
+
+/* The inspector tells where the row lies. */
+static source_plan plan_touched(const judgement *j, const judged_access *read, loop_source item,
+                                bool of_contents) {
+    const ir_node *node = read->access.node;
+    const ir_node *place = slice_place(j, node);
+    item.extent = EXTENT_TOUCHED;
+    item.place = place;
+    item.is_ahead = place && slice_is_ahead(node, place);
+    const bool is_safe = item.base
+                             ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
+                             : !of_contents && update_table_of(j, read->where.base);
+    return (source_plan){is_safe && slice_can_tell(j, item.row, node, place), item};
+}
+
+/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
+ * ones only. The object may end there. */
+static bool may_reach_beyond(const judged_access *read, const ir_node *row) {
+    return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
+           row->children[0]->kind == IR_CAST;
+}
+
 source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
     source_plan plan = {0};
-    if (!read->access.lvalue || !read->access.is_exact || !read->where.base)
+    if (!read->access.lvalue || !read->access.is_exact || !read->where.base ||
+        read->where.is_of_locale)
         return plan;
     const ir_node *row = extent_of_bit_field(access_extent(read->access.lvalue), of_contents);
     if (!row || !can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
+        return plan;
+    if (of_contents && may_reach_beyond(read, row))
         return plan;
     const ir_node *base = read->where.base;
     bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
     plan.source = (loop_source){.name = expression_text(j->an->memory, base),
                                 .base = base_is_fixed ? base : NULL,
                                 .row = row};
+    const source_plan touched = plan_touched(j, read, plan.source, of_contents);
     bool is_certain = !of_contents || !read->access.is_conditional;
-    if (is_certain && is_safe_before(read, row) && !has_moving_load(j, row)) {
-        if (is_invariant_row(j, row)) {
-            plan.source.extent = EXTENT_INVARIANT;
-            plan.is_possible = true;
-            return plan;
-        }
-        if (is_affine_row(j, row)) {
-            plan.source.extent = EXTENT_AFFINE;
-            plan.is_possible = true;
-            return plan;
-        }
-    }
-    const ir_node *place = slice_place(j, read->access.node);
-    plan.source.extent = EXTENT_TOUCHED;
-    plan.source.place = place;
-    const bool is_safe = base_is_fixed
-                             ? !read->access.is_conditional || base_can_be_read_before(j, base)
-                             : !of_contents && update_table_of(j, base);
-    plan.is_possible = is_safe && slice_can_tell(j, row, read->access.node, place);
-    return plan;
+    if (is_certain && is_safe_before(read, row) && !has_moving_load(j, row) &&
+        plan_known(j, read, touched.is_possible, &plan))
+        return plan;
+    return touched;
 }
 
 /* `k = find(...);` in a block: the variable, and the statement after, where it has its value. */
@@ -216,6 +285,39 @@ static bool is_unreachable(const judgement *j, const location *where) {
     return is_inside || !variable_escapes(j->an->facts, object);
 }
 
+/* Is the lvalue read whenever the expression is evaluated? */
+static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
+    if (expression_same(expression, lvalue))
+        return true;
+    const bool is_partly = expression->kind == IR_CONDITIONAL ||
+                           (expression->kind == IR_BINARY &&
+                            (expression->op == IR_OP_AND || expression->op == IR_OP_OR));
+    if (expression->kind == IR_SIZEOF || expression->kind == IR_OPAQUE)
+        return false;
+    for (unsigned i = 0; i < (is_partly ? 1 : expression->child_count); i++)
+        if (is_read_by(lvalue, expression->children[i]))
+            return true;
+    return false;
+}
+
+/* Does the update read the element, as what it is, before it writes it? Then the element is of that
+ * type already, and nothing that is read before as another. */
+static bool reads_first(const judgement *j, const access *update) {
+    const update_form *form = &update->form;
+    if (update->kind == ACCESS_UPDATE && form->has_operator)
+        return true;
+    if (update->callee)
+        return false;
+    if (update->kind == ACCESS_UPDATE && form->value && is_read_by(form->target, form->value))
+        return true;
+    for (unsigned i = 0; i < j->updates.count; i++) {
+        const ir_node *statement = j->updates.items[i].statement;
+        if (statement->kind == IR_IF && ir_contains(statement, update->node))
+            return is_read_by(update->lvalue, statement->children[0]);
+    }
+    return false;
+}
+
 /* Against every update of the array: they may be of different fields. */
 static overlap overlap_with_array(const judgement *j, const judged_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
@@ -223,7 +325,9 @@ static overlap overlap_with_array(const judgement *j, const judged_access *read,
         const judged_access *update = &j->accesses[i];
         if (update->class != CLASS_REDUCTION || update->array != array)
             continue;
-        overlap meets = locations_overlap(&j->an->rules, &read->where, &update->where);
+        overlap meets = reads_first(j, &update->access)
+                            ? locations_overlap(&j->an->rules, &read->where, &update->where)
+                            : locations_overlap_store(&j->an->rules, &read->where, &update->where);
         if (meets > worst)
             worst = meets;
     }

@@ -19,8 +19,8 @@ static bool is_steady(const ir_type *type) {
 
 static bool keeps_steps(const ir_type *from, const ir_type *to) {
     return from && from->kind == IR_INTEGER && is_steady(to) &&
-           (from->size == 8 || from->size < to->size ||
-            (from->size == to->size && from->is_signed == to->is_signed));
+           (from->size < to->size ||
+            (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
 }
 
 /* Does the index grow by one with the counter, which itself does not wrap around? */

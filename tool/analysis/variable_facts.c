@@ -44,7 +44,9 @@ static bool note_occurrence(ir_node *node, void *context) {
     }
     if (node->kind == IR_DECLARATOR && node->variable) {
         variable_fact *fact = &all->facts[node->variable->id];
-        fact->declarator = node;
+        /* `extern int x;` in a block only names it there, in several functions perhaps */
+        if (node->variable->storage != IR_GLOBAL)
+            fact->declarator = node;
         if (node->child_count) {
             VECTOR_PUSH(all->memory, &fact->writes, node);
             fact->write_count++;
@@ -129,7 +131,8 @@ static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_
     if (callee->kind != IR_FUNCTION)
         return true;
     if (!callee->function->body)
-        return !is_memory_function(callee->function->name) || ir_value_is_used(call);
+        return callee->function->is_renamed || !is_memory_function(callee->function->name) ||
+               ir_value_is_used(call);
     for (unsigned i = 1; i < call->child_count; i++)
         if (call->children[i] == argument)
             return i - 1 >= callee->function->parameter_count ||

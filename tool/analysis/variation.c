@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/variation.h"
 
+#include "analysis/exact.h"
 #include "analysis/expression.h"
 
 bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir_node *expression) {
@@ -63,7 +64,7 @@ static affine_form affine_of_binary(const ir_node *node, affine_form a, affine_f
     case IR_OP_SUBTRACT:
         sum.multiple = a.multiple - b.multiple;
         return sum;
-    case IR_OP_MULTIPLY:
+    default: /* a product */
         if (a_invariant && b_invariant)
             return sum;
         if (expression_constant(node->children[1], &constant) && a.is_known)
@@ -73,8 +74,6 @@ static affine_form affine_of_binary(const ir_node *node, affine_form a, affine_f
         else
             sum.is_known = false;
         return a_invariant || b_invariant ? sum : none;
-    default:
-        return a_invariant && b_invariant ? sum : none;
     }
 }
 
@@ -86,15 +85,17 @@ affine_form variation_affine(variable_facts *facts, const ir_node *loop, const i
     if (variation_is_invariant(facts, loop, expression) &&
         !expression_mentions(expression, counter))
         return (affine_form){true, true, 0};
-    if (expression->kind == IR_BINARY) {
-        affine_form a = variation_affine(facts, loop, counter, expression->children[0]);
-        affine_form b = variation_affine(facts, loop, counter, expression->children[1]);
-        affine_form result = affine_of_binary(expression, a, b);
-        if (result.is_known && (result.multiple > INT32_MAX || result.multiple < -INT32_MAX))
-            return none;
-        return result;
-    }
-    return none;
+    if (!exact_is_operation(expression))
+        return none;
+    affine_form result = variation_affine(facts, loop, counter, expression->children[0]);
+    if (expression->kind == IR_BINARY)
+        result = affine_of_binary(expression, result,
+                                  variation_affine(facts, loop, counter, expression->children[1]));
+    else if (expression->kind == IR_UNARY && expression->op == IR_OP_MINUS)
+        result.multiple = -result.multiple;
+    if (result.is_known && (result.multiple > INT32_MAX || result.multiple < -INT32_MAX))
+        return none;
+    return result;
 }
 
 /* ---- irregular ------------------------------------------------------------------------------ */

@@ -18,7 +18,8 @@ typedef struct affine_form {
     int64_t multiple;
 } affine_form;
 
-/** In the loop's own counter alone; looks through nothing. */
+/** In the loop's own counter alone; looks through nothing. It is the number that is affine: C's
+ * value is that number only where no operation wraps around (exact.h). */
 affine_form variation_affine(variable_facts *facts, const ir_node *loop, const ir_variable *counter,
                              const ir_node *expression);
 

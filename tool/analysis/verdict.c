@@ -182,7 +182,8 @@ static loop_facts *finish_facts(judgement *j) {
     if (j->why.id != REASON_NONE)
         return facts;
     facts->counter_is_live_after = j->counter_is_live_after;
-    facts->has_short_iterations = candidate_is_short(j->counted.body);
+    facts->sets_errno = j->found.may_set_errno && j->an->unit->math_errno;
+    facts->has_short_iterations = candidate_is_short(j->an->unit, j->counted.body);
     facts->updates = j->updates.items;
     facts->update_count = j->updates.count;
     facts->scalars = j->scalars.items;
@@ -215,13 +216,12 @@ static bool judge_header(judgement *j) {
     return true;
 }
 
-/* With what the user says of this loop alone. */
+/* With what holds of this loop alone, and what the user says of it. */
 static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
-    if (!pragma_above(an->pragmas, loop, PRAGMA_INDEPENDENT))
-        return an;
     analyser *own = ARENA_NEW(an->memory, analyser);
     *own = *an;
-    own->rules.assume_noalias = true;
+    own->rules.loop = loop;
+    own->rules.assume_noalias |= pragma_above(an->pragmas, loop, PRAGMA_INDEPENDENT) != NULL;
     return own;
 }
 

@@ -184,11 +184,12 @@ static bool compile(session *s, const translation *t, word_list *words) {
     if (same)
         show_attempt(s, &made);
     else if (made.status == 0)
-        session_explain(s, "%s: compiled as it is: the compiler would find other headers",
-                        t->source->text);
+        session_leave_alone(s, t->source->text, "the compiler would find other headers");
     else if (made.error)
         words_add(s->memory, &s->regrets, t->source->text);
     translation_keep(s, t, same, made.status == 0 ? NULL : made.error);
+    if (made.status != 0 && made.error)
+        session_leave_alone(s, t->source->text, "its translated text does not compile");
     return same;
 }
 

@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-#include "driver/options.h"
 #include "driver/words.h"
+#include "support/compiler_options.h"
 
 typedef enum input_kind {
     INPUT_NOT,     /**< an option */

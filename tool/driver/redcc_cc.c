@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "driver/build.h"
+#include "driver/build_report.h"
 #include "driver/files.h"
 #include "driver/temporary.h"
 
@@ -24,11 +25,12 @@ static const char help_text[] =
     "Usage: redcc-cc [COMPILER] ARGUMENTS...\n"
     "Compiles C as COMPILER does ($REDCC_CC, else cc), irregular reduction loops made parallel.\n"
     "ARGUMENTS are the compiler's; its own --help and --version are reached by these names.\n"
-    "  --redcc-show     print the commands that would run, run nothing\n"
-    "  --redcc-help     print this\n"
-    "  --redcc-version  print the version of redcc-cc\n"
-    "Environment: REDCC_CC, REDCC_OPTS, REDCC_DISABLE=1, REDCC_KEEP=DIR, REDCC_REPORT=FILE,\n"
-    "REDCC_ROOT=PREFIX. The manual page redcc-cc(1) explains them.\n";
+    "  --redcc-show          print the commands that would run, run nothing\n"
+    "  --redcc-summary FILE  print what the build's report in FILE comes to\n"
+    "  --redcc-help          print this\n"
+    "  --redcc-version       print the version of redcc-cc\n"
+    "Environment: REDCC_CC, REDCC_OPTS, REDCC_DISABLE=1, REDCC_KEEP=DIR, REDCC_BUILD_REPORT=FILE,\n"
+    "REDCC_STRICT=1, REDCC_ROOT=PREFIX. The manual page redcc-cc(1) explains them.\n";
 
 static int enter(void) {
     const char *value = getenv(depth_variable);
@@ -118,7 +120,7 @@ static bool misses_input(const command *c) {
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
         return "no C source";
-    if (s->command.meaning & OPTION_GIVE_UP)
+    if (s->command.meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
         return "an option that redcc cannot follow";
     if (s->real.is_foreign)
         return "the compiler is for another machine";
@@ -158,9 +160,11 @@ static _Noreturn void run(session *s) {
     if (is_disabled() || probe || !(s->command.compiles || s->command.links) ||
         (!s->show && misses_input(&s->command)))
         session_become_compiler(s);
+    session_read_environment(s);
     const char *why = general_obstacle(s);
-    if (why && s->command.c_count > 0)
-        session_explain(s, "compiled as it is: %s", why);
+    for (unsigned i = 0; why && i < s->command.count; i++)
+        if (s->command.items[i].kind == INPUT_C)
+            session_leave_alone(s, s->command.items[i].text, why);
     bool translates = !why && is_complete(s);
     if (!translates && !build_can_add_runtime(s))
         session_become_compiler(s);
@@ -180,6 +184,12 @@ static _Noreturn void run(session *s) {
 }
 
 int main(int argc, char **argv) {
+    if (argc > 1 && strcmp(argv[1], "--redcc-summary") == 0) {
+        if (argc == 3)
+            return build_report_summarise(argv[2], stdout);
+        fputs("redcc-cc: error: --redcc-summary wants one FILE, the build's report\n", stderr);
+        return 2;
+    }
     session s;
     memset(&s, 0, sizeof s);
     s.memory = arena_new();

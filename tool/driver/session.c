@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "driver/build_report.h"
 #include "driver/files.h"
 #include "driver/temporary.h"
 
@@ -89,6 +90,31 @@ void session_explain(const session *s, const char *format, ...) {
     va_start(values, format);
     say("note", format, values);
     va_end(values);
+}
+
+void session_read_environment(session *s) {
+    const char *strict = getenv("REDCC_STRICT");
+    s->strict = strict && *strict && strcmp(strict, "0") != 0;
+    bool by_run;
+    s->report = build_report_file(&by_run);
+    if (by_run)
+        fprintf(stderr,
+                "redcc-cc: note: the build's report goes to '%s', which REDCC_REPORT names for "
+                "runs; REDCC_BUILD_REPORT=FILE keeps the two apart\n",
+                s->report);
+}
+
+void session_leave_alone(session *s, const char *file, const char *why) {
+    if (s->show)
+        return;
+    if (s->report && !build_report_append_left_alone(file, why, s->report))
+        session_warn(s, "cannot append to '%s'", s->report);
+    if (!s->strict) {
+        session_explain(s, "%s: compiled as it is: %s", file, why);
+        return;
+    }
+    fprintf(stderr, "redcc-cc: error: %s: not translated (REDCC_STRICT): %s\n", file, why);
+    session_end(s, 1);
 }
 
 static void name_regrets(const session *s) {

@@ -18,6 +18,8 @@ typedef struct session {
     bool contracts;     /**< order any: the compiler may fuse multiply and add */
     bool show;          /**< --redcc-show: print what would run, run nothing */
     bool verbose;       /**< -v */
+    bool strict;        /**< $REDCC_STRICT: a source that would be left alone ends the build */
+    const char *report; /**< where the build's report goes; NULL: nowhere */
     const char *folder; /**< for temporaries; NULL before there is one */
     const char *input;  /**< what standard input held, in a file; NULL where it is no source */
     unsigned attempts;  /**< made so far: their files are numbered */
@@ -26,6 +28,9 @@ typedef struct session {
 
 /** Reads $REDCC_OPTS into the session. */
 void session_read_options(session *s);
+
+/** Reads into the session where the build's report goes, and whether the build is strict. */
+void session_read_environment(session *s);
 
 /** Prints a command and returns 0 under --redcc-show; else runs it (process_run). A command line
  *  too long for the system goes through a response file. */
@@ -37,6 +42,10 @@ void session_warn(const session *s, const char *format, ...) __attribute__((form
 /** The same, for what is worth telling only to who asked for it by -v. */
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/** A C source is compiled as it is, for this reason: says so to who asked for it by -v, and in the
+ *  build's report. Under $REDCC_STRICT an error, which ends the process with status 1. */
+void session_leave_alone(session *s, const char *file, const char *why);
 
 /** Removes the temporaries and ends the process as `status` (process_run's) says, or as a signal
  *  that came in the meantime. Where all went well in the end, names the sources whose translated

@@ -7,10 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "driver/build_report.h"
 #include "driver/dependencies.h"
 #include "driver/files.h"
 #include "driver/identity.h"
-#include "driver/report_log.h"
+#include "driver/openmp.h"
 
 static const char *environment(const char *name) {
     const char *value = getenv(name);
@@ -76,13 +77,14 @@ static outcome try_translator(session *s, const translation *t) {
     if (status == 1 || status < 0) {
         /* most often the source has an error, which the compiler is about to show; or the parser
          * came to its end with it */
-        session_explain(s, "%s: compiled as it is: redcc: %s", t->source->text,
-                        first_line(s, messages));
+        session_leave_alone(s, t->source->text,
+                            arena_format(s->memory, "redcc: %s", first_line(s, messages)));
         return OUTCOME_FAILED;
     }
     if (status != 0) {
-        session_warn(s, "%s: compiled as it is: redcc failed: %s", t->source->text,
-                     first_line(s, messages));
+        const char *why = arena_format(s->memory, "redcc failed: %s", first_line(s, messages));
+        session_warn(s, "%s: compiled as it is: %s", t->source->text, why);
+        session_leave_alone(s, t->source->text, why);
         return OUTCOME_FAILED;
     }
     return file_equal(s->memory, t->file, t->text) ? OUTCOME_UNCHANGED : OUTCOME_CHANGED;
@@ -131,14 +133,28 @@ static word_list files_of(session *s, const translation *t) {
     return files;
 }
 
+/* A text without these words is the same with OpenMP: the preprocessor need not be asked. (A pragma
+ * of OpenMP may be put together by the program's own _Pragma; glibc's are for warnings.) */
+static bool may_mention_openmp(session *s, const word_list *files) {
+    word_list own = {0};
+    for (unsigned i = 0; i < files->count; i++)
+        if (strncmp(files->items[i], "/usr/include/", 13) != 0)
+            words_add(s->memory, &own, files->items[i]);
+    return dependencies_mention(s->memory, files, "omp") ||
+           dependencies_mention(s->memory, files, "_OPENMP") ||
+           dependencies_mention(s->memory, &own, "_Pragma");
+}
+
 /* What the source or a header of its says that the translated text would be given another meaning
  * by; NULL: nothing. */
 static const char *sensitive_word(session *s, const translation *t) {
     const word_list files = files_of(s, t);
-    bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
-    if (openmp_is_off && (dependencies_mention(s->memory, &files, "omp") ||
-                          dependencies_mention(s->memory, &files, "_OPENMP")))
-        return "it mentions OpenMP, which is off (-fopenmp turns it on)";
+    const bool openmp_is_off = !(s->command.meaning & OPTION_OPENMP);
+    if (openmp_is_off && may_mention_openmp(s, &files)) {
+        const char *why = openmp_would_change(s, t->source, t->folder);
+        if (why)
+            return why;
+    }
     if (s->real.is_clang && dependencies_mention(s->memory, &files, "__BASE_FILE__"))
         return "it uses __BASE_FILE__, which would name a temporary";
     return NULL;
@@ -222,12 +238,14 @@ translation translate(session *s, const item *source, unsigned number) {
     t.file = t.is_input ? s->input : source->text;
     t.folder = arena_format(s->memory, "%s/%u", s->folder, number);
     struct stat about;
-    if (!t.is_input && stat(t.file, &about) == 0 && !S_ISREG(about.st_mode))
-        return t; /* a pipe can be read but once */
+    if (!t.is_input && stat(t.file, &about) == 0 && !S_ISREG(about.st_mode)) {
+        session_leave_alone(s, t.file, "it is no regular file, which could be read twice");
+        return t;
+    }
     if (!s->show && mkdir(t.folder, 0700) != 0)
         return t;
     t.text = temporary(s, &t, t.is_input ? "stdin.c" : path_base(source->text));
-    if (environment("REDCC_REPORT"))
+    if (s->report)
         t.report = arena_format(s->memory, "%s.json", t.text);
     outcome result = try_translator(s, &t);
     const char *why = result == OUTCOME_CHANGED ? obstacle(s, &t) : NULL;
@@ -236,7 +254,7 @@ translation translate(session *s, const item *source, unsigned number) {
     if (result != OUTCOME_FAILED && wants_remarks(s))
         file_show(temporary(s, &t, "translator"), stderr);
     if (why)
-        session_explain(s, "%s: compiled as it is: %s", source->text, why);
+        session_leave_alone(s, source->text, why);
     if (why || result == OUTCOME_FAILED)
         t.report = NULL;
     if (why || result != OUTCOME_CHANGED)
@@ -341,12 +359,11 @@ static const char *kept_path(session *s, const char *folder, const translation *
 }
 
 void translation_keep(session *s, const translation *t, bool used, const char *messages) {
-    const char *log = environment("REDCC_REPORT");
     const char *folder = environment("REDCC_KEEP");
     if (s->show)
         return;
-    if (log && t->report && (used || !t->text) && !report_log_append(s->memory, t->report, log))
-        session_warn(s, "cannot append to '%s'", log);
+    if (t->report && (used || !t->text) && !build_report_append(s->memory, t->report, s->report))
+        session_warn(s, "cannot append to '%s'", s->report);
     if (!folder || !t->text)
         return;
     const char *path = kept_path(s, folder, t);

@@ -9,6 +9,7 @@
 
 #include "emit/edit.h"
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "emit/print.h"
 #include "emit/syntax.h"
 
@@ -270,18 +271,8 @@ static void drop_increment(body_copy *copy) {
                   "");
 }
 
-/** What the edits put in, one piece a line. */
-static const char *changes_text(arena *a, const edit_list *list) {
-    buffer out = {0};
-    for (unsigned i = 0; i < list->edits.count; i++)
-        buffer_format(&out, "%s\n", list->edits.items[i].text);
-    const char *text = arena_copy(a, out.length > 0 ? out.data : "", out.length);
-    buffer_free(&out);
-    return text;
-}
-
-/** The body's text; in *changes what of it is not the user's. */
-static const char *copied_text(body_copy *copy, const char **changes) {
+/** The body's text, what of it is the user's marked. */
+static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
     const ir_node *body = loop->facts->counted.body;
     const source *text = loop->unit->source;
@@ -300,7 +291,7 @@ static const char *copied_text(body_copy *copy, const char **changes) {
     if (copy->is_guarded)
         guard_updates(copy);
     if (is_printed(copy, body))
-        return *changes = printed_text(copy, body);
+        return printed_text(copy, body);
 
     drop_increment(copy);
     for (unsigned i = 0; i < copy->printed.count; i++) {
@@ -309,12 +300,11 @@ static const char *copied_text(body_copy *copy, const char **changes) {
                       printed_text(copy, statement));
     }
     buffer out = {0};
-    if (!edit_apply(&out, text->text, body->range.begin, syntax_statement_end(text, body),
-                    &copy->edits))
+    if (!edit_apply_marked(&out, text->text, body->range.begin, syntax_statement_end(text, body),
+                           &copy->edits))
         loop_obstacle(loop, body->range, "the changes to its text overlap");
     const char *result = arena_copy(loop->arena, out.data ? out.data : "", out.length);
     buffer_free(&out);
-    *changes = changes_text(loop->arena, &copy->edits);
     return result;
 }
 
@@ -338,14 +328,16 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
 static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
-    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
+    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+                origin_declarator(loop->arena, counter),
                 body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
                 loop->counter_type, loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const private_variable *item = &facts->privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
-        writer_line(out, "__typeof__(%s) %s%s;", item->variable->name, item->variable->name,
+        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
+                    origin_declarator(loop->arena, item->variable),
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))");
     }
     declare_forwards(loop, out, false);
@@ -364,15 +356,11 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
         check_updates(loop);
     declare_variables(loop, out);
     write_neutral_operands(loop, out);
-    const char *changes = "";
-    const char *text = copied_text(&copy, &changes);
+    const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
-    const size_t begin = out->out.length;
     buffer_text(&out->out, text);
-    const text_span span = {begin, out->out.length, changes};
-    VECTOR_PUSH(loop->arena, &loop->copies, span);
     buffer_format(&out->out, "\n%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "ir/ir_position.h"
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
@@ -51,12 +52,13 @@ static const char *runtime_type(const reduction_array *array) {
 static const char *unit_text(loop_text *loop, unsigned number) {
     const reduction_array *array = &loop->facts->arrays[number];
     if (array->unit <= array->element->size)
-        return arena_format(loop->arena, "sizeof(%s)", array->element->spelling);
+        return arena_format(loop->arena, "sizeof(%s)", origin_type(loop->arena, array->element));
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
         const reduction_update *update = &loop->facts->updates[i];
         if (update->array == number && update->row->type->size == array->unit &&
             update->row->type->spelling)
-            return arena_format(loop->arena, "sizeof(%s)", update->row->type->spelling);
+            return arena_format(loop->arena, "sizeof(%s)",
+                                origin_type(loop->arena, update->row->type));
     }
     return arena_format(loop->arena, "%lld", (long long)array->unit);
 }
@@ -70,8 +72,8 @@ static void write_arrays(loop_text *loop, writer *out) {
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
         writer_line(out, "    {%s, %s, %s, sizeof(%s), %s}%s",
                     text_quoted(loop->arena, array->name), operator_name(array),
-                    runtime_type(array), array->element->spelling, unit_text(loop, i),
-                    i + 1 < count ? "," : "};");
+                    runtime_type(array), origin_type(loop->arena, array->element),
+                    unit_text(loop, i), i + 1 < count ? "," : "};");
     }
 }
 
@@ -143,7 +145,7 @@ void fill_key(loop_text *loop, writer *out) {
         default: /* the bits, not the value rounded to an integer */
             writer_line(out, "{");
             writer_line(out, "    %s%s redcc__value = %s;", key->type->is_const ? "" : "const ",
-                        key->type->spelling, text);
+                        origin_type(loop->arena, key->type), text);
             writer_line(out, "    redcc__key[%u] = 0;", i + 1);
             writer_line(out,
                         "    __builtin_memcpy(&redcc__key[%u], &redcc__value, "
@@ -155,13 +157,17 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-/** What an iteration leaves beside its updates must be there, also if it makes none. */
-static bool needs_every_iteration(const loop_facts *facts) {
+static bool has_values_beside(const loop_facts *facts) {
     return facts->scalar_count > 0 || has_sought_values(facts);
 }
 
+/** What an iteration leaves beside its updates must be there, also if it makes none. */
+static bool needs_every_iteration(const loop_facts *facts) {
+    return has_values_beside(facts) || facts->sets_errno;
+}
+
 static bool needs_order(const loop_facts *facts) {
-    if (needs_every_iteration(facts))
+    if (has_values_beside(facts))
         return true;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].order_is_kept)

@@ -3,6 +3,8 @@
 
 #include <stdlib.h>
 
+#include "emit/origin.h"
+
 void edit_replace(arena *a, edit_list *list, uint32_t begin, uint32_t end, const char *text) {
     const edit item = {begin, end, text, list->edits.count};
     VECTOR_PUSH(a, &list->edits, item);
@@ -35,7 +37,12 @@ static bool are_disjoint_and_inside(const edit_list *list, uint32_t begin, uint3
     return begin <= end;
 }
 
-bool edit_apply(buffer *out, const char *text, uint32_t begin, uint32_t end, edit_list *list) {
+static void append_plainly(buffer *out, const char *text, uint32_t begin, uint32_t end) {
+    buffer_append(out, text + begin, end - begin);
+}
+
+static bool apply(buffer *out, const char *text, uint32_t begin, uint32_t end, edit_list *list,
+                  void (*keep)(buffer *, const char *, uint32_t, uint32_t)) {
     if (list->edits.count > 0)
         qsort(list->edits.items, list->edits.count, sizeof *list->edits.items, compare_edits);
     if (!are_disjoint_and_inside(list, begin, end))
@@ -43,10 +50,19 @@ bool edit_apply(buffer *out, const char *text, uint32_t begin, uint32_t end, edi
     uint32_t copied = begin;
     for (unsigned i = 0; i < list->edits.count; i++) {
         const edit *item = &list->edits.items[i];
-        buffer_append(out, text + copied, item->begin - copied);
+        keep(out, text, copied, item->begin);
         buffer_text(out, item->text);
         copied = item->end;
     }
-    buffer_append(out, text + copied, end - copied);
+    keep(out, text, copied, end);
     return true;
+}
+
+bool edit_apply(buffer *out, const char *text, uint32_t begin, uint32_t end, edit_list *list) {
+    return apply(out, text, begin, end, list, append_plainly);
+}
+
+bool edit_apply_marked(buffer *out, const char *text, uint32_t begin, uint32_t end,
+                       edit_list *list) {
+    return apply(out, text, begin, end, list, origin_copy);
 }

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "emit/edit.h"
 #include "emit/loop.h"
 #include "ir/ir_position.h"
 
@@ -16,19 +15,6 @@ static const char reserved_prefix[] = "redcc__";
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
-}
-
-/** Each LF that has no CR gets one. */
-static const char *with_crlf(arena *a, const char *text) {
-    buffer out = {0};
-    for (const char *c = text; *c; c++) {
-        if (*c == '\n' && (c == text || c[-1] != '\r'))
-            buffer_byte(&out, '\r');
-        buffer_byte(&out, *c);
-    }
-    const char *result = arena_copy(a, out.data ? out.data : "", out.length);
-    buffer_free(&out);
-    return result;
 }
 
 static bool mentions(const source *s, const char *word) {
@@ -88,20 +74,68 @@ static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
     return NULL;
 }
 
-/** Adds the edit for one loop; false, with *why set, where it cannot be written. */
-static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
-                     const emit_options *options, const char *obstacle, edit_list *edits,
-                     reason *why) {
-    if (obstacle) {
-        *why = (reason){.message = obstacle, .range = verdict->loop->range};
+typedef VECTOR(written_loop) loop_list;
+
+static bool overlaps_another(const loop_list *loops, ir_range range) {
+    for (unsigned i = 0; i < loops->count; i++)
+        if (range.begin < loops->items[i].replaced.end &&
+            loops->items[i].replaced.begin < range.end)
+            return true;
+    return false;
+}
+
+static bool is_around(const ir_unit *unit, const ir_function *function, const ir_declared *tag,
+                      ir_range loop) {
+    if (tag->file)
+        return true;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *other = unit->functions[i];
+        if (other != function && other->body && tag->offset >= other->body->range.begin &&
+            tag->offset < other->body->range.end)
+            return false;
+    }
+    return tag->offset < loop.begin;
+}
+
+/** A type that the text written needs and that is not declared around the loop; NULL: none. */
+static const ir_type *missing_type(const ir_unit *unit, const ir_function *function,
+                                   const written_loop *loop) {
+    for (unsigned i = 0; i < loop->origins.items.count; i++) {
+        const ir_type *type = loop->origins.items.items[i].type;
+        const ir_type *bottom = type;
+        while (bottom && bottom->target)
+            bottom = bottom->target;
+        if (bottom && bottom->tag && !is_around(unit, function, bottom->tag, loop->replaced))
+            return type;
+    }
+    return NULL;
+}
+
+/** Adds the text of one loop; false, with *why set, where it cannot be written. */
+static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
+                     const emit_options *options, loop_list *loops, reason *why) {
+    written_loop loop = {.verdict = number};
+    const char *marked = write_loop(a, unit, verdict->facts, options, &loop.replaced, why);
+    if (!marked)
+        return false;
+    if (overlaps_another(loops, loop.replaced)) {
+        *why = (reason){.message = "another loop's text is part of its own",
+                        .range = verdict->loop->range};
         return false;
     }
-    ir_range replaced;
-    const char *text = write_loop(a, unit, verdict->facts, options, &replaced, why);
-    if (!text)
+    loop.text = origin_unmark(a, marked, strlen(marked), has_crlf(unit->source), &loop.origins);
+    const ir_type *missing = missing_type(unit, verdict->facts->function, &loop);
+    if (missing) {
+        const char *message = arena_format(
+            a, "it needs the type '%s', which is not declared around it", missing->spelling);
+        *why = (reason){.message = message, .range = verdict->loop->range};
         return false;
-    edit_replace(a, edits, replaced.begin, replaced.end,
-                 has_crlf(unit->source) ? with_crlf(a, text) : text);
+    }
+    VECTOR_PUSH(a, loops, loop);
+    unsigned at = loops->count - 1; /* by their place */
+    for (; at > 0 && loops->items[at - 1].replaced.begin > loop.replaced.begin; at--)
+        loops->items[at] = loops->items[at - 1];
+    loops->items[at] = loop;
     return true;
 }
 
@@ -113,34 +147,49 @@ static bool has_floating_slice(const analysis_result *analysis) {
     return false;
 }
 
-static void add_prelude(arena *a, const ir_unit *unit, bool may_contract, edit_list *edits) {
-    const bool has_mark = strncmp(unit->source->text, byte_order_mark, 3) == 0;
-    const char *text = prelude(a, unit, may_contract);
-    edit_insert(a, edits, has_mark ? 3 : 0, has_crlf(unit->source) ? with_crlf(a, text) : text);
+/** The whole file; sets the places of the loops in it. */
+static void join(arena *a, const ir_unit *unit, bool may_contract, loop_list *loops,
+                 emit_result *result) {
+    const source *s = unit->source;
+    const char *head = prelude(a, unit, may_contract);
+    uint32_t copied = strncmp(s->text, byte_order_mark, 3) == 0 ? 3 : 0;
+    buffer out = {0};
+    buffer_append(&out, s->text, copied);
+    buffer_text(&out, origin_unmark(a, head, strlen(head), has_crlf(s), NULL));
+    for (unsigned i = 0; i < loops->count; i++) {
+        written_loop *loop = &loops->items[i];
+        buffer_append(&out, s->text + copied, loop->replaced.begin - copied);
+        loop->begin = (uint32_t)out.length;
+        buffer_text(&out, loop->text);
+        loop->end = (uint32_t)out.length;
+        copied = loop->replaced.end;
+    }
+    buffer_append(&out, s->text + copied, s->length - copied);
+    result->text = arena_copy(a, out.data, out.length);
+    result->length = out.length;
+    buffer_free(&out);
 }
 
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
                       const emit_options *options) {
-    const source *s = unit->source;
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
-    emit_result result = {.text = s->text, .length = s->length, .obstacles = obstacles};
-    edit_list edits = {0};
+    emit_result result = {
+        .text = unit->source->text, .length = unit->source->length, .obstacles = obstacles};
+    loop_list loops = {0};
     const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
-    for (unsigned i = 0; i < analysis->verdict_count; i++)
-        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
-            add_loop(a, unit, &analysis->verdicts[i], options, obstacle, &edits, &obstacles[i]))
-            result.loop_count++;
-    if (result.loop_count == 0)
-        return result;
-    const bool may_contract = options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis);
-    add_prelude(a, unit, may_contract, &edits);
-    buffer out = {0};
-    if (edit_apply(&out, s->text, 0, s->length, &edits)) {
-        result.text = arena_copy(a, out.data, out.length);
-        result.length = out.length;
-    } else {
-        result = (emit_result){.obstacles = obstacles};
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        const loop_verdict *verdict = &analysis->verdicts[i];
+        if (verdict->kind != VERDICT_TRANSFORM)
+            continue;
+        if (obstacle)
+            obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
+        else
+            add_loop(a, unit, verdict, i, options, &loops, &obstacles[i]);
     }
-    buffer_free(&out);
+    result.loop_count = loops.count;
+    result.loops = loops.items;
+    if (loops.count > 0)
+        join(a, unit, options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis), &loops,
+             &result);
     return result;
 }

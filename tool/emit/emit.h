@@ -7,6 +7,7 @@
 #define EMIT_EMIT_H
 
 #include "analysis/analysis.h"
+#include "emit/origin.h"
 
 /** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
 typedef enum emit_order { EMIT_ORDER_SERIAL, EMIT_ORDER_FIXED, EMIT_ORDER_ANY } emit_order;
@@ -17,11 +18,20 @@ typedef struct emit_options {
     const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
 } emit_options;
 
+/** A loop as it was written. */
+typedef struct written_loop {
+    unsigned verdict;    /* which */
+    ir_range replaced;   /* bytes of the input */
+    uint32_t begin, end; /* bytes of the result that stand for them: */
+    const char *text;    /* these */
+    origin_list origins; /* where the words of these come from; places count from `begin` */
+} written_loop;
+
 typedef struct emit_result {
-    const char *text; /* `length` bytes and a 0; the input's own bytes where loop_count is 0.
-                         NULL: two edits overlap, an error of the translator's own */
+    const char *text; /* `length` bytes and a 0; the input's own bytes where loop_count is 0 */
     size_t length;
-    unsigned loop_count; /* loops written in parallel form */
+    unsigned loop_count;       /* loops written in parallel form, */
+    const written_loop *loops; /* by their place */
     /* For each verdict: why the text cannot say what was found (a reason without an id, message
      * and range filled in), message NULL where it can. Such a loop is left as it is. */
     const reason *obstacles;

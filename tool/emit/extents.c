@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
+#include "analysis/exact.h"
+#include "analysis/expression.h"
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 bool has_affine_extents(const loop_text *loop) {
     for (unsigned i = 0; i < loop->source_count; i++)
@@ -9,18 +12,48 @@ bool has_affine_extents(const loop_text *loop) {
     return false;
 }
 
+static bool has_extents(const loop_text *loop, bool is_checked) {
+    for (unsigned i = 0; i < loop->source_count; i++)
+        if (loop->sources[i].fact->extent == EXTENT_AFFINE &&
+            loop->sources[i].fact->is_checked == is_checked)
+            return true;
+    return false;
+}
+
 static bool is_address(const ir_type *type) {
     return type->kind == IR_POINTER || type->kind == IR_ARRAY;
+}
+
+/** Names of a rename hook's context. */
+typedef struct unconditional {
+    arena *arena;
+} unconditional;
+
+static const char *wrap(const ir_node *node, void *context) {
+    return wrapping_operation(((unconditional *)context)->arena, node, wrap, context);
+}
+
+/** &row, as a text of pointer type. */
+static const char *address_text(loop_text *loop, const loop_source *fact) {
+    row_address address;
+    unconditional context = {loop->arena};
+    const char *number = NULL;
+    if (!fact->is_sometimes)
+        return arena_format(loop->arena, "(const char *)&%s", loop_operand(loop, fact->row));
+    if (row_address_of(fact->row, &address))
+        number = address_number(loop->arena, &address, NULL, wrap, &context);
+    if (!number)
+        loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
+    return arena_format(loop->arena, "(const char *)(%s)", number ? number : "0");
 }
 
 static void fill_fixed_extents(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->source_count; i++) {
         const loop_source *fact = loop->sources[i].fact;
         if (fact->extent == EXTENT_INVARIANT) {
-            const char *row = loop_operand(loop, fact->row);
-            writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i, row);
+            writer_line(out, "redcc__known[%u].first = %s;", i, address_text(loop, fact));
             writer_line(out, "redcc__known[%u].end = redcc__known[%u].first + sizeof(%s);", i, i,
-                        row);
+                        loop_operand(loop, fact->row));
         } else if (fact->extent == EXTENT_TOUCHED && fact->base &&
                    can_be_read_ahead(loop->facts, fact->base)) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
@@ -32,24 +65,27 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
     }
 }
 
+/* ---- rows that each iteration reads -------------------------------------------------------- */
+
 /** From the row of the first iteration to the row of the last, whichever comes first in memory. */
 static void fill_affine_extents(loop_text *loop, writer *out) {
-    if (!has_affine_extents(loop))
+    if (!has_extents(loop, false))
         return;
     const counted_loop *counted = &loop->facts->counted;
-    const char *counter = counted->counter->name;
+    const char *counter = origin_variable(loop->arena, counted->counter);
     writer_line(out, "{ /* rows of the first and of the last iteration */");
     out->depth++;
-    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type, counter, loop->counter_type);
+    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type,
+                origin_declarator(loop->arena, counted->counter), loop->counter_type);
     for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == EXTENT_AFFINE)
+        if (loop->sources[i].fact->extent == EXTENT_AFFINE && !loop->sources[i].fact->is_checked)
             writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
                         loop_operand(loop, loop->sources[i].fact->row));
     writer_line(out, "%s = (%s)(redcc__final - %s%lld%s);", counter, loop->counter_type,
                 counted->step < 0 ? "(" : "", (long long)counted->step,
                 counted->step < 0 ? ")" : "");
     for (unsigned i = 0; i < loop->source_count; i++) {
-        if (loop->sources[i].fact->extent != EXTENT_AFFINE)
+        if (loop->sources[i].fact->extent != EXTENT_AFFINE || loop->sources[i].fact->is_checked)
             continue;
         const char *row = loop_operand(loop, loop->sources[i].fact->row);
         writer_line(out, "redcc__known[%u].end = (const char *)&%s;", i, row);
@@ -64,6 +100,128 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
+/* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
+
+/** A number is computed for the counter's value `at`. */
+typedef struct exact_text {
+    loop_text *loop;
+    const char *at;
+} exact_text;
+
+static const char *exact_number(exact_text *self, const ir_node *node);
+
+/** The number, and that it is a value of the node's type. */
+static const char *settled_number(exact_text *self, const ir_node *node) {
+    const char *number = exact_number(self, node);
+    if (exact_is_settled(node, self->loop->facts->counted.counter))
+        return number;
+    return arena_format(self->loop->arena, "redcc_exact_%s(%s, %lld, &redcc__lost)",
+                        node->type->is_signed ? "signed" : "unsigned", number,
+                        (long long)node->type->size * 8);
+}
+
+static const char *operand_number(exact_text *self, const ir_node *node, unsigned child) {
+    const ir_node *operand = node->children[child];
+    return exact_needs_settled(node, operand) ? settled_number(self, operand)
+                                              : exact_number(self, operand);
+}
+
+static const char *fixed_number(exact_text *self, const ir_node *node) {
+    unconditional context = {self->loop->arena};
+    const char *text = text_operand(self->loop->arena, node, wrap, &context);
+    if (!text)
+        loop_obstacle(self->loop, node->range, "an expression of the loop cannot be spelled");
+    return arena_format(self->loop->arena, "(redcc_int)%s", text ? text : "0");
+}
+
+static const char *exact_number(exact_text *self, const ir_node *node) {
+    const ir_variable *counter = self->loop->facts->counted.counter;
+    arena *a = self->loop->arena;
+    if (!expression_mentions(node, counter))
+        return fixed_number(self, node);
+    if (node->kind == IR_VARIABLE)
+        return self->at;
+    if (node->kind == IR_CAST || node->op == IR_OP_PLUS)
+        return operand_number(self, node, 0);
+    if (node->kind == IR_UNARY)
+        return arena_format(a, "redcc_exact_difference(0, %s, &redcc__lost)",
+                            operand_number(self, node, 0));
+    const char *left = operand_number(self, node, 0), *right = operand_number(self, node, 1);
+    return arena_format(a, "redcc_exact_%s(%s, %s, &redcc__lost)",
+                        node->op == IR_OP_ADD        ? "sum"
+                        : node->op == IR_OP_SUBTRACT ? "difference"
+                                                     : "product",
+                        left, right);
+}
+
+/** The address of the row where the counter is `at`. */
+static const char *exact_address(loop_text *loop, const row_address *address, const char *at) {
+    exact_text self = {loop, at};
+    arena *a = loop->arena;
+    const char *sum =
+        arena_format(a, "(redcc_int)(redcc_size)%s%s", address->base_is_object ? "&" : "",
+                     loop_operand(loop, address->base));
+    if (address->offset != 0)
+        sum = arena_format(a, "%s + %lld", sum, (long long)address->offset);
+    for (unsigned i = 0; i < address->term_count; i++)
+        sum = arena_format(
+            a, "redcc_exact_sum(%s, redcc_exact_product(%lld, %s, &redcc__lost), &redcc__lost)",
+            sum, (long long)address->terms[i].bytes,
+            settled_number(&self, address->terms[i].subscript));
+    return sum;
+}
+
+/** Leaves out iterations at the ends that do not read. */
+static void write_limit(loop_text *loop, writer *out, const counter_limit *limit) {
+    exact_text self = {loop, NULL};
+    const char *bound = fixed_number(&self, limit->bound);
+    const bool is_equality =
+        limit->comparison == IR_OP_EQUAL || limit->comparison == IR_OP_NOT_EQUAL;
+    if (limit->comparison == IR_OP_NOT_EQUAL) {
+        writer_line(out, "redcc__from += redcc__from == %s;", bound);
+        writer_line(out, "redcc__to -= redcc__to == %s;", bound);
+    }
+    if (limit->comparison == IR_OP_EQUAL || limit->comparison == IR_OP_GREATER_EQUAL)
+        writer_line(out, "redcc__from = redcc__from < %s ? %s : redcc__from;", bound, bound);
+    if (limit->comparison == IR_OP_EQUAL || limit->comparison == IR_OP_LESS_EQUAL)
+        writer_line(out, "redcc__to = redcc__to > %s ? %s : redcc__to;", bound, bound);
+    if (is_equality)
+        return;
+    if (limit->comparison == IR_OP_GREATER)
+        writer_line(out, "redcc__from = redcc__from <= %s ? %s + 1 : redcc__from;", bound, bound);
+    if (limit->comparison == IR_OP_LESS)
+        writer_line(out, "redcc__to = redcc__to >= %s ? %s - 1 : redcc__to;", bound, bound);
+}
+
+static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
+    const loop_source *fact = loop->sources[number].fact;
+    const int64_t step = loop->facts->counted.step;
+    const char *last = arena_format(
+        loop->arena, step < 0 ? "redcc__final - (%lld)" : "redcc__final - %lld", (long long)step);
+    row_address address;
+    if (!row_address_of(fact->row, &address)) {
+        loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
+        return;
+    }
+    writer_line(out, "{ /* rows that iterations may read */");
+    out->depth++;
+    writer_line(out, "redcc_int redcc__from = %s;", step < 0 ? last : "redcc__lower");
+    writer_line(out, "redcc_int redcc__to = %s;", step < 0 ? "redcc__lower" : last);
+    for (unsigned i = 0; i < fact->limit_count; i++)
+        write_limit(loop, out, &fact->limits[i]);
+    writer_line(out, "redcc__known[%u].first = redcc__known[%u].end = (const char *)&redcc__loop;",
+                number, number);
+    writer_line(out, "if (redcc__from <= redcc__to)");
+    writer_line(out, "    redcc_exact_extent(&redcc__known[%u], %s,", number,
+                exact_address(loop, &address, "redcc__from"));
+    writer_line(out, "                       %s, %lld, &redcc__lost);",
+                exact_address(loop, &address, "redcc__to"), (long long)fact->row->type->size);
+    out->depth--;
+    writer_line(out, "}");
+}
+
+/* ---- all of them --------------------------------------------------------------------------- */
+
 void declare_extents(loop_text *loop, writer *out) {
     if (loop->source_count == 0)
         return;
@@ -72,9 +230,18 @@ void declare_extents(loop_text *loop, writer *out) {
         buffer_text(&zeros, i > 0 ? ", {0, 0}" : "{0, 0}");
     writer_line(out, "redcc_extent redcc__known[%u] = {%s};", loop->source_count, zeros.data);
     buffer_free(&zeros);
+    if (has_extents(loop, true))
+        writer_line(out, "int redcc__lost = 0; /* is a number too large, or has one wrapped? */");
 }
 
 void fill_extents(loop_text *loop, writer *out) {
     fill_fixed_extents(loop, out);
     fill_affine_extents(loop, out);
+    for (unsigned i = 0; i < loop->source_count; i++)
+        if (loop->sources[i].fact->extent == EXTENT_AFFINE && loop->sources[i].fact->is_checked)
+            fill_checked_extent(loop, out, i);
+}
+
+const char *extents_are_known(const loop_text *loop) {
+    return has_extents(loop, true) ? "!redcc__lost" : NULL;
 }

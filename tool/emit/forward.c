@@ -5,6 +5,7 @@
  * only the owner of the element stores it there.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "emit/syntax.h"
 
 static unsigned number_of(const loop_facts *facts, const forwarded_store *store) {
@@ -31,7 +32,8 @@ void declare_forwards(loop_text *loop, writer *out, bool of_slice) {
     for (unsigned i = 0; i < facts->forward_count; i++) {
         const forwarded_store *store = &facts->forwards[i];
         if (!of_slice || facts->in_slice[store->statement->id])
-            writer_line(out, "%s redcc__forward_%u;", store->target->type->spelling, i);
+            writer_line(out, "%s redcc__forward_%u;", origin_type(loop->arena, store->target->type),
+                        i);
     }
 }
 

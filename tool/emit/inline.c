@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 /** Options that change from function to function may forbid to inline one into another. */
 static bool has_compiler_pragmas(const ir_unit *unit) {
@@ -35,6 +36,17 @@ static bool is_called_once(const ir_unit *unit, const ir_function *function) {
            is_declared_plainly(unit, function);
 }
 
+/** Has something else, a parameter perhaps, the function's name? Where the declaration stands it
+ * may be in front. */
+static bool is_name_shared(const ir_unit *unit, const char *name) {
+    if (unit->inner_names && map_get(unit->inner_names, name, strlen(name)))
+        return true;
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    return false;
+}
+
 typedef struct declaring {
     const loop_text *loop;
     writer *out;
@@ -44,9 +56,10 @@ typedef struct declaring {
 static bool declare_callee(ir_node *node, void *context) {
     declaring *d = context;
     if (node->kind != IR_CALL || node->children[0]->kind != IR_FUNCTION ||
-        !is_called_once(d->loop->unit, node->children[0]->function))
+        !is_called_once(d->loop->unit, node->children[0]->function) ||
+        is_name_shared(d->loop->unit, node->children[0]->function->name))
         return true;
-    const char *name = node->children[0]->function->name;
+    const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
     if (!d->is_open)
         buffer_text(&d->out->out, "#if !defined(__clang__) && defined(__OPTIMIZE__)\n"
                                   "#pragma GCC diagnostic ignored \"-Wnested-externs\"\n"

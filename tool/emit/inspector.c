@@ -5,6 +5,7 @@
  * only compares it with what the iterations before have touched.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "emit/print.h"
 #include "emit/syntax.h"
 #include "support/vector.h"
@@ -13,6 +14,7 @@ typedef struct told_row {
     const ir_node *row;
     int source; /* or SOURCE_NOT_TOLD, for an update */
     unsigned array;
+    bool is_bare;
 } told_row;
 
 typedef VECTOR(told_row) row_list;
@@ -24,6 +26,7 @@ typedef struct inspector {
     bool *update_told;  /* by update */
     bool *source_told;  /* by the facts' source */
     bool *is_mentioned; /* by variable: in what was printed */
+    bool is_bare;       /* what is printed now may be evaluated where the program does not */
     row_list recent;    /* told since the slice last did something else */
     size_t recent_end;  /* length of the text when the last of them was */
 } inspector;
@@ -39,13 +42,14 @@ static bool mentions(const ir_node *node, const ir_variable *variable) {
 
 /* ---- telling addresses --------------------------------------------------------------------- */
 
+static bool is_same_told(const told_row *a, const told_row *b) {
+    return a->source == b->source && a->array == b->array && syntax_same(a->row, b->row);
+}
+
 static bool is_listed(const row_list *rows, told_row item) {
-    for (unsigned i = 0; i < rows->count; i++) {
-        const told_row *other = &rows->items[i];
-        if (other->source == item.source && other->array == item.array &&
-            syntax_same(other->row, item.row))
+    for (unsigned i = 0; i < rows->count; i++)
+        if (is_same_told(&rows->items[i], &item))
             return true;
-    }
     return false;
 }
 
@@ -76,17 +80,33 @@ static bool is_numbered(const ir_node *row, const ir_node *base) {
     return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
 }
 
+/** &row, or, where the program may not come to it, as a number: a pointer has a meaning only within
+ *  its object. Of a span: for the counter's present value. */
+static const char *row_address_text(inspector *self, const ir_node *row,
+                                    const ir_variable *counter) {
+    arena *a = self->loop->arena;
+    row_address address;
+    const char *number = NULL;
+    if (self->is_bare && row_address_of(row, &address))
+        number = address_number(a, &address, counter, note_variable, self);
+    if (number)
+        return arena_format(a, "(const char *)(%s)", number);
+    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
+    return arena_format(a, "%s&%s", plain, row_text(self, row));
+}
+
 /** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
  *  is_numbered, or NULL. */
 static void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
                      const ir_node *base) {
     const char *what = is_update ? "touch" : "read";
     const char *text = row_text(self, row);
-    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
+    const char *address = row_address_text(self, row, NULL);
+    const char *plain = row->type->is_restrict ? "(const void *)" : "";
     writer *out = self->printer.out;
     if (!self->probes)
-        writer_line(out, "redcc_%s(&redcc__worker, %u, %s&%s, sizeof(%s));", what, number, plain,
-                    text, text);
+        writer_line(out, "redcc_%s(&redcc__worker, %u, %s, sizeof(%s));", what, number, address,
+                    text);
     else if (base && is_numbered(row, base))
         writer_line(out,
                     "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s%s, (redcc_int)%s, "
@@ -94,23 +114,33 @@ static void tell_row(inspector *self, const ir_node *row, bool is_update, unsign
                     what, number, plain, row_text(self, row->children[0]),
                     row_text(self, row->children[1]), text);
     else
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s&%s, sizeof(%s));",
-                    what, number, plain, text, text);
+        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s, sizeof(%s));", what,
+                    number, address, text);
+}
+
+static bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
+    return update->statement->kind == IR_IF || is_bare(facts, update->statement);
+}
+
+static bool source_is_bare(const loop_facts *facts, const loop_source *read) {
+    return read->is_ahead || !read->place || is_bare(facts, read->place);
 }
 
 static void tell_update(inspector *self, const reduction_update *update) {
-    const told_row item = {update->row, SOURCE_NOT_TOLD, update->array};
+    const told_row item = {update->row, SOURCE_NOT_TOLD, update->array, false};
     if (was_just_told(self, item))
         return;
+    self->is_bare = update_is_bare(self->loop->facts, update);
     tell_row(self, update->row, true, update->array, self->loop->facts->arrays[update->array].base);
     remember(self, item);
 }
 
 static void tell_read(inspector *self, const loop_source *read, int number) {
-    const told_row item = {read->row, number, 0};
+    const told_row item = {read->row, number, 0, false};
     if (was_just_told(self, item))
         return;
     const bool is_fixed = read->base && can_be_read_ahead(self->loop->facts, read->base);
+    self->is_bare = source_is_bare(self->loop->facts, read);
     tell_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
     remember(self, item);
 }
@@ -141,6 +171,7 @@ static bool before_statement(printer *p, const ir_node *statement) {
             self->source_told[i] = true;
         }
     }
+    self->is_bare = is_bare(facts, statement);
     const forwarded_store *store = forward_stored_by(facts, statement);
     if (store && facts->in_slice[statement->id])
         write_forward(self->loop, p->out, store, note_variable, self);
@@ -151,6 +182,7 @@ static bool before_statement(printer *p, const ir_node *statement) {
             self->update_told[i] = true;
             is_update = true;
         }
+    self->is_bare = is_bare(facts, statement);
     const ir_node *increment = facts->counted.increment;
     return is_update || statement == increment ||
            (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
@@ -171,8 +203,12 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
 }
 
 static void list_row(inspector *self, row_list *rows, told_row item) {
-    if (!is_listed(rows, item))
-        VECTOR_PUSH(self->printer.arena, rows, item);
+    for (unsigned i = 0; i < rows->count; i++)
+        if (is_same_told(&rows->items[i], &item)) {
+            rows->items[i].is_bare |= item.is_bare;
+            return;
+        }
+    VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
 /** What the body of a span tells, each row once. */
@@ -185,14 +221,16 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
         if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_TOLD || !read->place ||
             !ir_contains(body, read->place))
             continue;
-        list_row(self, &rows, (told_row){read->row, number, 0});
+        list_row(self, &rows, (told_row){read->row, number, 0, source_is_bare(facts, read)});
         self->source_told[i] = true;
     }
     for (unsigned i = 0; i < facts->update_count; i++) {
         const reduction_update *update = &facts->updates[i];
         if (!ir_contains(body, update->statement))
             continue;
-        list_row(self, &rows, (told_row){update->row, SOURCE_NOT_TOLD, update->array});
+        list_row(
+            self, &rows,
+            (told_row){update->row, SOURCE_NOT_TOLD, update->array, update_is_bare(facts, update)});
         self->update_told[i] = true;
     }
     return rows;
@@ -208,10 +246,16 @@ static unsigned number_of(const told_row *item) {
 }
 
 /** Row number `row` of the list, from its first on, whose address was noted, to this one. */
-static void tell_up_to(inspector *self, const told_row *item, unsigned row) {
+static void tell_up_to(inspector *self, const told_row *item, unsigned row,
+                       const ir_variable *counter) {
     const unsigned number = number_of(item);
     arena *a = self->printer.arena;
-    const char *end = arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
+    self->is_bare = item->is_bare;
+    const char *end =
+        item->is_bare
+            ? arena_format(a, "%s + sizeof(%s)", row_address_text(self, item->row, counter),
+                           row_text(self, item->row))
+            : arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
     if (self->probes)
@@ -229,22 +273,26 @@ static void tell_up_to(inspector *self, const told_row *item, unsigned row) {
 static void tell_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const counted_loop *counted = &span_of(self, loop)->counted;
-    const char *counter = counted->counter->name;
+    const char *counter = origin_variable(p->arena, counted->counter);
     const row_list rows = rows_of_span(self, counted->body);
     for (unsigned i = 0; i < rows.count; i++)
-        if (mentions(rows.items[i].row, counted->counter))
-            writer_line(p->out, "const char *const redcc__begin_%u = (const char *)&%s;", i,
-                        row_text(self, rows.items[i].row));
+        if (mentions(rows.items[i].row, counted->counter)) {
+            self->is_bare = rows.items[i].is_bare;
+            writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
+                        row_address_text(self, rows.items[i].row, counted->counter));
+        }
     for (unsigned i = 0; i < rows.count; i++) {
         const told_row *item = &rows.items[i];
+        self->is_bare = item->is_bare;
         if (!mentions(item->row, counted->counter))
             tell_row(self, item->row, is_update(item), number_of(item), NULL);
     }
+    self->is_bare = is_bare(self->loop->facts, loop);
     writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
                 row_text(self, counted->bound), counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < rows.count; i++)
         if (mentions(rows.items[i].row, counted->counter))
-            tell_up_to(self, &rows.items[i], i);
+            tell_up_to(self, &rows.items[i], i, counted->counter);
     if (!counted->counter_is_declared_in_header)
         writer_line(p->out, "%s++;", counter);
 }
@@ -286,7 +334,10 @@ static const char *note_variable(const ir_node *node, void *context) {
     inspector *self = context;
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
-    return forward_read_name(self->loop, node);
+    const char *name = forward_read_name(self->loop, node);
+    if (name || !self->is_bare)
+        return name;
+    return wrapping_operation(self->loop->arena, node, note_variable, self);
 }
 
 static void declare_variables(const inspector *self, writer *out) {
@@ -294,12 +345,14 @@ static void declare_variables(const inspector *self, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
-    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type, counter->name,
-                unused, loop->counter_type, loop_iteration_offset(loop));
+    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+                origin_declarator(loop->arena, counter), unused, loop->counter_type,
+                loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const ir_variable *variable = facts->privates[i].variable;
         if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
-            writer_line(out, "__typeof__(%s) %s;", variable->name, variable->name);
+            writer_line(out, "__typeof__(%s) %s;", origin_variable(loop->arena, variable),
+                        origin_declarator(loop->arena, variable));
     }
     declare_forwards(loop, out, true);
 }

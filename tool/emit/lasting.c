@@ -6,6 +6,7 @@
  * Several threads that execute an iteration note the same.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 bool has_sought_values(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->private_count; i++)
@@ -18,7 +19,7 @@ void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
         if (!loop->facts->privates[i].is_last_sought)
             continue;
-        const char *name = loop->facts->privates[i].variable->name;
+        const char *name = origin_variable(loop->arena, loop->facts->privates[i].variable);
         writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
         writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
     }
@@ -43,7 +44,7 @@ void write_note(loop_text *loop, writer *out, unsigned number) {
     writer_line(out, "if (redcc__k >= redcc__when_%u) {", number);
     writer_line(out, "    redcc__when_%u = redcc__k;", number);
     writer_line(out, "    redcc__own_%u = %s;", number,
-                loop->facts->privates[number].variable->name);
+                origin_variable(loop->arena, loop->facts->privates[number].variable));
     writer_line(out, "}");
 }
 
@@ -68,6 +69,7 @@ void take_sought_values(loop_text *loop, writer *out) {
         if (!loop->facts->privates[i].is_last_sought)
             continue;
         writer_line(out, "if (redcc__latest_%u >= 0)", i);
-        writer_line(out, "    %s = redcc__found_%u;", loop->facts->privates[i].variable->name, i);
+        writer_line(out, "    %s = redcc__found_%u;",
+                    origin_variable(loop->arena, loop->facts->privates[i].variable), i);
     }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -94,13 +95,15 @@ static void write_attempt(loop_text *loop, writer *out) {
                         loop_operand(loop, facts->arrays[i].base));
     fill_extents(loop, out);
     fill_key(loop, out);
-    const char *memory = operands_are_there(loop);
-    if (memory) {
-        writer_line(out, "if (%s) {", memory);
+    const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
+    const bool is_conditional = memory || known;
+    if (is_conditional) {
+        writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
+                    memory ? memory : "");
         out->depth++;
     }
     write_execution(loop, out);
-    if (memory) {
+    if (is_conditional) {
         out->depth--;
         writer_line(out, "}");
     }
@@ -113,8 +116,8 @@ static void write_outcome(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     out->depth++;
     if (counter_outlives(facts))
-        writer_line(out, "%s = (%s)redcc__final;", facts->counted.counter->name,
-                    loop->counter_type);
+        writer_line(out, "%s = (%s)redcc__final;",
+                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
     write_last_values(loop, out, true);
     take_sought_values(loop, out);
     out->depth--;
@@ -188,7 +191,7 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     const char *text = loop->unit->source->text;
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
-    buffer_append(&out->out, text + range.begin, range.end - range.begin);
+    origin_copy(&out->out, text, range.begin, range.end);
     buffer_text(&out->out, "\n");
 }
 
@@ -203,16 +206,14 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
                        const emit_options *options, ir_range *replaced, reason *why) {
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
-    writer out = {0}, timing = {.depth = 1};
+    writer out = {0};
     prepare_loop(&loop);
     replaced->begin = begin_with_pragmas(unit, facts->loop);
     replaced->end = syntax_statement_end(unit->source, facts->loop);
     write_parallel_form(&loop, &out);
-    write_timing(&loop, &timing, *replaced);
-    check_macro_names(&loop, &out.out);
-    check_plain_text(&loop, &timing.out);
     write_sequential_form(&loop, &out, *replaced);
-    buffer_text(&out.out, writer_text(a, &timing));
+    write_timing(&loop, &out, *replaced);
+    check_macro_names(&loop, &out.out);
     const char *text = writer_text(a, &out);
     if (!loop.obstacle)
         return text;

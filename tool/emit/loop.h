@@ -8,6 +8,7 @@
 #ifndef EMIT_LOOP_H
 #define EMIT_LOOP_H
 
+#include "analysis/row_address.h"
 #include "emit/emit.h"
 #include "emit/text.h"
 #include "support/vector.h"
@@ -18,7 +19,8 @@ typedef struct array_text {
     const char *local; /* what stands for it in the executor: the same name (a shadow), or another
                           that replaces the user's bytes; NULL, as is base: nothing does, of an
                           array whose elements are scattered */
-    const char *owner; /* the local that redcc_owns is asked with */
+    const char *declarator; /* the same, where it is declared */
+    const char *owner;      /* the local that redcc_owns is asked with */
     bool is_shadowed;
 } array_text;
 
@@ -29,12 +31,6 @@ typedef struct source_text {
 } source_text;
 
 enum { SOURCE_NOT_TOLD = -1 };
-
-/** A piece of the text written that is a copy of the user's. */
-typedef struct text_span {
-    size_t begin, end;
-    const char *changes; /* what was put into the copy, one piece a line */
-} text_span;
 
 typedef struct loop_text {
     arena *arena;
@@ -49,7 +45,6 @@ typedef struct loop_text {
     const source_text *sources;
     const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
-    VECTOR(text_span) copies; /* in order */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -112,10 +107,23 @@ void write_description(loop_text *loop, writer *out);
 void declare_key(loop_text *loop, writer *out);
 void fill_key(loop_text *loop, writer *out);
 
-/** extents.c: redcc__known, for the sources whose place is known before the inspection. */
+/** extents.c: redcc__known, for the sources whose place is known before the inspection; */
 bool has_affine_extents(const loop_text *loop);
 void declare_extents(loop_text *loop, writer *out);
 void fill_extents(loop_text *loop, writer *out);
+/** what must hold of them for the parallel form to be entered, or NULL. */
+const char *extents_are_known(const loop_text *loop);
+
+/** unconditional.c: texts that may be evaluated where the program does not come to them. Does the
+ *  inspector come to this statement where the program may not? */
+bool is_bare(const loop_facts *facts, const ir_node *statement);
+/** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
+ *  none of these. A rename and its context as ir_c_expression takes them. */
+const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
+/** The address as a number, redcc_size. `counter`: one of its subscripts steps with it (spans), and
+ *  is computed in 64 bits, as if its type were as wide; or NULL. NULL: cannot be spelled. */
+const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
+                           ir_c_rename rename, void *context);
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
@@ -163,11 +171,8 @@ const char *taken_name(const ir_unit *unit);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
-/** The same of text in which nothing of the user's stands. */
-void check_plain_text(loop_text *loop, const buffer *written);
-
-/** loop.c: the text that replaces bytes `replaced` of the file; NULL, with the obstacle in *why,
- *  where it cannot be written. */
+/** loop.c: the text that replaces bytes `replaced` of the file, with marks (origin.h); NULL, with
+ * the obstacle in *why, where it cannot be written. */
 const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
                        const emit_options *options, ir_range *replaced, reason *why);
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 static bool is_name_start(char c) {
     return isalpha((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
@@ -140,24 +141,28 @@ const char *taken_name(const ir_unit *unit) {
     return NULL;
 }
 
-static void check_piece(loop_text *loop, const char *text, size_t begin, size_t end) {
-    const char *name = macro_name_in(loop->arena, loop->unit, text + begin, end - begin);
+static void check_piece(loop_text *loop, buffer *piece) {
+    const char *name = piece->length > 0
+                           ? macro_name_in(loop->arena, loop->unit, piece->data, piece->length)
+                           : NULL;
     if (name)
         loop_obstacle(loop, loop->facts->loop->range,
                       "the macro '%s' would change the text that is written", name);
-}
-
-void check_plain_text(loop_text *loop, const buffer *written) {
-    check_piece(loop, written->data, 0, written->length);
+    piece->length = 0;
 }
 
 void check_macro_names(loop_text *loop, const buffer *written) {
-    size_t from = 0;
-    for (unsigned i = 0; i < loop->copies.count; i++) {
-        const text_span *copy = &loop->copies.items[i];
-        check_piece(loop, written->data, from, copy->begin);
-        check_piece(loop, copy->changes, 0, strlen(copy->changes));
-        from = copy->end;
+    buffer piece = {0};
+    const char *at = written->data, *const end = at + written->length;
+    while (at < end) {
+        const char *const after = origin_skip(at, end);
+        if (origin_is_copy(at, end))
+            check_piece(loop, &piece);
+        if (after == at)
+            buffer_byte(&piece, *at++);
+        else
+            at = after;
     }
-    check_piece(loop, written->data, from, written->length);
+    check_piece(loop, &piece);
+    buffer_free(&piece);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/print.h"
 
+#include "emit/origin.h"
+
 static void complain(printer *p, const char *problem) {
     if (!p->problem)
         p->problem = problem;
@@ -29,7 +31,8 @@ static bool declares_kept(const printer *p, const ir_node *declaration) {
 
 static void print_declarator(printer *p, const ir_node *declarator) {
     const ir_variable *variable = declarator->variable;
-    const char *text = text_declaration(p->arena, variable->type, variable->name);
+    const char *text =
+        text_declaration(p->arena, variable->type, origin_declarator(p->arena, variable));
     if (!text || variable->storage != IR_LOCAL) {
         complain(p, "a declaration in it cannot be spelled a second time");
         return;

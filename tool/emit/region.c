@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The parallel region: each thread inspects its iterations, then executes what it is handed. */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 /* ---- variables of the region --------------------------------------------------------------- */
 
@@ -30,7 +31,8 @@ static const char *firstprivate_clause(loop_text *loop) {
     for (unsigned i = 0; i < loop->facts->captured_count; i++) {
         const ir_variable *variable = loop->facts->captured[i];
         if (is_copied_in(variable) && !is_thread_local(variable))
-            buffer_format(&out, "%s%s", out.length > 0 ? ", " : " firstprivate(", variable->name);
+            buffer_format(&out, "%s%s", out.length > 0 ? ", " : " firstprivate(",
+                          origin_declarator(loop->arena, variable));
     }
     if (out.length > 0)
         buffer_text(&out, ")");
@@ -45,11 +47,13 @@ void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
         const ir_variable *variable = loop->facts->captured[i];
         if (!is_thread_local(variable))
             continue;
-        const char *name = variable->name;
+        const char *name = origin_variable(loop->arena, variable);
         if (in_region)
-            writer_line(out, "const __typeof__(%s) %s = redcc__copy_%s;", name, name, name);
+            writer_line(out, "const __typeof__(%s) %s = redcc__copy_%s;", name,
+                        origin_declarator(loop->arena, variable), variable->name);
         else
-            writer_line(out, "const __typeof__(%s) redcc__copy_%s = %s;", name, name, name);
+            writer_line(out, "const __typeof__(%s) redcc__copy_%s = %s;", name, variable->name,
+                        name);
     }
 }
 
@@ -69,9 +73,9 @@ bool has_last_values(const loop_facts *facts) {
 void declare_last_values(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
         const private_variable *item = &loop->facts->privates[i];
-        const char *name = item->variable->name;
         if (item->is_live_after)
-            writer_line(out, "__typeof__(%s) redcc__last_%s;", name, name);
+            writer_line(out, "__typeof__(%s) redcc__last_%s;",
+                        origin_variable(loop->arena, item->variable), item->variable->name);
     }
 }
 
@@ -82,12 +86,12 @@ static void declare_live_privates(loop_text *loop, writer *out) {
         const private_variable *item = &loop->facts->privates[i];
         if (!item->is_live_after)
             continue;
-        const char *name = item->variable->name;
         const ir_type *type = item->variable->type;
         const char *start = type->size < 0                                      ? ""
                             : type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}"
                                                                                 : " = 0";
-        writer_line(out, "__typeof__(%s) %s%s;", name, name, start);
+        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
+                    origin_declarator(loop->arena, item->variable), start);
     }
 }
 
@@ -103,8 +107,8 @@ void write_last_values(loop_text *loop, writer *out, bool into_variables) {
         const private_variable *item = &loop->facts->privates[i];
         if (!item->is_live_after)
             continue;
-        const char *name = item->variable->name;
-        const char *last = arena_format(loop->arena, "redcc__last_%s", name);
+        const char *name = origin_variable(loop->arena, item->variable);
+        const char *last = arena_format(loop->arena, "redcc__last_%s", item->variable->name);
         copy_value(out, item->variable->type, into_variables ? name : last,
                    into_variables ? last : name);
     }
@@ -155,7 +159,7 @@ static void declare_chunk(loop_text *loop, writer *out) {
         const array_text *array = &loop->arrays[i];
         if (array->local)
             writer_line(out, "__typeof__(&%s[0]) %s%s = redcc__worker.base[%u];", array->base,
-                        stands_for_pointer(loop, i) ? "" : "const ", array->local, i);
+                        stands_for_pointer(loop, i) ? "" : "const ", array->declarator, i);
         writer_line(out, "const redcc_owner %s = redcc__worker.owner[%u];", array->owner, i);
     }
     declare_live_privates(loop, out);

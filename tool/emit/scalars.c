@@ -5,6 +5,7 @@
  * for its own elements, all of them store the same operand, indivisibly.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 static const char *type_of(const scalar_update *update) {
     static const char *const types[] = {"redcc_word", "float", "double"};
@@ -111,7 +112,7 @@ void apply_operands(loop_text *loop, writer *out) {
     writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];
-        const char *name = update->variable->name;
+        const char *name = origin_variable(loop->arena, update->variable);
         const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
         writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);",
                     name, name, from, name, sign_of(update->op), i);

@@ -4,7 +4,9 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "analysis/executed.h"
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "emit/syntax.h"
 
 /* ---- names --------------------------------------------------------------------------------- */
@@ -89,10 +91,11 @@ static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
             is_named_by_nodes(loop, base->variable));
 }
 
-/** The array's address as a whole, a pointer to an array, is not that of what stands for it. */
+/** The base's own address - of an array as a whole, a pointer to an array; of a pointer, where that
+ *  lies - is not that of what stands for it. */
 static void check_address(loop_text *loop, const ir_node *base, const ir_node *node) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS && syntax_same(base, node->children[0]))
-        loop_obstacle(loop, node->range, "the address of an array as a whole is taken");
+        loop_obstacle(loop, node->range, "the address of its array as a whole is taken");
     for (unsigned i = 0; i < node->child_count; i++)
         check_address(loop, base, node->children[i]);
 }
@@ -114,9 +117,10 @@ static void name_arrays(loop_text *loop) {
             continue; /* the body's own text leads to its elements */
         text->base = loop_operand(loop, base);
         text->is_shadowed = can_be_shadowed(loop, base);
-        if (base->type->kind == IR_ARRAY)
-            check_address(loop, base, facts->counted.body);
-        text->local = text->is_shadowed ? base->variable->name
+        check_address(loop, base, facts->counted.body);
+        text->declarator = text->is_shadowed ? origin_declarator(loop->arena, base->variable)
+                                             : arena_format(loop->arena, "redcc__to_%s", name);
+        text->local = text->is_shadowed ? origin_variable(loop->arena, base->variable)
                                         : arena_format(loop->arena, "redcc__to_%s", name);
     }
     loop->arrays = arrays;
@@ -125,9 +129,10 @@ static void name_arrays(loop_text *loop) {
 static void name_counter(loop_text *loop) {
     const counted_loop *counted = &loop->facts->counted;
     if (!counted->counter_is_declared_in_header)
-        loop->counter_type = arena_format(loop->arena, "__typeof__(%s)", counted->counter->name);
+        loop->counter_type = arena_format(loop->arena, "__typeof__(%s)",
+                                          origin_variable(loop->arena, counted->counter));
     else if (counted->counter->type->spelling)
-        loop->counter_type = counted->counter->type->spelling;
+        loop->counter_type = origin_type(loop->arena, counted->counter->type);
     else
         loop_obstacle(loop, loop->facts->loop->range, "the type of its counter has no name");
     if (!loop->counter_type)
@@ -142,7 +147,7 @@ static bool move_together(const loop_source *left, const loop_source *right) {
         return false;
     if (left->extent == EXTENT_TOUCHED)
         return left->base && right->base && syntax_same(left->base, right->base);
-    return syntax_same(left->row, right->row);
+    return syntax_same(left->row, right->row) && source_ends_equal(left, right);
 }
 
 /** Numbers the sources that the runtime must know: what may overlap, what decides subscripts. */
@@ -172,6 +177,8 @@ static void number_sources(loop_text *loop) {
 static void check_statement(loop_text *loop, const ir_node *node) {
     if (node->kind == IR_LABEL)
         loop_obstacle(loop, node->range, "its body holds a label, which cannot stand twice");
+    if (node->kind == IR_DECLARATOR && node->variable->storage == IR_GLOBAL)
+        loop_obstacle(loop, node->range, "its body declares '%s' extern", node->variable->name);
     if (node->kind == IR_DECLARATOR && node->variable->storage == IR_STATIC_LOCAL)
         loop_obstacle(loop, node->range, "its body declares '%s' static", node->variable->name);
     if (node->kind == IR_VARIABLE && node->variable->storage == IR_THREAD_LOCAL &&

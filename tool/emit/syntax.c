@@ -54,8 +54,11 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
         if ((left->flags & IR_HAS_VALUE) && (right->flags & IR_HAS_VALUE))
             return left->value == right->value && ir_type_equal(left->type, right->type);
         return same_text(left->text, right->text);
+    case IR_SIZEOF: /* its text may mean another type elsewhere */
+        if (!(left->flags & IR_HAS_VALUE) || !(right->flags & IR_HAS_VALUE))
+            return false;
+        return left->value == right->value && ir_type_equal(left->type, right->type);
     case IR_STRING:
-    case IR_SIZEOF:
         return same_text(left->text, right->text);
     case IR_CAST:
         if (!ir_type_equal(left->type, right->type))

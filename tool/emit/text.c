@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/text.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "emit/origin.h"
 
 enum { SPACES_A_LEVEL = 4 };
 
@@ -57,11 +60,62 @@ const char *text_quoted(arena *a, const char *text) {
     return quoted;
 }
 
+/* ---- expressions --------------------------------------------------------------------------- */
+
+typedef struct marking {
+    arena *arena;
+    ir_c_rename rename; /* or NULL */
+    void *context;
+} marking;
+
+/** Is it an enumerator? Other constants begin with a digit, or have quotes. */
+static bool is_enumerator(const ir_node *node) {
+    return node->kind == IR_NUMBER && node->flags & IR_HAS_VALUE && node->text &&
+           source_is_name_byte(node->text[0]) && !isdigit((unsigned char)node->text[0]) &&
+           !strchr(node->text, '\'');
+}
+
+/** A constant of the type given, as a primary expression. */
+static const char *constant_text(arena *a, int64_t value, const ir_type *type) {
+    const bool is_long = type->size > 4;
+    const bool is_very_long = is_long && type->spelling && strstr(type->spelling, "long long");
+    const char *suffix = is_very_long ? "LL" : is_long ? "L" : "";
+    if (!type->is_signed && type->size >= 4)
+        return arena_format(a, "%lluU%s",
+                            type->size == 4 ? (unsigned long long)(uint32_t)value
+                                            : (unsigned long long)value,
+                            suffix);
+    if (value >= 0)
+        return arena_format(a, "%lld%s", (long long)value, suffix);
+    return arena_format(a, "(-%lld%s - 1)", (long long)-(value + 1), suffix); /* also of INT_MIN */
+}
+
+/** Names with marks. What an enumerator or a sizeof says depends on where it stands: its value does
+ *  not. */
+static const char *marked_name(const ir_node *node, void *context) {
+    const marking *m = context;
+    const char *other = m->rename ? m->rename(node, m->context) : NULL;
+    if (other)
+        return other;
+    if (node->kind == IR_VARIABLE)
+        return origin_variable(m->arena, node->variable);
+    if (node->kind == IR_FUNCTION)
+        return origin_function(m->arena, node->function);
+    if (is_enumerator(node) || (node->kind == IR_SIZEOF && node->flags & IR_HAS_VALUE))
+        return constant_text(m->arena, node->value, node->type);
+    return NULL;
+}
+
+static const char *marked_type(const ir_type *type, void *context) {
+    return origin_type(((const marking *)context)->arena, type);
+}
+
 const char *text_expression(arena *a, const ir_node *expression, ir_c_rename rename,
                             void *context) {
     buffer out = {0};
     const char *text = NULL;
-    if (ir_c_expression(&out, expression, rename, context))
+    marking m = {a, rename, context};
+    if (ir_c_expression_spelled(&out, expression, marked_name, marked_type, &m))
         text = arena_copy(a, out.data, out.length);
     buffer_free(&out);
     return text;
@@ -95,8 +149,9 @@ const char *text_declaration(arena *a, const ir_type *type, const char *name) {
     if (!type || !type->spelling)
         return NULL;
     const char *spelling = type->spelling;
+    const char *marked = origin_type(a, type);
     if (strpbrk(spelling, "(["))
-        return arena_format(a, "__typeof__(%s) %s", spelling, name);
+        return arena_format(a, "__typeof__(%s) %s", marked, name);
     const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
-    return arena_format(a, last == '*' ? "%s%s" : "%s %s", spelling, name);
+    return arena_format(a, last == '*' ? "%s%s" : "%s %s", marked, name);
 }

@@ -9,6 +9,7 @@
  * original loop to run.
  */
 #include "emit/loop.h"
+#include "emit/origin.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -163,7 +164,8 @@ static const char *final_text(arena *a, const header *h) {
 static const char *lower_text(loop_text *loop, const header *h) {
     const ir_node *lower = h->counted->lower;
     if (!lower)
-        return arena_format(loop->arena, "(redcc_int)%s", h->counted->counter->name);
+        return arena_format(loop->arena, "(redcc_int)%s",
+                            origin_variable(loop->arena, h->counted->counter));
     const char *text = loop_operand(loop, lower);
     if (h->lower_is_natural && lower->kind == IR_NUMBER)
         return text;

@@ -104,6 +104,11 @@ void read_attributes(CXCursor declaration, ir_function *function) {
     function->is_weak |= has_attribute(declaration, replaceable, 4);
     function->is_noreturn |= has_attribute(declaration, not_returning, 3);
     function->is_renamed |= is_called_otherwise(declaration);
+    function->is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
+                           clang_getCursorVisibility(declaration) != CXVisibility_Default ||
+                           clang_Cursor_isFunctionInlined(declaration);
+    function->is_from_system |=
+        clang_Location_isInSystemHeader(clang_getCursorLocation(declaration)) != 0;
     clang_visitChildren(declaration, visit, function);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);

@@ -48,7 +48,8 @@ typedef struct converter {
     bool has_begun;             /* has anything of the main file been met among its macros? */
     const map *predefined;      /* names of a compiler's macros that stand for clang's; or NULL */
     map *parsers_own;           /* then: names of macros that clang has and that compiler has not */
-    bool has_assembler;         /* between functions: it may give names to objects */
+    struct reference_table *references;
+    bool has_assembler;           /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
     VECTOR(ir_function *) mains;
     VECTOR(ir_variable *) found;   /* variables in order of discovery */
@@ -132,6 +133,16 @@ void find_own_inclusion(converter *c);
 void mark_skipped_directives(converter *c);
 /** Fills in functions_with_errors and the unit's error_count. */
 void mark_functions_with_errors(converter *c);
+
+/* ---- what names mean (references.c) -------------------------------------------------------- */
+
+struct reference_table *references_new(converter *c);
+/** What this cursor declares; the same for all declarations of one thing. */
+const ir_declared *declared_of(converter *c, CXCursor declaration);
+/** Adds the names in a function's body to the unit's references. */
+void note_references(converter *c, CXCursor body);
+/** Sets the unit's references. */
+void finish_references(converter *c);
 
 /* ---- trees --------------------------------------------------------------------------------- */
 

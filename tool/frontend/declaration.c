@@ -61,6 +61,7 @@ ir_variable *convert_variable(converter *c, CXCursor declaration) {
         v->type = decayed(c, v->type);
     v->function = is_parameter || is_of_function(first) ? c->function : NULL;
     v->range = range_from_name(c, first);
+    v->declared = declared_of(c, first);
     VECTOR_PUSH(c->arena, &c->found, v);
     return v;
 }
@@ -110,6 +111,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     f = ARENA_NEW(c->arena, ir_function);
     *map_at(c->functions, &key, sizeof key) = f;
     *map_at(c->functions, &own, sizeof own) = f;
+    f->declared = declared_of(c, declaration);
     CXCursor definition = clang_getCursorDefinition(declaration);
     bool has_body = !clang_Cursor_isNull(definition);
     fill_function(c, f, has_body ? definition : declaration);

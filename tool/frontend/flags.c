@@ -6,83 +6,28 @@
 #include <sys/stat.h>
 
 #include "frontend/predefined.h"
+#include "support/compiler_options.h"
 #include "support/source.h"
 
-/* How a flag that is passed on looks; all others are left out. */
-typedef enum flag_form {
-    EXACT,   /* -ansi */
-    PREFIX,  /* -std=c99 */
-    ARGUMENT /* -Idir, -I dir */
-} flag_form;
-
-static const struct {
-    const char *name;
-    flag_form form;
-} passed_on[] = {
-    {"--sysroot", ARGUMENT},
-    {"-D", ARGUMENT},
-    {"-I", ARGUMENT},
-    {"-O", PREFIX},
-    {"-U", ARGUMENT},
-    {"-ansi", EXACT},
-    {"-fgnuc-version=", PREFIX},
-    {"-fms-extensions", EXACT},
-    {"-fno-builtin", PREFIX},
-    {"-fno-short-enums", EXACT},
-    {"-fno-signed-char", EXACT},
-    {"-fno-unsigned-char", EXACT},
-    {"-fshort-enums", EXACT},
-    {"-fsigned-char", EXACT},
-    {"-funsigned-char", EXACT},
-    {"-idirafter", ARGUMENT},
-    {"-imacros", ARGUMENT},
-    {"-include", ARGUMENT},
-    {"-iquote", ARGUMENT},
-    {"-isysroot", ARGUMENT},
-    {"-isystem", ARGUMENT},
-    {"-m", PREFIX},
-    {"-nostdinc", EXACT},
-    {"-pthread", EXACT},
-    {"-std=", PREFIX},
-    {"-trigraphs", EXACT},
-};
-
-/* What these are followed by is no flag. */
-static const char *const dropped_with_argument[] = {
-    "-A",        "-L", "-MF", "-MQ", "-MT", "-T", "-Xassembler", "-Xlinker", "-Xpreprocessor",
-    "-aux-info", "-l", "-o",  "-u",  "-x",  "-z",
-};
-
-static bool has_form(const char *flag, unsigned row) {
-    const char *name = passed_on[row].name;
-    switch (passed_on[row].form) {
-    case EXACT:
-        return strcmp(flag, name) == 0;
-    default:
-        return source_starts_with(flag, name);
-    }
-}
-
-/* Adds flags[i], and its argument where that stands apart. Returns the index of the last taken. */
+/* Adds flags[i], and its argument where that stands apart, if the parser is to be told. Returns the
+ * index of the last word looked at. */
 static unsigned take(arena *a, parse_flags *chosen, unsigned i, unsigned count,
                      const char *const *flags) {
-    for (unsigned row = 0; row < sizeof passed_on / sizeof passed_on[0]; row++) {
-        if (!has_form(flags[i], row))
-            continue;
-        bool is_alone = strcmp(flags[i], passed_on[row].name) == 0;
-        bool needs_next = is_alone && passed_on[row].form == ARGUMENT;
-        if (needs_next && i + 1 == count)
-            return i;
+    const option *known = option_find(flags[i]);
+    const unsigned meaning = known ? known->meaning : 0;
+    const bool needs_next = (meaning & OPTION_ARGUMENT) && strcmp(flags[i], known->name) == 0;
+    if (needs_next && i + 1 == count)
+        return i;
+    if (meaning & OPTION_CLANG) {
         VECTOR_PUSH(a, &chosen->items, flags[i]);
         if (needs_next)
-            VECTOR_PUSH(a, &chosen->items, flags[++i]);
-        return i;
+            VECTOR_PUSH(a, &chosen->items, flags[i + 1]);
     }
-    for (unsigned row = 0; row < sizeof dropped_with_argument / sizeof *dropped_with_argument;
-         row++)
-        if (strcmp(flags[i], dropped_with_argument[row]) == 0)
-            return i + 1;
-    return i;
+    if (meaning & OPTION_REFUSE && !chosen->refusing)
+        chosen->refusing = flags[i];
+    if (meaning & OPTION_INEXACT && !chosen->inexact)
+        chosen->inexact = flags[i];
+    return needs_next ? i + 1 : i;
 }
 
 static bool is_folder(const char *path) {
@@ -156,11 +101,6 @@ void remove_machine_flags(parse_flags *flags) {
     flags->items.count = kept;
 }
 
-/* The runtime's own structures and numbers would be others than the library's. */
-static bool changes_layout(const char *flag) {
-    return source_starts_with(flag, "-fpack-struct") || strcmp(flag, "-mlong-double-128") == 0;
-}
-
 /* The user's own flags come after the compiler's macros, which they may change. */
 static void choose_predefined(arena *a, parse_flags *chosen, unsigned count,
                               const char *const *flags) {
@@ -177,23 +117,63 @@ static bool is_predefined(const parse_flags *flags, const char *name) {
     return flags->predefined && map_get(flags->predefined, name, strlen(name));
 }
 
+static bool is(const char *flag, const char *const *names) {
+    while (*names && strcmp(flag, *names) != 0)
+        names++;
+    return *names != NULL;
+}
+
+static bool names_c89(const char *standard) {
+    static const char *const names[] = {"c89",   "c90",          "gnu89",          "gnu90",
+                                        "c1990", "iso9899:1990", "iso9899:199409", NULL};
+    return is(standard, names);
+}
+
+/* Of options that undo each other the last counts. */
+static void note_language(parse_flags *chosen, const char *flag) {
+    if (strcmp(flag, "-fno-strict-aliasing") == 0)
+        chosen->strict_aliasing = false;
+    else if (strcmp(flag, "-fstrict-aliasing") == 0)
+        chosen->strict_aliasing = true;
+    else if (strcmp(flag, "-ansi") == 0)
+        chosen->is_c89 = true;
+    else if (source_starts_with(flag, "-std="))
+        chosen->is_c89 = names_c89(flag + sizeof "-std=" - 1);
+    else if (strcmp(flag, "-nostdinc") == 0)
+        chosen->has_headers = false;
+}
+
+static void note_code(parse_flags *chosen, const char *flag) {
+    static const char *const shared[] = {"-fPIC", "-fpic", NULL};
+    static const char *const own[] = {"-fPIE",    "-fpie",    "-fno-PIC", "-fno-pic",
+                                      "-fno-PIE", "-fno-pie", NULL};
+    static const char *const without_errno[] = {"-fno-math-errno", "-ffast-math", "-Ofast", NULL};
+    if (is(flag, shared) || is(flag, own))
+        chosen->is_shared = is(flag, shared);
+    else if (strcmp(flag, "-fno-semantic-interposition") == 0)
+        chosen->is_fixed = true;
+    else if (strcmp(flag, "-fsemantic-interposition") == 0)
+        chosen->is_fixed = false;
+    else if (is(flag, without_errno))
+        chosen->math_errno = false;
+    else if (strcmp(flag, "-fmath-errno") == 0)
+        chosen->math_errno = true;
+}
+
+static bool turns_on_openmp(const char *flag) {
+    const option *known = option_find(flag);
+    return known && known->meaning & OPTION_OPENMP;
+}
+
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
-    parse_flags chosen = {.strict_aliasing = true, .has_headers = true};
+    parse_flags chosen = {.strict_aliasing = true, .has_headers = true, .math_errno = true};
     bool has_openmp = false;
     choose_predefined(a, &chosen, count, flags);
     for (unsigned i = 0; i < count; i++) {
-        const char *flag = flags[i];
-        if (source_starts_with(flag, "-fopenmp") && strcmp(flag, "-fopenmp-simd") != 0)
-            has_openmp = true;
-        else if (strcmp(flag, "-fno-openmp") == 0)
-            has_openmp = false;
-        else if (strcmp(flag, "-fno-strict-aliasing") == 0)
-            chosen.strict_aliasing = false;
-        else if (strcmp(flag, "-fstrict-aliasing") == 0)
-            chosen.strict_aliasing = true;
-        if (changes_layout(flag))
-            chosen.unseen = flag;
-        chosen.has_headers = chosen.has_headers && strcmp(flag, "-nostdinc") != 0;
+        has_openmp =
+            (has_openmp || turns_on_openmp(flags[i])) && strcmp(flags[i], "-fno-openmp") != 0;
+        note_language(&chosen, flags[i]);
+        note_code(&chosen, flags[i]);
         i = take(a, &chosen, i, count, flags);
     }
     /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */

@@ -15,7 +15,13 @@ typedef struct parse_flags {
     bool has_headers;     /* no -nostdinc */
     map *predefined;      /* names of a compiler's own macros that the parser is told; NULL: it has
                              its own */
-    const char *unseen;   /* a flag that lays memory out as the parser does not; NULL: none */
+    const char *unseen;   /* a list of macros that cannot be read; NULL: none */
+    const char *refusing; /* by it the program is another than the parser's; NULL: none */
+    const char *inexact;  /* by it floating-point bits may differ between copies; NULL: none */
+    bool is_c89;          /* by -std= or -ansi */
+    bool is_shared;       /* -fPIC: what is exported may be replaced by another definition ... */
+    bool is_fixed;        /* ... but not by one that does something else */
+    bool math_errno;      /* mathematical functions set errno */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);

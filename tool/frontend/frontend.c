@@ -51,23 +51,30 @@ static CXTranslationUnit parse_again(CXTranslationUnit before, CXIndex index, co
     return parse(index, src, name, flags);
 }
 
-static frontend_diagnostic convert_diagnostic(arena *a, CXDiagnostic diagnostic) {
+static frontend_diagnostic convert_diagnostic(arena *a, CXDiagnostic diagnostic, CXFile main_file) {
+    CXFile file;
+    unsigned offset;
+    clang_getExpansionLocation(clang_getDiagnosticLocation(diagnostic), &file, NULL, NULL, &offset);
     CXString text = clang_formatDiagnostic(diagnostic, CXDiagnostic_DisplaySourceLocation |
                                                            CXDiagnostic_DisplayColumn);
     frontend_diagnostic converted = {
         .text = arena_string(a, clang_getCString(text)),
         .is_error = clang_getDiagnosticSeverity(diagnostic) >= CXDiagnostic_Error,
+        .is_placed = file != NULL && clang_File_isEqual(file, main_file),
+        .offset = offset,
     };
     clang_disposeString(text);
     return converted;
 }
 
-static void convert_diagnostics(arena *a, CXTranslationUnit clang, frontend_result *result) {
+static void convert_diagnostics(arena *a, CXTranslationUnit clang, const char *name,
+                                frontend_result *result) {
+    CXFile main_file = clang_getFile(clang, name);
     unsigned count = clang_getNumDiagnostics(clang);
     frontend_diagnostic *diagnostics = ARENA_ARRAY(a, frontend_diagnostic, count + 1u);
     for (unsigned i = 0; i < count; i++) {
         CXDiagnostic diagnostic = clang_getDiagnostic(clang, i);
-        diagnostics[i] = convert_diagnostic(a, diagnostic);
+        diagnostics[i] = convert_diagnostic(a, diagnostic, main_file);
         clang_disposeDiagnostic(diagnostic);
     }
     result->diagnostic_count = count;
@@ -184,6 +191,8 @@ static void convert_body(converter *c, const function_body *pending) {
     c->function = pending->function;
     c->depth = 0;
     pending->function->body = convert_statement(c, body);
+    if (pending->function->is_in_main_file)
+        note_references(c, body);
     if (pending->function->body->kind == IR_BLOCK)
         put_lengths_first(c, pending->definition, pending->function->body);
     arena_clear(c->scratch);
@@ -208,6 +217,7 @@ static void convert_unit(converter *c) {
     find_header_pragmas(c);
     mark_names_in_pragmas(c);
     finish_unit(c);
+    finish_references(c);
 }
 
 static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
@@ -219,6 +229,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     unit->macros = map_new(a);
     unit->macros_before = map_new(a);
     unit->names = map_new(a);
+    unit->inner_names = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,
@@ -238,6 +249,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
         .expansion_begins = map_new(a),
     };
     c.scratch = arena_new();
+    c.references = references_new(&c);
     convert_unit(&c);
     arena_free(c.scratch);
     return unit;
@@ -277,6 +289,22 @@ static bool says_may_alias(const char *text) {
     return false;
 }
 
+/* What the flags say of the program as a whole. */
+static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
+    if (chosen->unseen != NULL)
+        unit->unseen_word = chosen->unseen;
+    unit->refusing_option = chosen->refusing;
+    unit->inexact_option = chosen->inexact;
+    unit->is_c89 = chosen->is_c89;
+    unit->math_errno = chosen->math_errno;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        ir_function *function = unit->functions[i];
+        function->is_interposable = chosen->is_shared && !chosen->is_fixed &&
+                                    function->body != NULL && !function->is_hidden;
+        function->is_weak |= function->is_interposable;
+    }
+}
+
 static void run(void *data) {
     task *t = data;
     const char *name = strcmp(t->source->path, "-") == 0 ? "<stdin>" : t->source->path;
@@ -284,14 +312,13 @@ static void run(void *data) {
     CXIndex index = clang_createIndex(0, 0);
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
-        convert_diagnostics(t->arena, clang, &t->result);
+        convert_diagnostics(t->arena, clang, name, &t->result);
         t->result.unit = convert(t->arena, t->source, name, clang, chosen.predefined);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
         t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
-        if (chosen.unseen != NULL)
-            t->result.unit->unseen_word = chosen.unseen;
+        apply_flags(t->result.unit, &chosen);
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);

@@ -8,6 +8,8 @@
 typedef struct frontend_diagnostic {
     const char *text; /* "file:line:column: error: ..." */
     bool is_error;
+    bool is_placed;  /* it lies in the main file, */
+    uint32_t offset; /* here: where the macro is expanded that makes it */
 } frontend_diagnostic;
 
 typedef struct frontend_result {

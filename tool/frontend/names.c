@@ -37,6 +37,8 @@ void note_name(converter *c, CXCursor declaration) {
         void **known = map_at(c->unit->names, name, strlen(name));
         if (*known != IR_NAME_AS_OTHER)
             *known = is_query(declaration) ? IR_NAME_AS_QUERY : IR_NAME_AS_OTHER;
+        if (c->function != NULL)
+            *map_at(c->unit->inner_names, name, strlen(name)) = c->function;
     }
     clang_disposeString(spelling);
     if (has_members(clang_getCursorKind(declaration)))

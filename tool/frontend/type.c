@@ -97,6 +97,7 @@ static void fill_enumeration(converter *c, ir_type *type, CXType clang) {
     const char *spelling = clang_spelling(c, clang_getUnqualifiedType(clang));
     if (spelling != NULL)
         type->spelling = spelling;
+    type->tag = declared_of(c, declaration);
 }
 
 /* ---- derived types ------------------------------------------------------------------------- */
@@ -188,6 +189,7 @@ static void fill_function(converter *c, ir_type *type, CXType clang) {
 static void fill_record(converter *c, ir_type *type, CXType clang) {
     type->kind = IR_RECORD;
     type->record = convert_record(c, clang);
+    type->tag = declared_of(c, clang_getTypeDeclaration(clang));
     type->size = type->record->size;
     type->spelling = type->record->spelling;
 }

@@ -25,6 +25,23 @@ typedef struct ir_range {
     uint32_t end;
 } ir_range;
 
+/** A declaration, as it can be found again in another text of the same program. */
+typedef struct ir_declared {
+    const char *name;
+    const char *file;              /* NULL: the main file */
+    uint32_t offset;               /* of its first declaration's name, macros looked through */
+    bool is_external;              /* of external linkage: another of this name is the same thing */
+    const struct ir_declared *tag; /* of a type name: the structure, union or enumeration that it
+                                      stands for, or points to; NULL: none */
+} ir_declared;
+
+/** A name in the text of a function, and what it means there. */
+typedef struct ir_reference {
+    uint32_t offset; /* in the main file; where the macro is expanded that makes it */
+    bool is_type;    /* of a tag or a type name */
+    const ir_declared *declared;
+} ir_reference;
+
 /* ---- types --------------------------------------------------------------------------------- */
 
 typedef enum ir_type_kind {
@@ -70,7 +87,8 @@ struct ir_type {
     int64_t count;         /* IR_ARRAY: elements; -1 unknown */
     const ir_type *target; /* pointee, element, result */
     const ir_record *record;
-    const char *spelling; /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+    const char *spelling;   /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
+    const ir_declared *tag; /* of records and enumerations. Not in the text form */
 };
 
 /** Qualifiers apart, also those of pointees and elements. Compares what a type is, not how it is
@@ -104,6 +122,7 @@ typedef struct ir_variable {
     bool address_taken;          /* by &, or as an array that decays other than under a subscript
                                     or as an argument */
     bool has_other_name;         /* another variable may name the same object: alias, asm label */
+    const ir_declared *declared; /* NULL: not known. Not in the text form */
 } ir_variable;
 
 struct ir_function {
@@ -119,10 +138,17 @@ struct ir_function {
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     bool is_weak;    /* what runs may be another definition than the one in this unit */
     bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
+    bool is_interposable;      /* is_weak, because a shared object exports it: the program may have
+                                  another of its name. Not in the text form */
+    bool is_hidden;            /* no other object can name it, or put another in its place */
+    bool is_same_in_threads;   /* it reads nothing that is a thread's own: said by who has seen its
+                                  body, in another file. Not in the text form */
+    bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: judge nothing in it */
     bool is_in_main_file;
+    const ir_declared *declared; /* NULL: not known. Not in the text form */
 };
 
 /* ---- nodes --------------------------------------------------------------------------------- */
@@ -258,12 +284,18 @@ typedef struct ir_unit {
     unsigned directive_count; /* of the main file, in order */
     ir_directive *directives;
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
-    unsigned error_count; /* compiler errors anywhere */
-    bool includes_itself; /* its text may be compiled several times. Not in the text form */
-    const char *compiler_word; /* a name in the program's own text by which it may ask for the
-                                  compiler: "__clang"; NULL: none. Not in the text form */
-    const char *unseen_word;   /* of what the parser does not know and a compiler may: the tree is
-                                  not what that compiles. NULL: none. Not in the text form */
+    bool is_c89;          /* names that C99 reserved are the program's. Not in the text form */
+    bool math_errno;      /* mathematical functions set errno. Not in the text form */
+    const char *refusing_option; /* of the compiler: by it the program is another than this. NULL:
+                                    none. Not in the text form */
+    const char *inexact_option;  /* by it two copies of a floating-point expression may give other
+                                    bits. NULL: none. Not in the text form */
+    unsigned error_count;        /* compiler errors anywhere */
+    bool includes_itself;        /* its text may be compiled several times. Not in the text form */
+    const char *compiler_word;   /* a name in the program's own text by which it may ask for the
+                                    compiler: "__clang"; NULL: none. Not in the text form */
+    const char *unseen_word;     /* of what the parser does not know and a compiler may: the tree is
+                                    not what that compiles. NULL: none. Not in the text form */
     unsigned header_pragma_count; /* of the program's own headers, as text; not in the text form */
     const char **header_pragmas;
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
@@ -275,6 +307,11 @@ typedef struct ir_unit {
     map *names; /* each name that the program, its headers included, gives to a function, type, tag,
                    enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
                    none. Not in the text form */
+    map *inner_names; /* each name that a function's body gives to an enumerator, type or tag -> not
+                         NULL. NULL: none. Not in the text form */
+    unsigned reference_count; /* the names in the bodies of the main file's functions, by their
+                                 place; of one place in any order. Not in the text form */
+    const ir_reference *references;
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)

@@ -26,6 +26,7 @@ typedef enum level {
 typedef struct c_printer {
     buffer *out;
     ir_c_rename rename;
+    ir_c_spell spell;
     void *context;
 } c_printer;
 
@@ -189,7 +190,8 @@ static bool print_unary(c_printer *p, const ir_node *node) {
         return true;
     }
     buffer operand = {0};
-    c_printer inner = {.out = &operand, .rename = p->rename, .context = p->context};
+    c_printer inner = {
+        .out = &operand, .rename = p->rename, .spell = p->spell, .context = p->context};
     bool is_printed = print(&inner, node->children[0], LEVEL_UNARY);
     if (is_printed) {
         bool is_word = node->op == IR_OP_REAL || node->op == IR_OP_IMAG;
@@ -212,7 +214,10 @@ static bool print_text(c_printer *p, const char *text) {
 static bool print_type(c_printer *p, const ir_type *type) {
     if (type == NULL || type->spelling == NULL)
         return false;
-    buffer_format(p->out, "(%s)", type->spelling);
+    const char *text = p->spell != NULL ? p->spell(type, p->context) : type->spelling;
+    if (text == NULL)
+        return false;
+    buffer_format(p->out, "(%s)", text);
     return true;
 }
 
@@ -311,7 +316,12 @@ static bool print(c_printer *p, const ir_node *node, level least) {
 }
 
 bool ir_c_expression(buffer *out, const ir_node *expression, ir_c_rename rename, void *context) {
-    c_printer p = {.out = out, .rename = rename, .context = context};
+    return ir_c_expression_spelled(out, expression, rename, NULL, context);
+}
+
+bool ir_c_expression_spelled(buffer *out, const ir_node *expression, ir_c_rename rename,
+                             ir_c_spell spell, void *context) {
+    c_printer p = {.out = out, .rename = rename, .spell = spell, .context = context};
     buffer_append(out, "", 0);
     size_t length = out->length;
     if (print(&p, expression, LEVEL_COMMA))

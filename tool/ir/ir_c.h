@@ -10,6 +10,13 @@
  *  primary expression, or NULL for the node's own. */
 typedef const char *(*ir_c_rename)(const ir_node *node, void *context);
 
+/** Gives the C text of a type in a cast or compound literal, or NULL where it has none. */
+typedef const char *(*ir_c_spell)(const ir_type *type, void *context);
+
+/** As ir_c_expression, types spelled by `spell` (NULL: as they say themselves). */
+bool ir_c_expression_spelled(buffer *out, const ir_node *expression, ir_c_rename rename,
+                             ir_c_spell spell, void *context);
+
 /** Appends the expression, or the initialiser of a declaration in braces, as C, parenthesised where
  *  precedence needs it. Returns false, and
  *  appends nothing, where it cannot be spelled (opaque nodes, types without a name). */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "report/facts.h"
-#include "report/json_text.h"
+#include "support/json_text.h"
 
 static json_t *arrays_of(const loop_verdict *verdict) {
     json_t *arrays = json_array();

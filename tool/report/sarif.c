@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** SARIF 2.1.0 (OASIS standard): one run, one rule for each kind of outcome, one result a loop. */
 #include "report/facts.h"
-#include "report/json_text.h"
+#include "support/json_text.h"
 
 #include <string.h>
 

@@ -299,6 +299,50 @@ static __inline__ int redcc_is_worth_entering(redcc_int trip) {
     return trip >= __atomic_load_n(&redcc_least_trip, __ATOMIC_RELAXED);
 }
 
+/* Before redcc_enter, of subscripts whose value in C may be another than the number, or that the
+ * program does not compute in the first or the last iteration: numbers, or *lost is set. */
+
+static __inline__ redcc_int redcc_exact_sum(redcc_int left, redcc_int right, int *lost) {
+    redcc_int sum;
+    *lost |= __builtin_add_overflow(left, right, &sum);
+    return sum;
+}
+
+static __inline__ redcc_int redcc_exact_difference(redcc_int left, redcc_int right, int *lost) {
+    redcc_int difference;
+    *lost |= __builtin_sub_overflow(left, right, &difference);
+    return difference;
+}
+
+static __inline__ redcc_int redcc_exact_product(redcc_int left, redcc_int right, int *lost) {
+    redcc_int product;
+    *lost |= __builtin_mul_overflow(left, right, &product);
+    return product;
+}
+
+/** The value itself; *lost is set where no unsigned integer of so many bits (below 64) has it. */
+static __inline__ redcc_int redcc_exact_unsigned(redcc_int value, int bits, int *lost) {
+    *lost |= value < 0 || value >> bits != 0;
+    return value;
+}
+
+/** The same of a signed one. */
+static __inline__ redcc_int redcc_exact_signed(redcc_int value, int bits, int *lost) {
+    const redcc_int above = (redcc_int)1 << (bits - 1);
+    *lost |= value < -above || value >= above;
+    return value;
+}
+
+/** From the lower one of two addresses to `bytes` behind the other. Below 0 nothing lies. */
+static __inline__ void redcc_exact_extent(redcc_extent *extent, redcc_int one, redcc_int other,
+                                          redcc_int bytes, int *lost) {
+    const redcc_int low = one < other ? one : other;
+    const redcc_int end = redcc_exact_sum(one < other ? other : one, bytes, lost);
+    *lost |= end <= 0;
+    extent->first = (const char *)(redcc_size)(low > 0 ? low : 1);
+    extent->end = (const char *)(redcc_size)end;
+}
+
 /** Inspector: this iteration may update `bytes` bytes at `address` of array number `array`. */
 static __inline__ void redcc_touch(redcc_worker *worker, redcc_u32 array, const void *address,
                                    redcc_size bytes) {

@@ -36,6 +36,7 @@ struct call {
     int threads;                        /* that came */
     struct float_control float_control; /* of the thread that entered */
     double entered;                     /* seconds */
+    int error_before;                   /* errno of that thread */
 };
 
 #endif

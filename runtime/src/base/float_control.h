@@ -1,23 +1,36 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * How a thread does floating-point arithmetic: direction of rounding, subnormal numbers taken as
- * zeros, exceptions that trap. The program may have changed it since OpenMP's threads were made;
- * they must compute what the thread that entered the loop would. fenv.h has no name for most of
- * it, and needs libm. Processors that are not named here keep what each thread has.
+ * zeros, exceptions that trap. And its locale, by which characters are classified and numbers read:
+ * uselocale's is the thread's, and of setlocale's a thread keeps the tables that it found first.
+ * The program may have changed all of it since OpenMP's threads were made; they must compute what
+ * the thread that entered the loop would. fenv.h has no name for most of the first, and needs libm.
+ * Processors that are not named here keep what each thread has.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
 
+#include <locale.h>
+#include <stdbool.h>
 #include <stdint.h>
 
+#ifdef __GLIBC__
+/* The name of POSIX is the program's to define. */
+extern locale_t __uselocale(locale_t wanted);
+#define redcc_use_locale __uselocale
+#else
+#define redcc_use_locale uselocale
+#endif
+
 struct float_control {
+    locale_t locale;
     uint64_t vector; /* MXCSR; FPCR of 64-bit ARM */
     uint16_t x87;    /* the control word, of long double */
 };
 
 /** The calling thread's. */
 static inline struct float_control redcc_float_control(void) {
-    struct float_control own = {0, 0};
+    struct float_control own = {.locale = redcc_use_locale((locale_t)0)};
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
@@ -29,8 +42,14 @@ static inline struct float_control redcc_float_control(void) {
     return own;
 }
 
+/** Are numbers rounded alike under both? */
+static inline bool redcc_float_control_equal(struct float_control a, struct float_control b) {
+    return a.vector == b.vector && a.x87 == b.x87;
+}
+
 /** Makes it the calling thread's. Flags of exceptions that occurred stay. */
 static inline void redcc_float_control_take(struct float_control wanted) {
+    redcc_use_locale(wanted.locale); /* also where it is the same: the tables may not be */
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
@@ -39,8 +58,6 @@ static inline void redcc_float_control_take(struct float_control wanted) {
     __asm__ volatile("fldcw %0" : : "m"(wanted.x87));
 #elif defined(__aarch64__)
     __asm__ volatile("msr fpcr, %0" : : "r"(wanted.vector));
-#else
-    (void)wanted;
 #endif
 }
 

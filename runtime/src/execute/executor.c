@@ -11,6 +11,9 @@
 #include "base/clock.h"
 #include "execute/compensate.h"
 
+#include <assert.h>
+#include <errno.h>
+
 static struct barrier *team_barrier(const struct plan *plan, int team) {
     return &plan->teams.barrier[team];
 }
@@ -51,6 +54,7 @@ static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const c
 
 static void place_owners(struct runner *runner) {
     const struct plan *plan = runner->plan;
+    assert(runner->schedule < plan->schedules);
     const uint32_t owner = plan->owners == 1 ? 0 : runner->schedule;
     for (uint32_t array = 0; array < plan->array_count; array++) {
         const uint32_t group = plan->group_of[array];
@@ -71,6 +75,7 @@ static void place_owners(struct runner *runner) {
 void redcc_run_begin(struct run *run) {
     run->plan = NULL;
     run->validation = (struct validation){0};
+    atomic_store_explicit(&run->error, 0, memory_order_relaxed);
     atomic_store_explicit(&run->last_claimed, 0, memory_order_relaxed);
     atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
 }
@@ -111,11 +116,13 @@ static void begin_running(redcc_worker *worker) {
     struct run *run = runner->run;
     if (runner->thread == 0)
         run->ready = redcc_seconds();
+    errno = 0; /* what the inspector left there is not the loop's */
     runner->stage = 0;
     runner->runs = (struct run_reader){0};
     worker->position = 0;
     worker->base = runner->base;
     worker->owner = runner->owner;
+    assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
     runner->step = STEP_EXECUTE;
     runner->schedule = redcc_own_schedule(plan, runner->thread);
     place_owners(runner);
@@ -169,6 +176,7 @@ static void begin_checking(redcc_worker *worker) {
 static void reach_stage(struct runner *runner, uint32_t stage) {
     const struct plan *plan = runner->plan;
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
+    assert(runner->stage <= stage && stage < plan->teams.stages[team]);
     for (; runner->stage < stage; runner->stage++)
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
 }
@@ -265,6 +273,7 @@ static bool turn_to_chunk(redcc_worker *worker) {
         pass_on(runner->plan, &schedule->chunk[worker->position - 1]);
     if ((size_t)worker->position == schedule->chunk_count)
         return turn_to_schedule(worker) && turn_to_chunk(worker);
+    assert(worker->position >= 0 && (size_t)worker->position < schedule->chunk_count);
     const struct chunk *chunk = &schedule->chunk[worker->position++];
     get_ready(runner, chunk);
     worker->origin = chunk->origin;
@@ -298,10 +307,38 @@ static int next_chunk(redcc_worker *worker) {
     return 0;
 }
 
+/* Mathematical functions set errno to EDOM or ERANGE; it is the calling thread's. That of the last
+ * chunk in which one failed is kept, with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 :
+ * 0). Of iterations that fail in both ways, and are executed by several threads, another may be the
+ * last. */
+static void note_error(const redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    const int error = errno;
+    if ((error != EDOM && error != ERANGE) || runner->step != STEP_EXECUTE)
+        return;
+    const redcc_run *last = worker->run_end - 1;
+    const redcc_int end = worker->origin + last->begin + last->count_and_guard / 2;
+    const unsigned long long noted = 2 * ((unsigned long long)end + 1) + (error == ERANGE ? 1 : 0);
+    atomic_ullong *latest = &runner->run->error;
+    unsigned long long before = atomic_load_explicit(latest, memory_order_relaxed);
+    while (before < noted &&
+           !atomic_compare_exchange_weak_explicit(latest, &before, noted, memory_order_relaxed,
+                                                  memory_order_relaxed))
+        ;
+    errno = 0;
+}
+
+int redcc_error_of(struct run *run) {
+    const unsigned long long noted = atomic_load_explicit(&run->error, memory_order_relaxed);
+    return noted == 0 ? 0 : noted % 2 ? ERANGE : EDOM;
+}
+
 int redcc_next(redcc_worker *worker) {
     const struct runner *runner = worker->execution;
     if (!runner)
         return 0;
+    if (errno)
+        note_error(worker);
     if (next_chunk(worker))
         return 1;
     redcc_float_control_take(runner->float_control);

@@ -3,6 +3,7 @@
 
 #include "execute/compensate.h"
 
+#include <assert.h>
 #include <sched.h>
 
 enum { LOCKS = 1 << 14, TRIES = 100 };
@@ -38,6 +39,7 @@ int redcc_hooked(struct redcc_hook *hook, const void *address) {
     struct hooks *hooks = hook->of;
     const size_t into = into_unit(hook, address);
     redcc_hooks_settle(hooks);
+    assert(!hooks->held && !hooks->updating);
     if (hooks->locks) {
         lock_unit(hooks, (uintptr_t)address - into);
         return 1;

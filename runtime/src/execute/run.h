@@ -17,6 +17,7 @@ struct run {
     struct barrier *barrier;
     struct validated *validated; /* NULL: nothing is to be validated */
     struct validation validation;
+    atomic_ullong error; /* what the loop leaves in errno: executor.c */
     atomic_int last_claimed;
     atomic_uint blocks_claimed; /* stealable ones */
     /* Seconds. */
@@ -52,5 +53,9 @@ struct runner {
 
 /** Before the threads begin. */
 void redcc_run_begin(struct run *run);
+
+/** What mathematical functions called in the loop left in errno; 0: nothing. */
+int redcc_error_of(struct run *run);
+
 
 #endif

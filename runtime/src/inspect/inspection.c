@@ -4,6 +4,8 @@
 #include "base/memory.h"
 #include "plan/method.h"
 
+#include <assert.h>
+
 enum { LEAST_TRIP_TO_STEAL = 4096 };
 
 void redcc_inspection_set_owners(struct inspection *inspection) {
@@ -41,6 +43,7 @@ bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
                                most_owners(call)))
         return false;
     redcc_inspection_set_owners(inspection);
+    assert(inspection->partition.owners <= inspection->partition.room);
     return inspection->samples && inspection->summaries && inspection->seen;
 }
 
@@ -84,6 +87,7 @@ redcc_int redcc_own_end(const struct inspection *inspection, const struct inspec
 
 void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int first,
                     redcc_int last, redcc_int stride, const redcc_owner *window) {
+    assert(0 <= first && first < last && last <= worker->call->trip && stride > 0);
     worker->first = first;
     worker->last = last;
     worker->stride = stride;

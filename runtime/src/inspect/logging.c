@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The access log: all touches are told once more and kept; and what is made of it: owners cut from
- *  the access graph (ownership/graph/divide.h), or iterations in levels (levels.h). */
+ *  the access graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h).
+ */
 #include "inspect/inspection.h"
 
 #include <string.h>

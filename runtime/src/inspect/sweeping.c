@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 
+#include <assert.h>
 #include <string.h>
 
 enum { HASHED_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */ };
@@ -46,12 +47,14 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
         return false;
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;
     inspector->next = first + inspector->handed;
+    assert(inspector->handed > 0 && inspector->next <= end);
     redcc_sweep_open_block(&inspector->sweep, first);
     redcc_hand_out(inspector, worker, first, inspector->next, 1, inspector->sweep.window);
     return true;
 }
 
 double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector) {
+    assert(inspector->handed > 0);
     if (!redcc_sweep_close_block(&inspector->sweep, inspector->handed)) {
         inspector->failed = inspector->sweep.failed;
         inspector->told_all = false;

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* A touch of one group, and which iteration of all samples it belongs to. */
@@ -200,6 +201,21 @@ static void cut_all(const struct work *work, size_t iterations) {
             cut_beside_leader(work, group);
 }
 
+#ifndef NDEBUG
+/* Does each owner begin where the one before ends, the first at 0, and the last end at the end? */
+static bool are_cut(const struct partition *partition) {
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const uintptr_t *cut = redcc_cuts(partition, group);
+        bool ascending = cut[0] == 0 && cut[partition->owners] == UINTPTR_MAX;
+        for (uint32_t owner = 0; owner < partition->owners; owner++)
+            ascending = ascending && cut[owner] <= cut[owner + 1];
+        if (redcc_leads_group(partition, group) && !ascending)
+            return false;
+    }
+    return true;
+}
+#endif
+
 bool redcc_choose_cuts(struct partition *partition, const struct sample *const *sample,
                        int threads) {
     size_t points = 1, iterations = 1;
@@ -216,6 +232,7 @@ bool redcc_choose_cuts(struct partition *partition, const struct sample *const *
     const bool enough = work.of && work.point && work.spare && work.label && work.beside;
     if (enough)
         cut_all(&work, iterations);
+    assert(!enough || are_cut(partition));
     redcc_memory_give(work.of);
     redcc_memory_give(work.point);
     redcc_memory_give(work.spare);

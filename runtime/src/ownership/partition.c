@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
+
 bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
                            uint32_t owners) {
     const uint32_t count = loop->array_count;
@@ -30,6 +32,7 @@ void redcc_partition_in_one(struct partition *partition) {
 }
 
 void redcc_partition_join_spares(struct partition *partition) {
+    assert(partition->owners % (1 + partition->spares) == 0);
     const uint32_t each = 1 + partition->spares, joined = partition->owners / each;
     uintptr_t *to = partition->cut;
     for (uint32_t group = 0; group < partition->array_count; group++) {
@@ -42,6 +45,7 @@ void redcc_partition_join_spares(struct partition *partition) {
 }
 
 void redcc_partition_add_spares(struct partition *partition) {
+    assert(partition->spares == 0 && partition->owners * (1 + REDCC_SPARES) <= partition->room);
     const uint32_t shares = partition->owners, each = 1 + REDCC_SPARES;
     for (uint32_t group = partition->array_count; group-- > 0;) {
         const uintptr_t *from = redcc_cuts(partition, group);

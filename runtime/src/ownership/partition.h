@@ -24,7 +24,7 @@ struct partition {
     uint32_t room; /* for so many owners */
     uint32_t owners;
     uint32_t spares; /* of every 1 + spares owners in a row the first has most, and the others are
-                        spare: small parts for whoever comes free (methods/spare_localwrite.c) */
+                        stealable blocks: small parts for threads that finish early */
     uintptr_t *base; /* [array_count] the arrays' first elements */
     uint32_t *group_of; /* [array_count] its group, called by one of the group's arrays: the one
                            with the largest unit */

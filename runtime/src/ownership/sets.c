@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <string.h>
 
 static uint64_t hash(const uint32_t *members, uint32_t count) {
@@ -88,6 +89,9 @@ void redcc_sets_end(struct sets *sets) {
 }
 
 bool redcc_sets_intern(struct sets *sets, const uint32_t *members, uint32_t count, uint32_t *set) {
+    assert(count >= 2 && count <= sets->owners);
+    for (uint32_t m = 0; m < count; m++)
+        assert(members[m] < sets->owners && (m == 0 || members[m - 1] < members[m]));
     const size_t bytes = count * sizeof *members;
     uint64_t at = hash(members, count) & (sets->slots - 1);
     for (uint32_t known; (known = sets->slot[at]) != 0; at = (at + 1) & (sets->slots - 1))

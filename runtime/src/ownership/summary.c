@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
+
 bool redcc_summary_begin(struct summary *summary, uint32_t owners) {
     *summary = (struct summary){.span_capacity = 512, .block_capacity = 4};
     summary->span = redcc_memory_take(summary->span_capacity * sizeof *summary->span);
@@ -32,7 +34,9 @@ bool redcc_summary_open_block(struct summary *summary, redcc_int origin) {
 }
 
 bool redcc_summary_add(struct summary *summary, uint32_t set, redcc_int count) {
+    assert(summary->block_count > 0 && count >= 1 && set < summary->sets.count);
     struct block *block = &summary->block[summary->block_count - 1];
+    assert(count <= REDCC_BLOCK - block->count);
     if (block->span_end > block->span_begin && summary->span[block->span_end - 1].set == set) {
         block->count += count;
         return true;

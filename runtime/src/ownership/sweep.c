@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
+
 bool redcc_sweep_begin(struct sweep *sweep, const struct partition *partition, struct range *seen) {
     const uint32_t owners = partition->owners;
     *sweep = (struct sweep){.partition = partition, .seen = seen};
@@ -43,6 +45,7 @@ static void list_owner(struct sweep *sweep, uint32_t owner) {
 }
 
 void redcc_sweep_take_owner(struct sweep *sweep, uint32_t owner) {
+    assert(owner < sweep->partition->owners);
     if (!sweep->touched || (!sweep->mixed && owner == sweep->current)) {
         sweep->touched = true;
         sweep->current = owner;
@@ -153,7 +156,9 @@ void redcc_sweep_take(struct sweep *sweep, const redcc_entry *first, const redcc
 bool redcc_sweep_close_block(struct sweep *sweep, redcc_int expected) {
     if (!sweep->failed)
         add_last_set(sweep);
-    return !sweep->failed && sweep->done == expected && !sweep->touched;
+    const bool all = !sweep->failed && sweep->done == expected && !sweep->touched;
+    assert(!all || sweep->summary.block[sweep->summary.block_count - 1].count == expected);
+    return all;
 }
 
 void redcc_sweep_count(const struct sweep *sweep, redcc_int *executed) {

@@ -5,6 +5,8 @@
 #include "plan/elements.h"
 #include "plan/plan.h"
 
+#include <assert.h>
+
 static const struct element_rule *rule_of(const redcc_array *array) {
     const struct element_rule *rule = redcc_element_rule(array->operation, array->type);
     return rule && rule->size == array->element ? rule : NULL;
@@ -125,6 +127,7 @@ static bool take_copy(struct plan *plan, struct copy *copy, const struct range *
         }
         if (held.first >= held.end)
             continue;
+        assert(plan->touched[group].first <= held.first && held.end <= plan->touched[group].end);
         copy->held[group] = held;
         copy->memory[group] = redcc_memory_take((size_t)(held.end - held.first));
         if (!copy->memory[group])
@@ -203,6 +206,7 @@ static void merge_element_by_element(const struct plan *plan, uint32_t group,
         int count = 0;
         for (; count < AT_ONCE && begin + count < plan->copies.count; count++) {
             const struct copy *copy = &plan->copies.copy[begin + count];
+            assert(copy->held[group].first <= block.first && block.end <= copy->held[group].end);
             from[count] = copy->memory[group] + (block.first - copy->held[group].first);
         }
         rule->merge_all(base + block.first, from, (size_t)count,

@@ -4,7 +4,7 @@
  * file for each in methods/, one list of them in methods/list.c; docs/methods.md describes them.
  *
  * A method decides what each thread executes (prepare) and whether threads write to copies; the
- * executor (execute.c) does the rest for all of them: chunks, stages, barriers, merges.
+ * executor (execute/executor.c) does the rest for all of them: chunks, stages, barriers, merges.
  */
 #ifndef REDCC_METHOD_H
 #define REDCC_METHOD_H
@@ -39,6 +39,7 @@ enum copy_kind {
 
 struct method {
     const char *name;      /* the literature's; what REDCC_METHOD says */
+    const char *alias;     /* OPTIONAL; what REDCC_METHOD may say as well */
     const char *parameter; /* "a|b", "N": what may follow after a colon; NULL: nothing */
 
     /* Promises */
@@ -48,10 +49,10 @@ struct method {
                               used by one thread as well */
     enum copy_kind copies; /* anything but COPY_NONE needs an element_rule for each array */
 
-    bool by_graph;  /* the plan comes from what each iteration touches, all of it kept (gather.c),
-                       where that can be done: owners are cut from it (graph/divide.h; else, as
-                       without it, by address), */
-    bool in_levels; /* or the iterations are put in levels (graph/levels.h) */
+    bool by_graph;  /* the plan comes from what each iteration touches, all of it kept
+                       (inspect/logging.c), where that can be done: owners are cut from it
+                       (ownership/graph/divide.h; else, as without it, by address), */
+    bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
     bool spares;    /* REDCC_SPARES spare owners go with each thread's own: whoever comes free first
                        executes what is theirs. (`owners` is not asked) */
@@ -96,6 +97,9 @@ extern const struct method redcc_method_atomic;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
+
+/** Do the first `length` letters of `text` name the method? */
+bool redcc_method_is_named(const struct method *method, const char *text, size_t length);
 
 /** Does the last iteration touch nothing? Somebody executes it all the same, for the last values of
  *  the variables that it sets. */

@@ -6,6 +6,8 @@
 #include "plan/length.h"
 #include "plan/lost.h"
 
+#include <assert.h>
+
 int redcc_team_of(int threads, int teams, int thread) {
     int team = (int)((long)thread * teams / threads);
     while (thread >= redcc_team_first(threads, teams, team + 1))
@@ -49,6 +51,7 @@ static void record_groups(struct plan *plan, const struct partition *partition,
             continue;
         plan->touched[group].first = (ptrdiff_t)(touched[group].first - base);
         plan->touched[group].end = (ptrdiff_t)(touched[group].end - base);
+        assert(partition->group_of[group] == group);
         const uintptr_t *cut = redcc_cuts(partition, group);
         for (uint32_t owner = 0; owner <= plan->owners; owner++)
             plan->bound[(size_t)group * (plan->owners + 1) + owner] =
@@ -59,6 +62,7 @@ static void record_groups(struct plan *plan, const struct partition *partition,
 struct plan *redcc_plan_new(const struct method *method, int parameter, int threads, redcc_int trip,
                             const struct partition *partition, const struct range *touched,
                             bool compensated) {
+    assert(threads >= 1 && trip >= 0 && partition->owners >= 1 && method->prepare);
     struct plan *plan = redcc_memory_take_zeroed(1, sizeof *plan);
     if (!plan)
         return NULL;
@@ -95,6 +99,7 @@ bool redcc_plan_take_map(struct plan *plan, const struct partition *partition,
                 (struct group_map){(ptrdiff_t)(units->first - partition->base[group]), units->begin,
                                    units->count, units->bytes};
     }
+    assert(divide->owner && !plan->map.owner);
     plan->map.owner = divide->owner;
     divide->owner = NULL;
     return true;
@@ -162,7 +167,27 @@ static void number_stages(struct plan *plan, int team) {
         redcc_memory_give(at);
 }
 
+#ifndef NDEBUG
+/* Does what the chunks of a schedule name exist? */
+static bool names_what_is_there(const struct plan *plan, const struct schedule *schedule) {
+    const uint32_t flags = plan->flags ? plan->method->flags(plan->owners) : 0;
+    const uint32_t copies = plan->method->copies == COPY_SHARE ? (uint32_t)plan->copies.count : 1;
+    for (size_t c = 0; c < schedule->chunk_count; c++) {
+        const struct chunk *chunk = &schedule->chunk[c];
+        if (chunk->run_begin > chunk->run_end || chunk->flag > flags || chunk->copy >= copies ||
+            chunk->wait_begin > chunk->wait_end || chunk->wait_end > schedule->wait_count)
+            return false;
+    }
+    for (uint32_t w = 0; w < schedule->wait_count; w++)
+        if (schedule->wait[w] >= flags)
+            return false;
+    return true;
+}
+#endif
+
 void redcc_plan_finish(struct plan *plan) {
+    for (uint32_t s = 0; s < plan->schedules; s++)
+        assert(names_what_is_there(plan, &plan->schedule[s]));
     for (int team = 0; team < plan->teams.count && !plan->method->spares; team++)
         number_stages(plan, team);
     if (plan->method->spares)
@@ -171,6 +196,7 @@ void redcc_plan_finish(struct plan *plan) {
     for (uint32_t s = 0; s < plan->schedules; s++)
         plan->executed += plan->schedule[s].iterations;
     plan->length = redcc_plan_length(plan);
+    assert(plan->length <= plan->executed);
 }
 
 size_t redcc_plan_bytes(const struct plan *plan) {

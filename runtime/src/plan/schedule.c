@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
+
 static bool room_for_chunk(struct schedule *schedule) {
     if (schedule->chunk_count < schedule->chunk_capacity)
         return true;
@@ -70,6 +72,9 @@ static bool add_piece(struct schedule *schedule, uint32_t stage, redcc_int begin
 
 bool redcc_schedule_add(struct schedule *schedule, uint32_t stage, redcc_int begin, redcc_int count,
                         bool guarded) {
+    assert(begin >= 0 && count >= 0);
+    assert(!schedule->packed);
+    assert(schedule->chunk_count == 0 || stage >= schedule->chunk[schedule->chunk_count - 1].stage);
     schedule->iterations += count;
     if (schedule->chunk_count) {
         const struct chunk *last = &schedule->chunk[schedule->chunk_count - 1];
@@ -119,6 +124,8 @@ bool redcc_schedule_begin_task(struct schedule *schedule, const uint32_t *wait, 
 }
 
 void redcc_schedule_end_task(struct schedule *schedule, uint32_t flag) {
+    assert(schedule->chunk_count > 0);
+    assert(schedule->chunk[schedule->chunk_count - 1].flag == 0);
     schedule->chunk[schedule->chunk_count - 1].flag = flag + 1;
     schedule->apart = true;
 }

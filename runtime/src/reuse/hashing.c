@@ -3,6 +3,8 @@
 
 #include "base/share.h"
 
+#include <assert.h>
+
 enum { SMALL = 8192, STRIPE = 64, PIECE = 128 * 1024 };
 
 bool redcc_is_small(struct reading reading) {
@@ -15,6 +17,7 @@ static const char *share_of(struct reading reading, const struct hasher *hasher,
     const redcc_int stripes = (redcc_int)((bytes + STRIPE - 1) / STRIPE);
     const size_t first = (size_t)redcc_share(stripes, hasher->threads, hasher->thread) * STRIPE;
     const size_t end = (size_t)redcc_share(stripes, hasher->threads, hasher->thread + 1) * STRIPE;
+    assert(first <= end && hasher->thread < hasher->threads);
     *count = (end < bytes ? end : bytes) - (first < bytes ? first : bytes);
     return (const char *)reading.range.first + first;
 }

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "ownership/overlap.h"
 
+#include <assert.h>
 #include <string.h>
 
 /* ---- does a plan fit? ------------------------------------------------------------------------ */
@@ -59,6 +60,7 @@ static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int th
     const size_t key_bytes = loop->key_count * sizeof *kept->key;
     struct overlap overlap;
     return plan->trip == request->trip && plan->threads == threads &&
+           redcc_float_control_equal(kept->float_control, reuse->call->float_control) &&
            (key_bytes == 0 || memcmp(kept->key, request->key, key_bytes) == 0) &&
            sources_fit(kept, request, reuse->sources) &&
            arrays_fit(plan, request, reuse->written) &&
@@ -109,6 +111,7 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     reuse->found = found;
     if (!found || !fits(reuse, found, threads)) /* which sets where the sources are */
         return;
+    assert(found->plan->array_count == reuse->call->request.loop->array_count);
     found->last_use = ++cache->clock;
     found->plan->round++;
     ask_tracking(reuse);
@@ -254,12 +257,14 @@ static struct kept_plan *record(const struct reuse *reuse) {
     }
     if (key_bytes)
         memcpy(kept->key, request->key, key_bytes);
+    kept->float_control = reuse->call->float_control;
     record_sources(kept->source, reuse);
     return kept;
 }
 
 bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan) {
     struct plan_cache *cache = reuse->cache;
+    assert(!reuse->found && plan->threads == reuse->call->threads);
     struct kept_plan *kept = record(reuse);
     if (!kept)
         return false;

@@ -27,9 +27,10 @@ struct source_record {
 
 struct kept_plan {
     struct plan *plan;
-    redcc_word *key;              /* [key_count] */
-    struct source_record *source; /* [source_count] */
-    uint64_t sampled;             /* of its subscripts, as reuse->sampled */
+    redcc_word *key;                    /* [key_count] */
+    struct float_control float_control; /* of the thread that entered: subscripts may be rounded */
+    struct source_record *source;       /* [source_count] */
+    uint64_t sampled;                   /* of its subscripts, as reuse->sampled */
     uint64_t last_use;
 };
 

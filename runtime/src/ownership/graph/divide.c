@@ -5,6 +5,7 @@
 #include "base/share.h"
 #include "ownership/graph/bisect.h"
 
+#include <assert.h>
 #include <string.h>
 
 enum {
@@ -169,6 +170,7 @@ static void place_units(struct divide *divide, int thread) {
     uint32_t listed = 0;
     for (uint32_t unit = share.first; unit < share.end; unit++) {
         const unsigned char owner = divide->part[of[unit]];
+        assert(owner < divide->partition->owners);
         divide->owner[unit] = owner;
         for (uint32_t e = graph->start[unit]; e < graph->start[unit + 1]; e++)
             if (divide->part[of[graph->neighbour[e]]] != owner) {
@@ -305,8 +307,10 @@ enum divide_result redcc_divide(struct divide *divide, int thread, struct range 
 
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen) {
     const struct share share = share_of(divide, divide->units.count, thread);
-    for (uint32_t unit = share.first; unit < share.end; unit++)
+    for (uint32_t unit = share.first; unit < share.end; unit++) {
         divide->owner[unit] /= 1 + REDCC_SPARES;
+        assert(divide->owner[unit] < divide->partition->owners);
+    }
     redcc_sweep_end(&divide->sweep[thread]);
     if (!meet(divide, true, NULL) || !meet(divide, summarise(divide, thread, seen), NULL))
         return DIVIDE_NO_MEMORY;

@@ -4,6 +4,8 @@
 #include "base/memory.h"
 #include "base/share.h"
 
+#include <assert.h>
+
 enum { FEW = 64 }; /* iterations of a level that one thread executes */
 
 /* In iterations: some 2 microseconds, of a light loop's 10 nanoseconds. */
@@ -93,6 +95,7 @@ static void put_in_stages(const struct levelling *it, struct levels *levels) {
         stage[s].begin = stage[s - 1].begin;
     stage[0].begin = 0;
     levels->count = stage[levels->stages].begin;
+    assert(levels->count <= it->trip);
 }
 
 static bool make(struct levelling *it, struct levels *levels, const struct told *told, int threads,

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "plan/method.h"
 
+#include <string.h>
+
 /* clang-format off */
 const struct method *const redcc_methods[] = {
     &redcc_method_serial,
@@ -19,3 +21,11 @@ const struct method *const redcc_methods[] = {
     NULL,
 };
 /* clang-format on */
+
+static bool is_name(const char *name, const char *text, size_t length) {
+    return name && strlen(name) == length && memcmp(name, text, length) == 0;
+}
+
+bool redcc_method_is_named(const struct method *method, const char *text, size_t length) {
+    return is_name(method->name, text, length) || is_name(method->alias, text, length);
+}

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * LOCALWRITE with spare parts: each thread owns most of an equal share of the arrays, and what is
- * left of the shares is cut into small parts that belong to no thread. Who is done with his own
- * takes one after the other of these, the larger ones first: so no thread waits long for one that
- * had dearer iterations, or whose core was taken away for a while.
+ * LOCALWRITE with work stealing: each thread owns most of an equal share of the arrays. The rest of
+ * the shares is cut into stealable blocks, which no thread owns. A thread that finishes early
+ * steals these blocks one by one, the larger ones first. So no thread waits long for one that had
+ * more expensive iterations, or that lost its core for a while.
  *
- * Every part is executed whole and in ascending order, by whichever thread: each element gets its
- * contributions in the order of the loop. The price are iterations that write to several parts.
+ * Every block is executed whole and in ascending order, by whichever thread: each element gets its
+ * contributions in the order of the loop. The overhead: iterations that write to several blocks.
  */
 #include "plan/methods/localwrite.h"
 
@@ -18,11 +18,15 @@ static bool prepare(struct plan *plan, const struct evidence *evidence, int thre
     return enough;
 }
 
-const struct method redcc_method_spare_localwrite = {
-    .name = "spare-localwrite", .keeps = REDCC_ORDER_SERIAL, .spares = true, .prepare = prepare};
+const struct method redcc_method_spare_localwrite = {.name = "spare-localwrite",
+                                                     .alias = "localwrite-steal",
+                                                     .keeps = REDCC_ORDER_SERIAL,
+                                                     .spares = true,
+                                                     .prepare = prepare};
 
 /* The same with owners cut from the access graph. */
 const struct method redcc_method_spare_graph_localwrite = {.name = "spare-graph-localwrite",
+                                                           .alias = "graph-localwrite-steal",
                                                            .keeps = REDCC_ORDER_SERIAL,
                                                            .by_graph = true,
                                                            .spares = true,

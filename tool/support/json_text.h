@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** JSON out of text that need not be UTF-8: paths and source text are bytes. */
-#ifndef REPORT_JSON_TEXT_H
-#define REPORT_JSON_TEXT_H
+#ifndef SUPPORT_JSON_TEXT_H
+#define SUPPORT_JSON_TEXT_H
 
 #include <jansson.h>
 

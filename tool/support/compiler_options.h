@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the options of gcc and clang mean to a compiler wrapper: one sorted table. */
-#ifndef DRIVER_OPTIONS_H
-#define DRIVER_OPTIONS_H
+/** What the options of gcc and clang mean to the translator and to the compiler wrapper: one sorted
+ *  table, whether they come after `--`, from compile_commands.json or through redcc-cc. */
+#ifndef SUPPORT_COMPILER_OPTIONS_H
+#define SUPPORT_COMPILER_OPTIONS_H
 
 enum option_meaning {
     OPTION_ARGUMENT = 1 << 0,  /**< written alone, it takes the next word */
@@ -9,7 +10,7 @@ enum option_meaning {
     OPTION_PARSE = 1 << 2,     /**< the translator must see it to read the source as the compiler */
     OPTION_NO_OBJECT = 1 << 3, /**< nothing is compiled to code (-E, -M, --version) */
     OPTION_NO_LINK = 1 << 4,   /**< stops before the linker (-c, -S) */
-    OPTION_GIVE_UP = 1 << 5,   /**< no source is translated */
+    OPTION_GIVE_UP = 1 << 5,   /**< redcc-cc translates no source */
     OPTION_DEPENDENCY = 1 << 6,  /**< asks for a dependency file, or says what goes into it */
     OPTION_LINKER = 1 << 7,      /**< means nothing where one source is compiled to an object */
     OPTION_AUXILIARY = 1 << 8,   /**< more files are written, named after the output */
@@ -17,7 +18,13 @@ enum option_meaning {
     OPTION_OPENMP = 1 << 10,     /**< the user's own OpenMP pragmas are on */
     OPTION_PREFIX_MAP = 1 << 11, /**< OLD=NEW, applied to file names in the object */
     OPTION_THREADS = 1 << 12,    /**< with gcc, _REENTRANT is defined as by -pthread */
-    OPTION_MACROS = 1 << 13      /**< defines or undefines macros, or includes what may */
+    OPTION_MACROS = 1 << 13,     /**< defines or undefines macros, or includes what may */
+    OPTION_CLANG = 1 << 14,      /**< the translator's parser is told as well */
+    OPTION_PATH = 1 << 15,       /**< its argument is a path, from the folder of the command */
+    OPTION_REFUSE = 1 << 16,     /**< by it the program is another than the one that is judged: no
+                                      loop is translated, however it comes */
+    OPTION_INEXACT = 1 << 17     /**< two copies of a floating-point expression may give other bits:
+                                      loops with one are not translated */
 };
 
 /** One option; several where the name is the beginning of a family ("-W"). */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "report/json_text.h"
+#include "support/json_text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Options by which a program means something else than what is judged, or by which floating-point
+# operations may be rounded otherwise in each copy: the same after --, and through -p. (redcc-cc:
+# tests/driver/compilers.sh.)
+set -euo pipefail
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+cat >x.c <<'END'
+void sums(int n, const int *s, const double *restrict x, double *h) {
+    for (int t = 0; t < n; t++)
+        h[s[t]] += x[t];
+}
+void counts(int n, const int *restrict s, int *h) {
+    for (int t = 0; t < n; t++)
+        h[s[t]]++;
+}
+END
+verdicts() { # REDCC-ARGUMENTS: of the two loops, a word each
+    "$ATTACK_REDCC" --analyze x.c --report=json "$@" |
+        jq -r '[.loops[] | if .verdict == "transformed" then "transformed" else .reason.slug end] | join(" ")'
+}
+expect() { # WORDS OPTION
+    local found
+    found=$(verdicts -- -O2 "$2")
+    [ "$found" = "$1" ] || { echo "-- $2: expected '$1', found '$found'" >&2; exit 1; }
+    jq -n --arg folder "$work" --arg option "$2" \
+        '[{directory: $folder, file: "x.c", arguments: ["gcc", "-O2", $option, "-c", "x.c", "-o", "x.o"]}]' \
+        >compile_commands.json
+    found=$(verdicts -p .)
+    [ "$found" = "$1" ] || { echo "-p $2: expected '$1', found '$found'" >&2; exit 1; }
+}
+for option in -fwrapv -fwrapv-pointer -ftrapv -fno-strict-overflow -frounding-math -funsigned-bitfields \
+    -fno-signed-bitfields -fsingle-precision-constant -fpack-struct=1 -fshort-wchar -ffreestanding -m32 \
+    -mlong-double-128 -Wp,-isystem,x -undef; do
+    expect "option option" "$option"
+done
+for option in -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
+    -fno-signed-zeros -ffinite-math-only -mfpmath=387 -mfpmath=both -mfpmath=sse,387 -mrecip \
+    -fcx-limited-range; do
+    expect "inexact-option transformed" "$option"
+done
+for option in -O3 -fno-math-errno -fno-trapping-math -mfpmath=sse -fPIC -ffp-contract=off -g -Wall -fno-plt; do
+    expect "transformed transformed" "$option"
+done
+# who gives up the bits has the loop translated
+[ "$(verdicts --order=any -- -ffast-math)" = "transformed transformed" ]

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// With -ffast-math two copies of a text may be rounded otherwise; what has no floating-point
+// arithmetic may not (tests/attacks/20-fast-math.c).
+// covers: row 33
+// FLAGS: -ffast-math
+double sum;
+
+void sums(int n, const int *restrict s, double *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse inexact-option
+        h[s[t]] += e[t];
+}
+
+void in_subscripts(int n, int *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse inexact-option
+        h[(int)(e[t] * 10.0)]++;
+}
+
+static double half(double v) {
+    return v * 0.5;
+}
+void in_callees(int n, const int *restrict s, double *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse inexact-option
+        h[s[t]] -= half(e[t]);
+}
+
+void beside(int n, const int *restrict s, int *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse inexact-option
+        h[s[t]]++;
+        sum += e[t];
+    }
+}

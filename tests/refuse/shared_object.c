@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// What a shared object exports may be replaced by the program's own function of that name.
+// FLAGS: -fPIC
+double half(double v) {
+    return v * 0.5;
+}
+
+void replaced(int n, const int *restrict s, double *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse interposed
+        h[s[t]] += half(e[t]);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* redcc with errors of its own, linked with --wrap=emit_file: in the text of a loop that holds the
+ * words below something is spoilt after it was written. */
+#define _GNU_SOURCE /* memmem */
+#include <string.h>
+
+#include "emit/emit.h"
+
+emit_result __real_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                             const emit_options *options);
+emit_result __wrap_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                             const emit_options *options);
+
+static const struct {
+    const char *word, *right, *wrong;
+} plants[] = {
+    {"plant: it does not compile", "int redcc__done", "int redcc__dome"},
+    {"plant: another name", "redcc__bases[0] = (void *)here", "redcc__bases[0] = (void *)hers"},
+    {"plant: another subscript", "(redcc_int)won, sizeof", "(redcc_int)two, sizeof"},
+    {"plant: another type", "struct near own = places", "struct afar own = places"},
+};
+
+static void spoil(char *text, size_t length) {
+    for (size_t i = 0; i < sizeof plants / sizeof *plants; i++) {
+        if (!memmem(text, length, plants[i].word, strlen(plants[i].word)))
+            continue;
+        char *at = memmem(text, length, plants[i].right, strlen(plants[i].right));
+        if (at)
+            memcpy(at, plants[i].wrong, strlen(plants[i].wrong));
+    }
+}
+
+emit_result __wrap_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                             const emit_options *options) {
+    emit_result result = __real_emit_file(a, unit, analysis, options);
+    char *text = (char *)arena_copy(a, result.text, result.length);
+    for (unsigned i = 0; i < result.loop_count; i++)
+        spoil(text + result.loops[i].begin, result.loops[i].end - result.loops[i].begin);
+    result.text = text;
+    return result;
+}

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the report of a build comes to, for redcc-cc --redcc-summary. */
+#include <errno.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "driver/build_report.h"
+
+/* How often each text occurs. */
+struct count {
+    const char *text; /* owned by the JSON object of counts */
+    json_int_t times;
+};
+
+struct totals {
+    json_int_t files, translated_files, left_alone, parallel, refused_loops;
+    json_t *refused; /* reason's id and slug -> how often */
+    json_t *reasons; /* why a file was left alone -> how often */
+};
+
+static void count_one(json_t *counts, const char *text) {
+    const json_int_t before = json_integer_value(json_object_get(counts, text));
+    json_object_set_new(counts, text, json_integer(before + 1));
+}
+
+static void add_loop(struct totals *totals, const json_t *loop, bool *translated) {
+    const char *verdict = json_string_value(json_object_get(loop, "verdict"));
+    if (verdict && strcmp(verdict, "transformed") == 0) {
+        totals->parallel++;
+        *translated = true;
+        return;
+    }
+    totals->refused_loops++;
+    const json_t *reason = json_object_get(loop, "reason");
+    const char *id = json_string_value(json_object_get(reason, "id"));
+    const char *slug = json_string_value(json_object_get(reason, "slug"));
+    char text[128];
+    snprintf(text, sizeof text, "%s %s", id ? id : "?", slug ? slug : "");
+    count_one(totals->refused, text);
+}
+
+/* False: the object is none of a build's report. */
+static bool add_file(struct totals *totals, const json_t *file) {
+    const json_t *loops = json_object_get(file, "loops");
+    if (!json_is_array(loops))
+        return false;
+    totals->files++;
+    const char *why = json_string_value(json_object_get(file, "left_alone"));
+    if (why) {
+        totals->left_alone++;
+        count_one(totals->reasons, why);
+    }
+    bool translated = false;
+    size_t i;
+    const json_t *loop;
+    json_array_foreach(loops, i, loop) {
+        add_loop(totals, loop, &translated);
+    }
+    totals->translated_files += translated;
+    return true;
+}
+
+static int more_often_first(const void *left, const void *right) {
+    const struct count *l = left, *r = right;
+    if (l->times != r->times)
+        return l->times < r->times ? 1 : -1;
+    return strcmp(l->text, r->text);
+}
+
+static void print_counts(json_t *counts, const char *what, FILE *out) {
+    const size_t size = json_object_size(counts);
+    struct count *list = calloc(size + 1, sizeof *list);
+    size_t n = 0;
+    const char *text;
+    json_t *times;
+    if (!list)
+        return;
+    json_object_foreach(counts, text, times) {
+        list[n++] = (struct count){text, json_integer_value(times)};
+    }
+    qsort(list, n, sizeof *list, more_often_first);
+    for (size_t i = 0; i < n; i++)
+        fprintf(out, "  %s: %s: %lld\n", what, list[i].text, (long long)list[i].times);
+    free(list);
+}
+
+static void print_totals(const struct totals *totals, FILE *out) {
+    fprintf(out,
+            "redcc-cc: files: %lld, %lld with a loop made parallel, %lld left alone; irregular "
+            "reductions: %lld parallel, %lld refused\n",
+            (long long)totals->files, (long long)totals->translated_files,
+            (long long)totals->left_alone, (long long)totals->parallel,
+            (long long)totals->refused_loops);
+    print_counts(totals->refused, "refused", out);
+    print_counts(totals->reasons, "left alone", out);
+}
+
+/* Every line of the stream; returns the number of the first that is wrong, 0: none is. */
+static long add_lines(struct totals *totals, FILE *in) {
+    char *line = NULL;
+    size_t size = 0;
+    long number = 0, wrong = 0;
+    while (!wrong && getline(&line, &size, in) >= 0) {
+        number++;
+        json_t *object = json_loads(line, 0, NULL);
+        if (!object || !add_file(totals, object))
+            wrong = number;
+        json_decref(object);
+    }
+    free(line);
+    return wrong;
+}
+
+int build_report_summarise(const char *report, FILE *out) {
+    FILE *in = fopen(report, "r");
+    if (!in) {
+        fprintf(stderr, "redcc-cc: error: cannot read '%s': %s\n", report, strerror(errno));
+        return 1;
+    }
+    struct totals totals = {.refused = json_object(), .reasons = json_object()};
+    const long wrong = add_lines(&totals, in);
+    fclose(in);
+    if (wrong)
+        fprintf(stderr,
+                "redcc-cc: error: %s:%ld: expected a JSON object with \"loops\", as redcc-cc "
+                "appends it to REDCC_BUILD_REPORT\n",
+                report, wrong);
+    else
+        print_totals(&totals, out);
+    json_decref(totals.refused);
+    json_decref(totals.reasons);
+    return wrong != 0;
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Texts that may be evaluated where the program does not come to them: under fewer conditions than
+ * in the loop, or before it. What they give there does not matter, but they must have a meaning:
+ * signed arithmetic wraps around, and addresses are numbers, which may lie outside of every object.
+ */
+#include "analysis/counted.h"
+#include "analysis/expression.h"
+#include "emit/loop.h"
+
+/* ---- where the program may not come -------------------------------------------------------- */
+
+static bool holds_jump(const ir_node *node) {
+    if (node->kind == IR_BREAK || node->kind == IR_CONTINUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (holds_jump(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Not a loop over constants, each of whose iterations is executed. */
+static bool has_condition(const ir_node *node) {
+    const ir_variable *counter;
+    int64_t first, last;
+    if (ir_is_loop(node))
+        return !counted_constant(node, &counter, &first, &last) || holds_jump(node);
+    return node->kind == IR_IF || node->kind == IR_SWITCH;
+}
+
+/** Is there a `continue` of the loop above `statement` that the slice leaves out? */
+static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
+    if (node->kind == IR_CONTINUE)
+        return node->id < statement->id && !facts->in_slice[node->id];
+    if (ir_is_loop(node) || node->id >= statement->id)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (passes_by_jump(facts, node->children[i], statement))
+            return true;
+    return false;
+}
+
+bool is_bare(const loop_facts *facts, const ir_node *statement) {
+    for (const ir_node *node = statement->parent; node && node != facts->loop; node = node->parent)
+        if (has_condition(node) && !facts->in_slice[node->id])
+            return true;
+    return passes_by_jump(facts, facts->counted.body, statement);
+}
+
+/* ---- arithmetic ---------------------------------------------------------------------------- */
+
+static bool is_integer(const ir_node *node) {
+    return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
+}
+
+static const char *operator_text(ir_operator op) {
+    switch (op) {
+    case IR_OP_ADD:
+        return "+";
+    case IR_OP_SUBTRACT:
+        return "-";
+    case IR_OP_MULTIPLY:
+        return "*";
+    case IR_OP_SHIFT_LEFT:
+        return "<<";
+    default:
+        return NULL;
+    }
+}
+
+const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context) {
+    if (!node->type || node->type->kind != IR_INTEGER || !node->type->is_signed ||
+        node->flags & IR_HAS_VALUE)
+        return NULL;
+    const char *type = node->type->size == 8 ? "redcc_int" : "int";
+    const char *within = node->type->size == 8 ? "redcc_word" : "redcc_u32";
+    const char *op = operator_text(node->op);
+    if (node->kind == IR_UNARY && node->op == IR_OP_MINUS) {
+        const char *only = text_operand(a, node->children[0], rename, context);
+        return only ? arena_format(a, "((%s)(0 - (%s)%s))", type, within, only) : NULL;
+    }
+    if (node->kind != IR_BINARY || !op || !is_integer(node->children[0]) ||
+        !is_integer(node->children[1]))
+        return NULL;
+    const char *left = text_operand(a, node->children[0], rename, context);
+    const char *right = text_operand(a, node->children[1], rename, context);
+    if (!left || !right)
+        return NULL;
+    return node->op == IR_OP_SHIFT_LEFT
+               ? arena_format(a, "((%s)((%s)%s << %s))", type, within, left, right)
+               : arena_format(a, "((%s)((%s)%s %s (%s)%s))", type, within, left, op, within, right);
+}
+
+/* ---- addresses ----------------------------------------------------------------------------- */
+
+/** The subscript of a span, which steps by one with the counter: analysis/spans.c says how it may
+ *  be made up. */
+static const char *wide_number(arena *a, const ir_node *node, const ir_variable *counter,
+                               ir_c_rename rename, void *context) {
+    if (node->kind == IR_CAST && expression_mentions(node, counter))
+        return wide_number(a, node->children[0], counter, rename, context);
+    if (node->kind == IR_BINARY && expression_mentions(node, counter)) {
+        const char *left = wide_number(a, node->children[0], counter, rename, context);
+        const char *right = wide_number(a, node->children[1], counter, rename, context);
+        const char *op = operator_text(node->op);
+        return left && right && op ? arena_format(a, "(%s %s %s)", left, op, right) : NULL;
+    }
+    const char *text = text_operand(a, node, rename, context);
+    return text ? arena_format(a, "(redcc_size)%s", text) : NULL;
+}
+
+const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
+                           ir_c_rename rename, void *context) {
+    const char *sum = text_operand(a, address->base, rename, context);
+    if (!sum)
+        return NULL;
+    sum = arena_format(a, "(redcc_size)%s%s", address->base_is_object ? "&" : "", sum);
+    for (unsigned i = 0; i < address->term_count; i++) {
+        const row_term *term = &address->terms[i];
+        const bool is_down = term->bytes < 0;
+        const char *number =
+            wide_number(a, term->subscript,
+                        counter && expression_mentions(term->subscript, counter) ? counter : NULL,
+                        rename, context);
+        if (!number)
+            return NULL;
+        sum = arena_format(a, "%s %s %lldu * %s", sum, is_down ? "-" : "+",
+                           (long long)(is_down ? -term->bytes : term->bytes), number);
+    }
+    if (address->offset != 0)
+        sum = arena_format(a, "%s + %lldu", sum, (long long)address->offset);
+    return sum;
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** redcc --explain: what docs/reasons.md says of a reason, without the file at hand. */
+#ifndef EXPLAIN_H
+#define EXPLAIN_H
+
+#include "support/arena.h"
+
+/** The section on the reason of that id ("R204") or slug ("private-not-proved"), in the arena, from
+ *  its heading on; NULL: there is no such reason. */
+const char *explain_section(arena *a, const char *reason);
+
+/** The id and slug of the reason that is spelled most like `word`: "R204 private-not-proved". */
+const char *explain_nearest(arena *a, const char *word);
+
+#endif

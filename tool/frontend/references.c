@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What the names in the functions' text mean: of each the declaration that the compiler finds for
+ * it, also where the tree says nothing of it (types, lengths, sizeof). */
+#include <stdlib.h>
+#include <string.h>
+
+#include "frontend/convert.h"
+
+struct reference_table {
+    map *declared;   /* canonical declaration -> ir_declared */
+    map *known;      /* any declaration -> ir_declared: asking for the canonical one takes longer */
+    map *file_names; /* CXFile -> its name */
+    VECTOR(ir_reference) items;
+};
+
+struct reference_table *references_new(converter *c) {
+    struct reference_table *table = ARENA_NEW(c->arena, struct reference_table);
+    table->declared = map_new(c->arena);
+    table->known = map_new(c->arena);
+    table->file_names = map_new(c->arena);
+    return table;
+}
+
+/* ---- declarations -------------------------------------------------------------------------- */
+
+static const char *name_of_file(converter *c, CXFile file) {
+    if (file == NULL)
+        return "";
+    if (clang_File_isEqual(file, c->main_file))
+        return NULL;
+    void **known = map_at(c->references->file_names, &file, sizeof file);
+    if (*known == NULL)
+        *known = (void *)take_string(c, clang_getFileName(file));
+    return *known;
+}
+
+/* The structure, union or enumeration below the pointers and lengths of a type name. */
+static const ir_declared *tag_of(converter *c, CXCursor declaration) {
+    if (clang_getCursorKind(declaration) != CXCursor_TypedefDecl)
+        return NULL;
+    CXType type = clang_getCanonicalType(clang_getTypedefDeclUnderlyingType(declaration));
+    for (;;) {
+        if (type.kind == CXType_Pointer)
+            type = clang_getPointeeType(type);
+        else if (clang_getArrayElementType(type).kind != CXType_Invalid)
+            type = clang_getArrayElementType(type);
+        else
+            break;
+    }
+    CXCursor tag = clang_getTypeDeclaration(type);
+    return clang_isDeclaration(clang_getCursorKind(tag)) ? declared_of(c, tag) : NULL;
+}
+
+static const ir_declared *new_declared(converter *c, CXCursor first) {
+    ir_declared *declared = ARENA_NEW(c->arena, ir_declared);
+    CXFile file;
+    unsigned offset;
+    clang_getExpansionLocation(clang_getCursorLocation(first), &file, NULL, NULL, &offset);
+    declared->name = take_string(c, clang_getCursorSpelling(first));
+    declared->file = name_of_file(c, file);
+    declared->offset = offset;
+    const enum CXCursorKind kind = clang_getCursorKind(first);
+    declared->is_external = (kind == CXCursor_VarDecl || kind == CXCursor_FunctionDecl) &&
+                            clang_getCursorLinkage(first) == CXLinkage_External;
+    declared->tag = tag_of(c, first);
+    return declared;
+}
+
+const ir_declared *declared_of(converter *c, CXCursor declaration) {
+    const void *own = declaration.data[0];
+    const ir_declared *known = map_get(c->references->known, &own, sizeof own);
+    if (known != NULL)
+        return known;
+    CXCursor first = clang_getCanonicalCursor(declaration);
+    const void *key = first.data[0];
+    known = map_get(c->references->declared, &key, sizeof key);
+    if (known == NULL) {
+        known = new_declared(c, first);
+        *map_at(c->references->declared, &key, sizeof key) = (void *)known;
+    }
+    *map_at(c->references->known, &own, sizeof own) = (void *)known;
+    return known;
+}
+
+/* ---- references ---------------------------------------------------------------------------- */
+
+static enum CXChildVisitResult visit_reference(CXCursor cursor, CXCursor parent,
+                                               CXClientData data) {
+    (void)parent;
+    converter *c = data;
+    const enum CXCursorKind kind = clang_getCursorKind(cursor);
+    if (kind != CXCursor_DeclRefExpr && kind != CXCursor_TypeRef)
+        return CXChildVisit_Recurse;
+    CXFile file;
+    unsigned offset;
+    clang_getExpansionLocation(clang_getCursorLocation(cursor), &file, NULL, NULL, &offset);
+    CXCursor declaration = clang_getCursorReferenced(cursor);
+    if (clang_File_isEqual(file, c->main_file) && !clang_Cursor_isNull(declaration)) {
+        const ir_reference found = {.offset = offset,
+                                    .is_type = kind == CXCursor_TypeRef,
+                                    .declared = declared_of(c, declaration)};
+        VECTOR_PUSH(c->arena, &c->references->items, found);
+    }
+    return CXChildVisit_Recurse;
+}
+
+void note_references(converter *c, CXCursor body) {
+    clang_visitChildren(body, visit_reference, c);
+}
+
+static int compare_places(const void *left, const void *right) {
+    const ir_reference *a = left;
+    const ir_reference *b = right;
+    return a->offset < b->offset ? -1 : a->offset > b->offset;
+}
+
+void finish_references(converter *c) {
+    if (c->references->items.count > 0)
+        qsort(c->references->items.items, c->references->items.count,
+              sizeof *c->references->items.items, compare_places);
+    c->unit->references = c->references->items.items;
+    c->unit->reference_count = c->references->items.count;
+}
