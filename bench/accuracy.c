@@ -127,6 +127,7 @@ static void add_up_by_redcc(double *b) {
     }
     if (!redcc_leave(&call))
         add_up(b, 0, TRIP);
+    redcc_sequential_done(&loop);
 }
 
 /* What a child leaves behind. */

@@ -45,7 +45,44 @@ static void count_overlap(struct execution *execution) {
     redcc_report_overlap(&execution->state->reported.statistics, source, array);
 }
 
-static void account_refused(struct execution *execution) {
+static enum result result_of(const struct execution *execution) {
+    switch (execution->reason) {
+    case REASON_CHANGED:
+        return RESULT_CHANGED;
+    case REASON_DEADLINE:
+        return RESULT_STOPPED;
+    case REASON_UNATTRACTIVE:
+        return RESULT_UNATTRACTIVE;
+    default:
+        return RESULT_REFUSED;
+    }
+}
+
+/* Does the reason concern one way, or (SEQUENTIAL) all of them? */
+static enum way way_concerned(const struct execution *execution) {
+    switch (execution->reason) {
+    case REASON_NO_MEMORY:
+    case REASON_NO_COPIES:
+    case REASON_MIXED:
+    case REASON_UNATTRACTIVE:
+    case REASON_DEADLINE:
+    case REASON_CHANGED:
+        return execution->advice.way;
+    default:
+        return WAY_SEQUENTIAL;
+    }
+}
+
+/* The part of the set-up that was done when its deadline came. */
+static double part_done(const struct execution *execution) {
+    const struct inspection *inspection = &execution->inspection;
+    if (execution->reason != REASON_DEADLINE || inspection->route == ROUTE_SERIAL)
+        return 0;
+    const double swept = redcc_sweep_done(inspection);
+    return execution->advice.way == WAY_GRAPH ? swept / 4 : swept;
+}
+
+static void account_refused(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
     const redcc_int trip = execution->call.request.trip;
@@ -54,33 +91,17 @@ static void account_refused(struct execution *execution) {
     else
         redcc_count_fallback(state, execution->reason);
     redcc_note_serial(statistics);
+    statistics->inspect_seconds += now - execution->call.entered;
     if (execution->reason == REASON_NO_MEMORY)
         redcc_cache_drop_all(&state->cache);
     if (execution->call.method)
         return;
-    redcc_tell_refused(&state->chooser, trip, execution->reason);
-    redcc_note_rule(statistics, redcc_advice_rule(&state->chooser, trip));
-}
-
-/* One thread has executed all: no plan was worth making. */
-static void account_unplanned(struct execution *execution, double now) {
-    struct loop_state *state = execution->state;
-    struct statistics *statistics = &state->reported.statistics;
-    const struct run *run = &execution->run;
-    const redcc_int trip = execution->call.request.trip;
-    const double inspecting = run->ready - execution->call.entered;
-    redcc_count_fallback(state, execution->reason);
-    redcc_note_serial(statistics);
-    statistics->inspect_seconds += inspecting;
-    statistics->execute_seconds += now - run->ready;
-    statistics->executed += trip;
-    statistics->in_loops += trip;
-    statistics->last.trip = statistics->last.length = trip;
-    redcc_tell_executed(&state->chooser, &(struct outcome){.trip = trip,
-                                                           .mode = MODE_TIMED,
-                                                           .seconds = run->alone,
-                                                           .spent = inspecting,
-                                                           .reason = execution->reason});
+    const struct outcome outcome = {.result = result_of(execution),
+                                    .way = way_concerned(execution),
+                                    .trip = trip,
+                                    .seconds = now - execution->call.entered,
+                                    .done = part_done(execution)};
+    redcc_tell(&state->chooser, &outcome, execution->reason);
     redcc_note_rule(statistics, redcc_advice_rule(&state->chooser, trip));
 }
 
@@ -104,7 +125,7 @@ static void trace_execution(const struct execution *execution, double now) {
                     (double)plan->executed / trip, redcc_plan_stages(plan), redcc_plan_bytes(plan),
                     run->ready - execution->call.entered);
     redcc_trace(TRACE_EXECUTION, loop, "%lld iterations by %d threads; %.3g s", plan->trip,
-                run->mode == MODE_TIMED ? 1 : execution->call.threads, now - run->ready);
+                execution->call.threads, now - run->ready);
 }
 
 static void count_nodes(const struct execution *execution, struct statistics *statistics) {
@@ -119,44 +140,48 @@ static void count_nodes(const struct execution *execution, struct statistics *st
 
 static void tell_auto(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
-    const struct run *run = &execution->run;
-    const struct plan *plan = run->plan;
-    const bool calibrates = redcc_is_calibration(run, plan), timed = run->mode == MODE_TIMED;
-    double working = 0;
-    for (int t = 0; t < execution->call.threads; t++)
-        working += state->thread[t]->runner.ended - state->thread[t]->runner.began;
-    const struct outcome outcome = {.trip = plan->trip,
-                                    .mode = timed || calibrates ? run->mode : MODE_PARALLEL,
-                                    .by_graph = plan->map.owner != NULL || plan->method->in_levels,
-                                    .seconds = timed ? run->alone : now - execution->call.entered,
-                                    .block = run->block,
-                                    .working =
-                                        working * (double)plan->trip / (double)plan->executed};
-    redcc_tell_executed(&state->chooser, &outcome);
+    const struct plan *plan = execution->run.plan;
+    const bool built = execution->inspected;
+    const double entered = execution->call.entered, ready = execution->run.ready;
+    const struct outcome outcome = {.result = RESULT_PARALLEL,
+                                    .way = redcc_way_of(plan->method),
+                                    .trip = plan->trip,
+                                    .seconds = now - (built ? ready : entered),
+                                    .set_up = built ? ready - entered : 0};
+    redcc_tell(&state->chooser, &outcome, REASON_NONE);
     redcc_note_rule(&state->reported.statistics, redcc_advice_rule(&state->chooser, plan->trip));
+}
+
+/* What is learned of the team, whatever became of the loop. */
+static void tell_team(struct execution *execution) {
+    const struct call *call = &execution->call;
+    const double woken = execution->woken;
+    if (!call->method)
+        redcc_tell_team(&execution->state->chooser, call->asked, call->threads,
+                        woken > 0 ? woken - call->entered : 0);
 }
 
 static void account_execution(struct execution *execution, double now) {
     struct statistics *statistics = &execution->state->reported.statistics;
     const struct run *run = &execution->run;
     const struct plan *plan = run->plan;
-    const bool timed = run->mode == MODE_TIMED, built = execution->inspected;
+    const bool built = execution->inspected;
     const size_t bytes = built ? redcc_plan_bytes(plan) : 0;
-    statistics->method = timed ? &redcc_method_serial : plan->method;
+    statistics->method = plan->method;
     statistics->parameter = plan->parameter;
-    statistics->threads = timed ? 1 : execution->call.threads;
+    statistics->threads = execution->call.threads;
     statistics->plans_built += built;
     statistics->plans_reused += !built;
     statistics->watched += !built && redcc_reuse_skipped_sources(&execution->reuse) > 0;
     statistics->inspect_seconds += run->ready - execution->call.entered;
     statistics->execute_seconds += now - run->ready;
     statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
-    statistics->executed += timed ? plan->trip : plan->executed;
+    statistics->executed += plan->executed;
     statistics->in_loops += plan->trip;
     statistics->last.stages = redcc_plan_stages(plan);
     statistics->last.trip = plan->trip;
-    statistics->last.length = timed ? plan->trip : plan->length;
-    statistics->last.compensated = !timed && redcc_lost_bytes(plan) > 0;
+    statistics->last.length = plan->length;
+    statistics->last.compensated = redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)
@@ -171,11 +196,10 @@ bool redcc_account(struct execution *execution) {
     if (validated)
         redcc_validation_end(&run->validation, run->plan, request->loop, request->bases,
                              run->validated);
+    tell_team(execution);
     if (run->plan)
         account_execution(execution, now);
-    else if (execution->inspection.route == ROUTE_TIMED)
-        account_unplanned(execution, now);
     else
-        account_refused(execution);
-    return run->plan || execution->inspection.route == ROUTE_TIMED;
+        account_refused(execution, now);
+    return run->plan != NULL;
 }

@@ -231,12 +231,12 @@ static void take_settings(struct call *call, const struct settings *settings, in
 }
 
 /* What auto says of this call. */
-static struct advice advice_for(struct loop_state *state, const struct call *call, int threads) {
-    if (call->method)
-        return (struct advice){.mode = MODE_PARALLEL};
-    const struct advice advice = redcc_advise_entry(&state->chooser, call->request.trip, threads);
-    if (advice.drops_others) /* what there was before need not stay beside it */
-        redcc_cache_drop_others(&state->cache);
+static struct advice advice_for(struct execution *execution, int threads) {
+    struct loop_state *state = execution->state;
+    execution->reuse.sampled = 0;
+    if (execution->call.method)
+        return (struct advice){.action = ACTION_REUSE};
+    const struct advice advice = redcc_advise_entry(&state->chooser, &execution->reuse, threads);
     redcc_note_rule(&state->reported.statistics, advice.rule);
     return advice;
 }
@@ -246,10 +246,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
                             enum reason *reason) {
     struct loop_state *state = execution->state;
     struct call *call = &execution->call;
-    execution->advice = advice_for(state, call, threads);
+    execution->advice = advice_for(execution, threads);
     *reason = execution->advice.reason;
     state->reported.statistics.order = call->order;
-    if (execution->advice.mode == MODE_SERIAL) {
+    if (execution->advice.action == ACTION_SEQUENTIAL) {
         redcc_note_serial(&state->reported.statistics);
         return false;
     }
@@ -267,7 +267,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->reuse.hasher = state->hasher;
     execution->reuse.skipped_calls = execution->advice.skipped_calls;
     execution->reason = REASON_NONE;
-    redcc_run_begin(&execution->run, execution->advice.mode);
+    execution->woken = 0;
+    redcc_run_begin(&execution->run);
     execution->run.validated =
         call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
     return true;
@@ -294,11 +295,50 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
                : threads;
 }
 
+/* ---- the original loop, timed ----------------------------------------------------------------
+ */
+
+/* Of this thread: the original loop that it is about to execute, and since when. An inner loop's
+ * takes its place; then the outer one is not timed in this call. */
+static _Thread_local struct {
+    const redcc_loop *loop; /* NULL: none */
+    redcc_int trip;
+    double began;
+} original;
+
+static void time_original(const redcc_loop *loop, redcc_int trip) {
+    original.loop = loop;
+    original.trip = trip;
+    original.began = redcc_seconds();
+}
+
+void redcc_sequential_done(redcc_loop *loop) {
+    if (original.loop != loop)
+        return;
+    const int error = errno;
+    const double seconds = redcc_seconds() - original.began;
+    struct loop_state *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
+    enum reason reason;
+    original.loop = NULL;
+    if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
+        redcc_tell(
+            &state->chooser,
+            &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
+            REASON_NONE);
+        release(state);
+    }
+    errno = error;
+}
+
+/* ---- enter, join, leave ----------------------------------------------------------------------
+ */
+
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
+    original.loop = NULL;
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
     struct loop_state *state = state_of(loop);
@@ -334,13 +374,16 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     threads = threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
+        const bool timed = asks_auto && execution->advice.timed;
         end(held);
+        if (timed)
+            time_original(loop, trip);
         return serially(state, reason);
     }
     threads = execution->call.asked;
     redcc_find_plan(execution);
     redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
-                execution->run.mode == MODE_TIMED ? "by one thread, timed" : "in parallel",
+                execution->advice.action == ACTION_INSPECT ? "inspected" : "in parallel",
                 execution->call.method ? " by " : "",
                 execution->call.method ? execution->call.method->name : "", threads);
     call->threads = threads;
@@ -372,6 +415,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     struct runner *runner = &thread->runner;
     worker->execution = thread;
     note_node(thread);
+    if (number == threads - 1)
+        execution->woken = redcc_seconds();
     runner->float_control = redcc_float_control();
     redcc_float_control_take(execution->call.float_control);
     thread->threads = runner->threads = thread->inspector.threads = thread->hasher.threads =
@@ -393,7 +438,8 @@ int redcc_leave(redcc_call *call) {
     if (!call->decided)
         return 0;
     struct execution *execution = call->execution;
-    const bool done = redcc_account(execution);
+    const bool done = redcc_account(execution), asks_auto = !execution->call.method;
+    const redcc_int trip = execution->call.request.trip;
     struct plan *plan = execution->run.plan;
     if (execution->inspected) {
         redcc_inspection_end(&execution->inspection);
@@ -405,5 +451,7 @@ int redcc_leave(redcc_call *call) {
     const int error_before = execution->call.error_before;
     end(execution->state);
     errno = error ? error : error_before;
+    if (!done && asks_auto)
+        time_original(call->loop, trip);
     return done;
 }

@@ -32,6 +32,7 @@ struct execution {
     struct run run;
     enum stage stage;   /* that all threads go on with, after they met */
     enum reason reason; /* why there is no plan */
+    double woken;       /* when the last thread of the region came, in seconds; 0: none did */
     struct barrier barrier;
 };
 

@@ -2,6 +2,7 @@
 /** The stages of the pipeline, which pipeline.h draws. */
 #include "pipeline.h"
 
+#include "base/clock.h"
 #include "loop.h"
 #include "plan/check.h"
 
@@ -10,20 +11,21 @@
 static enum stage refuse(struct execution *execution, enum reason reason) {
     assert(reason != REASON_NONE);
     execution->reason = reason;
-    execution->inspection.route = ROUTE_SERIAL;
+    if (reason != REASON_DEADLINE) /* how far it came is still to be told */
+        execution->inspection.route = ROUTE_SERIAL;
     return STAGE_OVER;
 }
 
 /* ---- verify ---------------------------------------------------------------------------------- */
 
-static enum plan_kind kind_wanted(const struct execution *execution) {
-    if (execution->call.method)
-        return PLAN_ANY;
-    return execution->advice.by_graph ? PLAN_BY_GRAPH : PLAN_BY_ADDRESS;
-}
-
+/* A method that is named may use any plan; auto only what it has decided for. */
 void redcc_find_plan(struct execution *execution) {
-    redcc_reuse_find(&execution->reuse, execution->call.threads, kind_wanted(execution));
+    struct reuse *reuse = &execution->reuse;
+    const struct advice *advice = &execution->advice;
+    reuse->found = NULL;
+    if (execution->call.method || advice->action == ACTION_REUSE)
+        redcc_reuse_find(reuse, execution->call.threads,
+                         execution->call.method ? WAY_SEQUENTIAL : advice->way);
 }
 
 static enum progress come_together(struct thread_state *thread, redcc_worker *worker) {
@@ -50,13 +52,21 @@ static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
 }
 
 static enum stage begin_inspection(struct execution *execution) {
-    const struct advice *advice = &execution->advice;
+    const bool named = execution->call.method != NULL;
     redcc_reuse_drop_found(&execution->reuse);
+    if (!named && execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
+        return refuse(execution, REASON_CHANGED);
     execution->inspected = true;
-    return redcc_inspection_begin(&execution->inspection,
-                                  advice->mode != MODE_TIMED && !advice->by_graph)
+    execution->inspection.deadline = execution->advice.deadline;
+    return redcc_inspection_begin(&execution->inspection, !named)
                ? STAGE_SAMPLE
                : refuse(execution, REASON_NO_MEMORY);
+}
+
+/* Has the inspection taken longer than auto allows? */
+static bool is_late(const struct execution *execution) {
+    const double deadline = execution->inspection.deadline;
+    return deadline > 0 && redcc_seconds() > deadline;
 }
 
 /* ---- sample ---------------------------------------------------------------------------------- */
@@ -74,25 +84,26 @@ static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
     struct estimate estimate = {0};
-    enum reason reason = REASON_NONE;
     if (!redcc_cut(inspection, redcc_wants_estimate(inspection) ? &estimate : NULL))
         return refuse(execution, REASON_NO_MEMORY);
-    inspection->route = redcc_advise_sampled(&execution->state->chooser, &execution->advice,
-                                             inspection, &estimate, &reason);
-    return inspection->route == ROUTE_SERIAL ? refuse(execution, reason) : STAGE_SWEEP;
+    inspection->route =
+        redcc_advise_sampled(&execution->state->chooser, &execution->advice, inspection, &estimate);
+    return inspection->route == ROUTE_SERIAL ? refuse(execution, REASON_UNATTRACTIVE) : STAGE_SWEEP;
 }
 
 static enum stage after_sample(struct execution *execution) {
     const enum reason reason = redcc_sample_finish(&execution->inspection);
-    return reason == REASON_NONE ? cut(execution) : refuse(execution, reason);
+    if (reason != REASON_NONE)
+        return refuse(execution, reason);
+    return is_late(execution) ? refuse(execution, REASON_DEADLINE) : cut(execution);
 }
 
 /* ---- sweep ----------------------------------------------------------------------------------- */
 
 static void begin_sweep(struct thread_state *thread) {
     const struct inspection *inspection = &thread->execution->inspection;
-    const size_t hashed = redcc_hash_begin(&thread->hasher, &inspection->call->request,
-                                           inspection->sources, inspection->route != ROUTE_TIMED);
+    const size_t hashed =
+        redcc_hash_begin(&thread->hasher, &inspection->call->request, inspection->sources);
     redcc_sweep_start(inspection, &thread->inspector, hashed);
 }
 
@@ -121,17 +132,6 @@ static enum reason objection(const struct inspection *inspection, const struct m
         !redcc_copies_possible(&inspection->partition, inspection->touched))
         return REASON_NO_COPIES;
     return REASON_NONE;
-}
-
-/* Nothing but the original loop is left, or nothing is known of it: one thread executes it, so that
- * it is known how long that takes. Even that wants the guard: what the body reads once, as where an
- * array lies, must not be among what it updates. */
-static enum stage go_timed(struct execution *execution) {
-    const bool put_off = execution->inspection.route == ROUTE_TIMED;
-    execution->reason = put_off ? REASON_COSTLY : REASON_REPLICATION;
-    execution->inspection.route = ROUTE_TIMED;
-    execution->run.mode = MODE_TIMED;
-    return STAGE_RUN;
 }
 
 static enum route route_of(const struct method *method) {
@@ -183,7 +183,7 @@ static enum stage choose_method(struct execution *execution) {
     const struct method *method =
         redcc_advise_swept(&execution->state->chooser, &execution->advice, inspection, reusable);
     if (!method)
-        return go_timed(execution);
+        return refuse(execution, REASON_UNATTRACTIVE);
     const enum reason reason = objection(inspection, method);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
@@ -218,13 +218,14 @@ static enum stage fall_back(struct execution *execution) {
     if (named)
         return begin_plan(execution, named->spares ? &redcc_method_spare_localwrite
                                                    : &redcc_method_localwrite);
-    redcc_tell_no_graph(&execution->state->chooser, &execution->advice,
-                        execution->call.request.trip);
+    redcc_tell_no_graph(&execution->advice);
     return choose_method(execution);
 }
 
 static enum stage begin_log(struct execution *execution, const struct method *method) {
     execution->method = method;
+    if (is_late(execution))
+        return refuse(execution, REASON_DEADLINE);
     switch (redcc_log_begin(&execution->inspection, method->in_levels)) {
     case DIVIDE_NO_MEMORY:
         return refuse(execution, REASON_NO_MEMORY);
@@ -253,6 +254,8 @@ static enum stage after_log(struct execution *execution) {
     case DIVIDE_DONE:
         break;
     }
+    if (is_late(execution))
+        return refuse(execution, REASON_DEADLINE);
     execution->method =
         redcc_advise_logged(&execution->state->chooser, &execution->inspection, execution->method);
     return STAGE_PARTITION;
@@ -388,7 +391,7 @@ int redcc_inspect(redcc_worker *worker) {
     }
     if (!thread->runner.plan)
         thread->runner.plan = thread->execution->run.plan;
-    assert(thread->runner.plan || thread->execution->run.mode == MODE_TIMED);
+    assert(thread->runner.plan);
     return 0;
 }
 

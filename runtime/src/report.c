@@ -104,8 +104,8 @@ static void write_method(FILE *out, const struct statistics *statistics) {
 }
 
 static void write_choice(FILE *out, const struct statistics *statistics) {
-    static const char *const texts[] = {"REDCC_METHOD names the method",
-#define REDCC_RULE(id, known, done) known ": " done,
+    static const char *const texts[] = {"named",
+#define REDCC_RULE(id, slug, known, done) slug,
                                         REDCC_RULE_LIST(REDCC_RULE)
 #undef REDCC_RULE
     };

@@ -51,6 +51,15 @@ void problem_free(struct problem *problem);
 /** Sets the arrays to what they are before the loop. */
 void problem_reset(struct problem *problem);
 
+/** As if each iteration of the original loop took so many seconds, in very many calls before, and
+ *  each set-up as long as ten of these: then auto comes to a plan in the calls that follow,
+ * whatever else the machine does. The loop must have been executed once. */
+void problem_tell_slow(redcc_loop *loop, long trip, double seconds);
+
+/** Does problem_run do that after a call that ran serially, where no method is named? At first it
+ *  does. */
+extern bool problem_run_tells;
+
 /** The loop as redcc translates it. Returns 1 where it was done in parallel (0: serially). *last
  *  becomes `3 t + 1` of the last iteration. */
 int problem_run(struct problem *problem, struct described *described, int threads, long *last);

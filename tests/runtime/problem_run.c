@@ -2,6 +2,8 @@
 /* The loop of problem.h, written as redcc writes it (docs/generated-code.md). */
 #include "problem.h"
 
+#include <stdlib.h>
+
 #include <omp.h>
 
 void problem_describe(const struct problem *problem, struct described *described) {
@@ -123,9 +125,14 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
             }
         }
     }
-    if (redcc_leave(&call))
+    const int done = redcc_leave(&call);
+    if (!done)
+        problem_oracle(problem);
+    redcc_sequential_done(&described->loop);
+    if (done)
         return 1;
-    problem_oracle(problem);
+    if (problem_run_tells && !getenv("REDCC_METHOD"))
+        problem_tell_slow(&described->loop, trip, 1e-3);
     if (trip > 0)
         *last = 3 * (long)trip - 2;
     return 0;

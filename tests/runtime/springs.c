@@ -137,6 +137,9 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
             s->b[j][c] -= f[c];
         }
     }
+#ifdef _OPENMP
+    redcc_sequential_done(&redcc__loop);
+#endif
 }
     if (t != n)
         abort();

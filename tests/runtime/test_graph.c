@@ -2,7 +2,6 @@
 /* Ownership cut from the access graph, on shuffled meshes: with REDCC_METHOD=graph-localwrite, and
  * without it. */
 #include "base/memory.h"
-#include "choose/budget.h"
 #include "loop.h"
 #include "ownership/graph/bisect.h"
 #include "plan_check.h"
@@ -306,7 +305,6 @@ static void auto_comes_to_the_graph(void **unused) {
     struct problem problem = mesh_problem(&mesh);
     struct described described;
     problem_describe(&problem, &described);
-    redcc_budget_gain(1e6);
     assert_true(call_often(&problem, &described, 4, 20) >= 3);
     for (int change = 0; change < 6; change++) {
         problem.row[100 * change] = (problem.row[100 * change] + 1) % problem.rows;
@@ -323,13 +321,11 @@ static const struct method *method_of_long_iterations(const struct mesh *mesh, d
     struct described described;
     const struct method *method = NULL;
     problem_describe(&problem, &described);
-    redcc_budget_gain(1e6);
     for (int call = 0; call < 12 && !method; call++) {
         call_often(&problem, &described, 2, 1);
         struct loop_state *state = described.loop.state;
-        for (int size = 0; size < 64; size++)
-            if (state->chooser.trial[size].serial_best > 0)
-                state->chooser.trial[size].serial_best = seconds;
+        (void)state;
+        problem_tell_slow(&described.loop, problem.trip, seconds);
         method = method_with_map(&described);
     }
     call_often(&problem, &described, 2, 2);

@@ -2,7 +2,6 @@
 /* Iterations in levels: against the definition, tried on every pair of iterations; and auto, which
  * takes them where no cut of owners serves. */
 #include "base/memory.h"
-#include "choose/budget.h"
 #include "loop.h"
 #include "ownership/graph/levels.h"
 #include "plan_check.h"
@@ -208,7 +207,6 @@ static int calls_by_levels(struct problem *problem, int threads, int calls) {
 /* With all the time in the world. */
 static void auto_takes_levels_where_no_cut_serves(void **unused) {
     (void)unused;
-    redcc_budget_gain(1e6);
     struct problem problem = random_pairs(100000, 60000);
     assert_true(calls_by_levels(&problem, 4, 12) >= 3);
     problem_free(&problem);
@@ -222,14 +220,13 @@ static void auto_takes_levels_where_no_cut_serves(void **unused) {
  * nothing is lost. */
 static void memory_fails_on_the_way(void **unused) {
     (void)unused;
-    enum { FIRST = 4, STEP = 11 }; /* calls before auto comes to the graph; to be quick */
+    enum { FIRST = 1, STEP = 11 }; /* the call in which auto comes to the graph; to be quick */
     struct problem problem = random_pairs(100000, 60000);
     const size_t bytes = (size_t)problem.doubles * sizeof(double);
     double *expected = malloc(bytes);
     problem_reset(&problem);
     problem_oracle(&problem);
     memcpy(expected, problem.first, bytes);
-    redcc_budget_gain(1e6);
     bool exhausted = true;
     int by_levels = 0;
     for (long failing = 0; exhausted; failing += STEP) {

@@ -93,25 +93,22 @@ static void methods_that_keep_the_order_give_the_oracles_bits(void **unused) {
     all_shapes(false);
 }
 
-/* Shuffled, a few thousand elements: copies take less than iterations executed twice. Sorted, they
- * take more. */
+/* Shuffled, a few thousand elements: copies take less than iterations executed twice. */
 static void auto_takes_copies_where_they_are_cheaper(void **unused) {
     (void)unused;
     const struct settings *settings = redcc_settings();
     if (settings->method || settings->compensated || settings->order != REDCC_ORDER_ANY)
         skip();
-    for (int number = 0; number < 2; number++) {
-        struct problem problem = problem_new(number, true);
-        struct described described;
-        long last;
-        problem_describe(&problem, &described);
-        assert_true(problem_run(&problem, &described, 2, &last));
-        const struct loop_state *state = described.loop.state;
-        assert_ptr_equal(state->cache.kept[0]->plan->method,
-                         number == 0 ? &redcc_method_localwrite : &redcc_method_expansion);
-        redcc_loop_forget(&described.loop);
-        problem_free(&problem);
-    }
+    struct problem problem = problem_new(1, true);
+    struct described described;
+    long last;
+    problem_describe(&problem, &described);
+    assert_false(problem_run(&problem, &described, 2, &last));
+    assert_true(problem_run(&problem, &described, 2, &last));
+    const struct loop_state *state = described.loop.state;
+    assert_ptr_equal(state->cache.kept[0]->plan->method, &redcc_method_expansion);
+    redcc_loop_forget(&described.loop);
+    problem_free(&problem);
 }
 
 /* An iteration that is not sampled touches an element far away: copies would pass the limit. */
@@ -134,7 +131,13 @@ static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     problem_oracle(&problem);
     memcpy(expected, problem.first, (size_t)problem.doubles * sizeof(double));
     problem_reset(&problem);
-    assert_true(problem_run(&problem, &described, 2, &last));
+    assert_false(problem_run(&problem, &described, 2, &last));
+    int done = 0; /* nor is there memory for the graph, as the first set-up finds */
+    for (int call = 0; call < 10 && !done; call++) {
+        problem_reset(&problem);
+        done = problem_run(&problem, &described, 2, &last);
+    }
+    assert_true(done);
     assert_memory_equal(expected, problem.first, (size_t)problem.doubles * sizeof(double));
     const struct loop_state *state = described.loop.state;
     assert_ptr_equal(state->cache.kept[0]->plan->method, &redcc_method_localwrite);

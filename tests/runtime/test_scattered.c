@@ -84,10 +84,11 @@ static bool run(struct rows *it, redcc_loop *loop, int threads) {
                 execute(it, &worker);
         }
     }
-    if (redcc_leave(&call))
-        return true;
-    oracle(it);
-    return false;
+    const bool done = redcc_leave(&call);
+    if (!done)
+        oracle(it);
+    redcc_sequential_done(loop);
+    return done;
 }
 
 static struct rows *new_rows(bool far) {

@@ -204,7 +204,7 @@ static void by_forking_and_storing(struct fixture *fixture) {
     waitpid(child, NULL, 0);
 }
 
-static const struct way {
+static const struct way_of_writing {
     const char *name;
     void (*change)(struct fixture *);
 } ways[] = {

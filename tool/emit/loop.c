@@ -136,15 +136,19 @@ static const char *heading(loop_text *loop) {
     return text;
 }
 
+/** What of the text is there only where the loop may run in parallel. */
+static const char *condition_of(const loop_text *loop) {
+    return loop->facts->slice_has_floating_work ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
+                                                : "#ifdef _OPENMP\n";
+}
+
 static void write_parallel_form(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
-    buffer_text(&out->out, loop->facts->slice_has_floating_work
-                               ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
-                               : "#ifdef _OPENMP\n");
+    buffer_text(&out->out, condition_of(loop));
     buffer_text(&out->out, "#pragma GCC diagnostic push\n"
                            "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
     out->depth = 1;
@@ -188,7 +192,14 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
     origin_copy(&out->out, text, range.begin, range.end);
-    buffer_format(&out->out, "\n%s\n%s}", loop_line_directive(loop, range.end - 1),
+    buffer_text(&out->out, "\n");
+}
+
+/** After the loop: how long it took is of use the next time. */
+static void write_timing(loop_text *loop, writer *out, ir_range range) {
+    buffer_text(&out->out, condition_of(loop));
+    writer_line(out, "redcc_sequential_done(&redcc__loop);");
+    buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }
 
@@ -200,8 +211,9 @@ const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
     replaced->begin = begin_with_pragmas(unit, facts->loop);
     replaced->end = syntax_statement_end(unit->source, facts->loop);
     write_parallel_form(&loop, &out);
-    check_macro_names(&loop, &out.out);
     write_sequential_form(&loop, &out, *replaced);
+    write_timing(&loop, &out, *replaced);
+    check_macro_names(&loop, &out.out);
     const char *text = writer_text(a, &out);
     if (!loop.obstacle)
         return text;

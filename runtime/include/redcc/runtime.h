@@ -292,6 +292,11 @@ int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__
  *  original loop; the report says why. */
 int redcc_leave(redcc_call *call);
 
+/** After the original loop, and where redcc_leave gave 1 as well: auto learns by it what the
+ * original loop takes. Called by the thread that called redcc_leave; it does nothing where
+ * redcc_enter wanted no timing. */
+void redcc_sequential_done(redcc_loop *loop);
+
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif

@@ -15,8 +15,11 @@
     X(REASON_TEAM, "more threads came than were asked for")                                        \
     X(REASON_LITTLE_WORK, "too little work")                                                       \
     X(REASON_SERIAL_FASTER, "the sequential loop was measured to be faster")                       \
-    X(REASON_REPLICATION, "too many iterations would be executed by several threads")              \
-    X(REASON_COSTLY, "an inspection would take long beside the loop, and is put off")              \
+    X(REASON_SAVING, "a trial may cost more than the loop's credit allows so far")                 \
+    X(REASON_COMPARED, "timed beside a plan")                                                      \
+    X(REASON_UNATTRACTIVE, "no plan is expected to be faster")                                     \
+    X(REASON_DEADLINE, "an inspection took longer than it was allowed to")                         \
+    X(REASON_CHANGED, "the subscripts are not those of the plan")                                  \
     X(REASON_NO_MEMORY, "out of memory, or past REDCC_MEMORY_LIMIT")                               \
     X(REASON_ORDER_NEEDED, "an update needs an order that the method named does not keep")         \
     X(REASON_NO_COPIES, "no private copies can be made of a reduction array")                      \

@@ -1,50 +1,118 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/advice.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/system.h"
-#include "choose/budget.h"
+#include "choose/prospects.h"
 #include "plan/copies.h"
 
+#include <stdatomic.h>
+
+static const double better = 0.95;       /* of the sequential loop, or a plan is not worth making */
 static const double uneven = 1.25;       /* of an equal share of the iterations */
 static const double shorter = 0.9;       /* than by the owners that were cut */
-static const double level_touch = 20e-9; /* seconds that putting in levels takes for a touch */
+static const double even_share = 1.1;    /* of an equal share of the iterations */
+static const double most_spared = 0.015; /* of the iterations; stealable blocks save 2 to 20 % */
+static const double frequent = 0.25;     /* runs, of the iterations */
+/* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
+ * neighbours are read with its own, which takes some 10 ns. */
+static const double long_iteration = 100e-9;
+static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
 
-/* Units of the leading array for each thread. If they are rows of a mesh, stealable blocks cost
- * 1 %. */
-enum { LEAST_UNITS_TO_STEAL = 32768 };
+enum {
+    SMALL_TRIP = 4096,
+    /* Units of the leading array for each thread. If they are rows of a mesh, stealable blocks cost
+     * 1 %. */
+    LEAST_UNITS_TO_STEAL = 32768
+};
+
+/* ---- the team -------------------------------------------------------------------------------- */
+
+/* Seconds that waking the threads takes: a smoothed measurement of all loops'. Before the first, as
+ * much as on a machine that is not busy; more than `most` is a busy one, whose loops are compared
+ * with a plan all the same. */
+static const double first_wake = 10e-6, most_wake = 50e-6;
+static _Atomic double wake;
+
+static double wake_seconds(void) {
+    const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
+    return measured > 0 ? measured : first_wake;
+}
+
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds) {
+    const bool first = chooser->asked != asked; /* threads are started */
+    chooser->asked = asked;
+    chooser->came = came;
+    if (first || seconds <= 0)
+        return;
+    const double now = seconds < most_wake ? seconds : most_wake, before = wake_seconds();
+    atomic_store_explicit(&wake, before + (now - before) / 8, memory_order_relaxed);
+}
 
 /* ---- at entry -------------------------------------------------------------------------------- */
 
-static enum mode mode_of(enum course course, enum pace pace) {
-    if (course == COURSE_SERIAL)
-        return MODE_SERIAL;
-    if (course == COURSE_SOLO)
-        return MODE_TIMED;
-    return pace == PACE_UNTIMED ? MODE_PARALLEL : pace == PACE_ALONE ? MODE_SOLO : MODE_CONTENDED;
-}
-
-static struct advice advice_of(const struct choice *choice) {
-    return (struct advice){.mode = mode_of(choice->course, choice->pace),
-                           .by_graph = choice->by_graph,
-                           .drops_others = choice->graph_settled,
-                           .skipped_calls = choice->rested,
-                           .reason = choice->reason,
-                           .rule = choice->rule};
+static enum reason reason_for(const struct chooser *chooser, enum rule rule) {
+    switch (rule) {
+    case RULE_SHORT:
+        return REASON_LITTLE_WORK;
+    case RULE_COMPARING:
+        return REASON_COMPARED;
+    case RULE_SLOWER:
+        return REASON_SERIAL_FASTER;
+    case RULE_UNATTRACTIVE:
+        return REASON_UNATTRACTIVE;
+    case RULE_CHANGED:
+    case RULE_CHANGING:
+        return REASON_CHANGED;
+    case RULE_STOPPED:
+        return REASON_DEADLINE;
+    case RULE_REFUSED:
+        return chooser->refused;
+    default:
+        return REASON_SAVING;
+    }
 }
 
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
                        struct advice *advice) {
-    struct choice choice;
-    if (!redcc_choose_rests(chooser, trip, threads, &choice))
+    if (!redcc_is_left_alone(&chooser->state, trip, threads))
         return false;
-    *advice = advice_of(&choice);
+    chooser->skipped++;
+    *advice = (struct advice){.reason = REASON_LITTLE_WORK, .rule = RULE_SHORT};
     return true;
 }
 
-struct advice redcc_advise_entry(struct chooser *chooser, redcc_int trip, int threads) {
-    const struct choice choice = redcc_choose_course(chooser, trip, threads, redcc_budget());
-    return advice_of(&choice);
+static int note_subscripts(struct chooser *chooser, uint64_t sampled) {
+    chooser->steady = chooser->sampled == sampled ? chooser->steady + 1 : 0;
+    chooser->sampled = sampled;
+    return sampled ? chooser->steady : -1;
+}
+
+struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
+    const int came = chooser->asked == threads && chooser->came > 0 ? chooser->came : threads;
+    struct situation now = {
+        .trip = reuse->call->request.trip, .threads = threads, .wake = wake_seconds()};
+    unsigned fits, changed;
+    redcc_reuse_sample(reuse);
+    redcc_reuse_survey(reuse, came, &fits, &changed);
+    now.steady = note_subscripts(chooser, reuse->sampled);
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        now.kept[way] = fits & 1u << way      ? KEPT_FITS
+                        : changed & 1u << way ? KEPT_CHANGED
+                                              : KEPT_NONE;
+    const struct decision decision = redcc_decide(&chooser->state, &now);
+    struct advice advice = {.action = decision.action,
+                            .way = decision.way,
+                            .timed = decision.timed,
+                            .skipped_calls = chooser->skipped,
+                            .rule = decision.rule};
+    chooser->skipped = decision.action == ACTION_REUSE ? 0 : chooser->skipped + 1;
+    if (decision.action == ACTION_SEQUENTIAL)
+        advice.reason = reason_for(chooser, decision.rule);
+    else if (decision.action == ACTION_INSPECT)
+        advice.deadline = reuse->call->entered + decision.deadline;
+    return advice;
 }
 
 /* ---- what is known of the loop ----------------------------------------------------------------
@@ -73,21 +141,45 @@ bool redcc_copies_allowed(const struct inspection *inspection) {
                              (size_t)inspection->call->threads);
 }
 
+static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
+    return redcc_usual_sequential(&chooser->state, trip) / (double)trip;
+}
+
+/* Bytes of subscripts that are where the call says. */
+static double bytes_to_check(const struct request *request) {
+    double bytes = 0;
+    for (uint32_t s = 0; s < request->loop->source_count; s++)
+        if (request->loop->sources[s].is_subscript && request->known[s].end)
+            bytes += (double)(request->known[s].end - request->known[s].first);
+    return bytes;
+}
+
 /* What is known by the sample and by all iterations alike. */
-static struct findings begin_findings(const struct inspection *inspection,
-                                      const struct advice *entry) {
+static struct findings begin_findings(const struct chooser *chooser,
+                                      const struct inspection *inspection) {
     const struct call *call = inspection->call;
     const redcc_loop *loop = call->request.loop;
     const bool free_order = call->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
     return (struct findings){
         .trip = call->request.trip,
         .threads = call->threads,
-        .touches = inspection->touches * (double)call->request.trip,
+        .sequential = usual_iteration(chooser, call->request.trip),
+        .spent = redcc_seconds() - call->entered,
+        .touches = inspection->touches,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
-        .by_graph = entry->by_graph,
-        .budget = redcc_budget()};
+        .checked = bytes_to_check(&call->request)};
+}
+
+/* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, spared and
+ * changes? */
+static bool stealing_pays(const struct chooser *chooser, const struct call *call,
+                          const struct estimate *found) {
+    if (found->spared > most_spared || found->share * call->threads > even_share)
+        return false;
+    return found->changes < frequent ||
+           usual_iteration(chooser, call->request.trip) >= long_iteration;
 }
 
 /* ---- after the sample -------------------------------------------------------------------------
@@ -97,76 +189,69 @@ bool redcc_wants_estimate(const struct inspection *inspection) {
     return !inspection->call->method;
 }
 
-static enum rule find_way_sampled(struct chooser *chooser, const struct advice *entry,
-                                  const struct inspection *inspection,
-                                  const struct estimate *estimate) {
-    struct findings findings = begin_findings(inspection, entry);
+static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
+                                const struct estimate *estimate) {
+    const struct call *call = inspection->call;
+    struct prospect prospect[WAY_COUNT];
+    struct findings findings = begin_findings(chooser, inspection);
     findings.share = estimate->share;
-    findings.runs = estimate->changes * (double)findings.trip;
-    findings.reusable = (inspection->call->request.loop->flags & REDCC_VERIFIABLE) != 0;
-    return redcc_choose_way(chooser, &findings);
+    findings.runs = estimate->changes;
+    findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
+    redcc_estimate_prospects(&findings, prospect);
+    const struct situation now = {
+        .trip = findings.trip, .threads = call->asked, .wake = wake_seconds(), .steady = -1};
+    return redcc_pick_way(&chooser->state, &now, prospect, findings.spent);
 }
 
-enum route redcc_advise_sampled(struct chooser *chooser, const struct advice *entry,
-                                struct inspection *inspection, const struct estimate *estimate,
-                                enum reason *reason) {
+enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
+                                struct inspection *inspection, const struct estimate *estimate) {
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;
     if (call->method)
         return ROUTE_OWNERS;
-    if (partition->spares > 0 &&
-        !redcc_choose_spares(chooser, call->request.trip, call->threads, estimate))
+    const bool steals = partition->spares > 0 && stealing_pays(chooser, call, estimate);
+    const struct decision decision = pick_way(chooser, inspection, estimate);
+    if (partition->spares > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_spares(partition);
-    if (entry->mode == MODE_TIMED)
-        return ROUTE_OWNERS;
-    switch (find_way_sampled(chooser, entry, inspection, estimate)) {
-    case RULE_DEFERRED:
-        *reason = REASON_REPLICATION;
+    entry->way = decision.way;
+    if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
-    case RULE_COSTLY:
-        *reason = REASON_COSTLY;
-        return ROUTE_SERIAL;
-    case RULE_TIMED: /* nobody need know who touches what, only where: for the guard, */
-        redcc_partition_in_one(partition);
-        return ROUTE_TIMED;
-    case RULE_COPIES: /* and how far: for the copies */
-    case RULE_CHEAP_COPIES:
-        redcc_partition_in_one(partition);
-        return ROUTE_COPIES;
-    default:
+    entry->deadline = inspection->deadline = redcc_seconds() + decision.deadline;
+    if (entry->way != WAY_COPIES)
         return ROUTE_OWNERS;
-    }
+    redcc_partition_in_one(partition); /* nobody need know who touches what, only how far */
+    return ROUTE_COPIES;
 }
 
 /* ---- after the sweep --------------------------------------------------------------------------
  */
 
-const struct method *redcc_advise_swept(struct chooser *chooser, const struct advice *entry,
+/* By index, now that all iterations are told: is it still expected to be faster? */
+static bool index_pays(const struct chooser *chooser, const struct inspection *inspection,
+                       bool reusable) {
+    struct prospect prospect[WAY_COUNT];
+    struct findings findings = begin_findings(chooser, inspection);
+    findings.share = redcc_largest_share(inspection);
+    findings.runs = redcc_count_runs(inspection) / (double)findings.trip;
+    findings.reusable = reusable;
+    redcc_estimate_prospects(&findings, prospect);
+    return prospect[WAY_INDEX].execution < better * findings.sequential;
+}
+
+const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *entry,
                                         const struct inspection *inspection, bool reusable) {
-    if (inspection->route == ROUTE_TIMED)
-        return NULL;
+    const struct call *call = inspection->call;
     if (inspection->route == ROUTE_COPIES)
         return &redcc_method_expansion;
-    if (inspection->call->method)
-        return inspection->call->method;
-    struct findings findings = begin_findings(inspection, entry);
-    findings.swept = true;
-    findings.share = redcc_largest_share(inspection);
-    findings.runs = redcc_count_runs(inspection);
-    findings.reusable = reusable;
-    switch (redcc_choose_way(chooser, &findings)) {
-    case RULE_EVEN:
-    case RULE_INDEX:
-        return inspection->partition.spares ? &redcc_method_spare_localwrite
-                                            : &redcc_method_localwrite;
-    case RULE_GRAPH:
+    if (call->method)
+        return call->method;
+    const bool is_even = redcc_largest_share(inspection) * call->threads <= even_share;
+    if (entry->way == WAY_GRAPH && reusable && !is_even)
         return &redcc_method_graph_localwrite;
-    case RULE_CHEAP_COPIES:
-    case RULE_COPIES:
-        return &redcc_method_expansion;
-    default:
+    entry->way = WAY_INDEX;
+    if (!index_pays(chooser, inspection, reusable))
         return NULL;
-    }
+    return inspection->partition.spares ? &redcc_method_spare_localwrite : &redcc_method_localwrite;
 }
 
 /* ---- after the log and the partition ----------------------------------------------------------
@@ -176,7 +261,7 @@ const struct method *redcc_advise_swept(struct chooser *chooser, const struct ad
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
                               double spared) {
     const struct estimate found = {.share = share, .spared = spared, .changes = 1};
-    return redcc_choose_spares(chooser, call->request.trip, call->threads, &found);
+    return stealing_pays(chooser, call, &found);
 }
 
 /* auto tries stealable blocks where parts are large; what they cost is seen when they are there. */
@@ -194,9 +279,8 @@ const struct method *redcc_advise_logged(const struct chooser *chooser,
     return &redcc_method_spare_graph_localwrite;
 }
 
-void redcc_tell_no_graph(struct chooser *chooser, struct advice *entry, redcc_int trip) {
-    entry->by_graph = false;
-    redcc_choose_no_graph(chooser, trip);
+void redcc_tell_no_graph(struct advice *entry) {
+    entry->way = WAY_INDEX;
 }
 
 /* Are the stealable blocks that were tried not worth what they cost? */
@@ -218,13 +302,14 @@ static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
     if (call->method || share * call->threads <= uneven ||
-        redcc_budget() < inspection->touches * all * (redcc_graph_touch + level_touch))
+        redcc_seconds() + inspection->touches * all * redcc_level_touch > inspection->deadline)
         return false;
     return redcc_partition_levels(inspection) &&
            redcc_levels_length(&inspection->levels, call->threads) < shorter * share * all;
 }
 
-enum partitioned redcc_advise_partitioned(struct chooser *chooser, struct inspection *inspection,
+enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
+                                          struct inspection *inspection,
                                           const struct method **method) {
     if (goes_without_stealing(chooser, inspection)) {
         redcc_partition_join_spares(&inspection->partition);
@@ -234,42 +319,23 @@ enum partitioned redcc_advise_partitioned(struct chooser *chooser, struct inspec
     if (!levels_serve_better(inspection))
         return PARTITIONED_KEEP;
     *method = &redcc_method_wavefront;
-    redcc_choose_levels(chooser, inspection->call->request.trip);
     return PARTITIONED_LEVELS;
 }
 
 /* ---- after the execution ----------------------------------------------------------------------
  */
 
-static void tell_unplanned(struct chooser *chooser, const struct outcome *outcome) {
-    redcc_choose_learn(chooser, outcome->trip, COURSE_SOLO, false, outcome->seconds);
-    redcc_budget_gain(-outcome->spent);
-    if (outcome->reason != REASON_COSTLY)
-        redcc_choose_refused(chooser, outcome->trip, outcome->reason);
-}
-
-void redcc_tell_executed(struct chooser *chooser, const struct outcome *outcome) {
-    if (outcome->reason != REASON_NONE) {
-        tell_unplanned(chooser, outcome);
-        return;
-    }
-    if (outcome->mode == MODE_SOLO || outcome->mode == MODE_CONTENDED)
-        redcc_choose_learn_pace(chooser, outcome->trip,
-                                outcome->mode == MODE_SOLO ? PACE_ALONE : PACE_BESIDE,
-                                outcome->block, outcome->working);
-    const enum course course = outcome->mode == MODE_TIMED ? COURSE_SOLO : COURSE_PARALLEL;
-    redcc_budget_gain(
-        redcc_choose_learn(chooser, outcome->trip, course, outcome->by_graph, outcome->seconds));
-}
-
-void redcc_tell_refused(struct chooser *chooser, redcc_int trip, enum reason reason) {
-    redcc_choose_refused(chooser, trip, reason);
+void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
+    if (outcome->result == RESULT_REFUSED)
+        chooser->refused = reason;
+    redcc_observe(&chooser->state, outcome);
 }
 
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip) {
-    return redcc_choose_rule(chooser, trip);
+    return redcc_rule_of(&chooser->state, trip);
 }
 
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations) {
-    return redcc_worth_threads(trip, threads, seconds, iterations);
+    const double each = iterations > 0 ? seconds / (double)iterations : 0;
+    return trip < SMALL_TRIP && each * (double)trip < least_alone ? 1 : threads;
 }

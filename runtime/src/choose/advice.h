@@ -2,7 +2,7 @@
 /**
  * The seam between the pipeline and what chooses: every question that REDCC_METHOD=auto answers,
  * and everything that it is told, in the order in which a call comes to it. Nothing else calls the
- * decision core (choose.h); where a method is named it is not asked, and these functions answer by
+ * decision core (decide.h); where a method is named it is not asked, and these functions answer by
  * the method.
  *
  *     at entry              redcc_advise_rest, redcc_advise_entry
@@ -10,45 +10,58 @@
  *     after the sweep       redcc_advise_swept
  *     after the log         redcc_advise_logged, redcc_tell_no_graph
  *     after the partition   redcc_advise_partitioned
- *     after the execution   redcc_tell_executed, or redcc_tell_refused
+ *     after the execution   redcc_tell, also of the sequential loop
  *
  * One thread at a time uses a chooser: the one that holds the loop, or that a stage's end runs in.
  */
 #ifndef REDCC_ADVICE_H
 #define REDCC_ADVICE_H
 
-#include "choose/choose.h"
+#include "choose/decide.h"
 #include "inspect/inspection.h"
+#include "plan/method.h"
+#include "reuse/kept.h"
+
+/** What auto knows of a loop; zeroes at first. */
+struct chooser {
+    struct choice_state state;
+    uint64_t sampled;    /* of the subscripts, in the call before (redcc_reuse_sample) */
+    int steady;          /* calls in a row that had the same */
+    int asked, came;     /* threads, in the last parallel region */
+    long skipped;        /* sequential calls since a plan was used */
+    enum reason refused; /* why no plan could be had, last */
+};
 
 /** What auto says at entry. */
 struct advice {
-    enum mode mode;     /* SERIAL, TIMED, PARALLEL, SOLO, CONTENDED */
-    bool by_graph;      /* with owners cut from the access graph */
-    bool drops_others;  /* other plans need not stay beside those by the graph */
-    long skipped_calls; /* that were SERIAL before this one tries again */
-    enum reason reason; /* for SERIAL */
+    enum action action;
+    enum way way;       /* REUSE; INSPECT: as soon as it is decided */
+    bool timed;         /* SEQUENTIAL */
+    double deadline;    /* INSPECT: on the clock of redcc_seconds; 0: none */
+    long skipped_calls; /* REUSE: that were sequential since a plan was used */
+    enum reason reason; /* for SEQUENTIAL */
     enum rule rule;
 };
 
-/** Is nothing to be decided in this call, since auto left this loop to the original one for a
- *  while? Then *advice says so; much cheaper than redcc_advise_entry. */
+/** Is this a call that a short loop is left alone in? Then *advice says so; much cheaper than
+ *  redcc_advise_entry. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that redcc_advise_rest had nothing to say of. */
-struct advice redcc_advise_entry(struct chooser *chooser, redcc_int trip, int threads);
+/** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */
+struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
 /** Of the sample: what of it auto goes by. */
 bool redcc_wants_estimate(const struct inspection *inspection);
 
-/** How shall the inspection go on? SERIAL (*reason says why), TIMED, OWNERS, COPIES. May join
- *  stealable blocks of the partition to their owners, or make it one piece. */
-enum route redcc_advise_sampled(struct chooser *chooser, const struct advice *entry,
-                                struct inspection *inspection, const struct estimate *estimate,
-                                enum reason *reason);
+/** How shall the inspection go on? SERIAL (it is not worth it), OWNERS, COPIES. May join stealable
+ *  blocks of the partition to their owners, or make it one piece. Sets entry->way, and the
+ *  deadline of both. */
+enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
+                                struct inspection *inspection, const struct estimate *estimate);
 
 /** By what method, now that all iterations are told? reusable: the plan can be kept. NULL: by none,
- *  one thread executes all. */
-const struct method *redcc_advise_swept(struct chooser *chooser, const struct advice *entry,
+ *  it would be slower than the original loop. */
+const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *entry,
                                         const struct inspection *inspection, bool reusable);
 
 /** Do memory and what is touched allow private copies? */
@@ -61,37 +74,29 @@ const struct method *redcc_advise_logged(const struct chooser *chooser,
                                          const struct method *method);
 
 /** The owners could not be cut from the access graph after all. */
-void redcc_tell_no_graph(struct chooser *chooser, struct advice *entry, redcc_int trip);
+void redcc_tell_no_graph(struct advice *entry);
 
 /** The owners are cut. *method stays, or changes. JOIN: the stealable blocks, which the partition
  * has no longer, are to be joined to their owners; LEVELS: inspection->levels are there to be used.
  */
 enum partitioned { PARTITIONED_KEEP, PARTITIONED_JOIN, PARTITIONED_LEVELS };
-enum partitioned redcc_advise_partitioned(struct chooser *chooser, struct inspection *inspection,
+enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
+                                          struct inspection *inspection,
                                           const struct method **method);
 
-/** What an execution took. */
-struct outcome {
-    redcc_int trip;
-    enum mode mode;
-    bool by_graph;
-    double seconds;     /* TIMED: of the loop alone; else from entry on */
-    double spent;       /* on an inspection without a plan */
-    double block;       /* SOLO, CONTENDED: of the first stealable block */
-    double working;     /* of all threads together, less what was executed twice */
-    enum reason reason; /* why it executed without a plan; REASON_NONE: it had one */
-};
+/** What came of a call, and what it took; reason: why there was no plan, or NONE. */
+void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason);
 
-void redcc_tell_executed(struct chooser *chooser, const struct outcome *outcome);
-
-/** The call fell back to the original loop. */
-void redcc_tell_refused(struct chooser *chooser, redcc_int trip, enum reason reason);
+/** So many threads came where `asked` were asked for, and waking them took `seconds`; 0: not known.
+ *  Thread-safe but for the chooser. */
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds);
 
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);
 
-/** How many of `threads` are worth waking, where no sequential loop can be timed against; as
- *  redcc_worth_threads. */
+/** How many of `threads` are worth waking for a loop of `trip` iterations that no sequential loop
+ *  can be timed against, since none gives its sums. seconds: what `iterations` of it have taken so
+ *  far. */
 int redcc_advise_threads(redcc_int trip, int threads, double seconds, redcc_int iterations);
 
 #endif

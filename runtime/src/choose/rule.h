@@ -1,70 +1,49 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The decision table of `auto`: identifier, what is known, what is done. The report names the row
- *  that decided last; docs/methods.md shows the table, and a test compares the two. */
+/** The decision table of `auto`: identifier, slug, what is known, what is done. The report's
+ *  `choice` is the slug of the row that decided last; docs/methods.md shows the table, and a test
+ *  compares the two. */
 #ifndef REDCC_RULE_H
 #define REDCC_RULE_H
 
 #define REDCC_RULE_LIST(X)                                                                         \
-    X(RULE_NOT_PARALLEL,                                                                           \
+    X(RULE_NOT_PARALLEL, "not-parallel",                                                           \
       "one thread, inside a parallel region, or the loop is in use by another thread",             \
       "the original loop")                                                                         \
-    X(RULE_SMALL_FIRST, "fewer than 4096 iterations, first call at such a trip count",             \
+    X(RULE_FIRST, "first",                                                                         \
+      "no execution at trip counts of this size (between two powers of two) is timed",             \
+      "the original loop, timed; an inspection where the loop is forecast to take 20 times as "    \
+      "long")                                                                                      \
+    X(RULE_SHORT, "short", "an execution takes less than 50 times as long as waking the threads",  \
+      "the original loop; timed again after 16 calls, then at doubling distances up to 1024")      \
+    X(RULE_SAVING, "saving",                                                                       \
+      "a trial is worth it, but it may cost more than a tenth of the time that the loop has "      \
+      "taken so far, or its like has failed lately",                                               \
       "the original loop")                                                                         \
-    X(RULE_SMALL, "fewer than 4096 iterations, next calls",                                        \
-      "one thread executes all within the region, timed; below 10 µs: the original loop from "    \
-      "then on")                                                                                   \
-    X(RULE_CHEAP_COPIES,                                                                           \
-      "order `any` or all arrays integer; copies possible and memory allows; 4 ns a touch that "   \
-      "`localwrite` executes once more and 3 ns a run are more than 0.15 ns a byte of a copy "     \
-      "(0.6 where plans cannot be kept)",                                                          \
-      "`expansion`")                                                                               \
-    X(RULE_TIMED,                                                                                  \
-      "by a sample more than every fourth iteration begins a run; inspecting is reckoned "         \
-      "at more than 1 ms, which is not within the budget; nothing is timed yet",                   \
-      "one thread executes all within the region, timed")                                          \
-    X(RULE_COSTLY, "the same; it is timed, and inspecting is reckoned at more than half of that",  \
+    X(RULE_LOOKING, "looking", "the credit allows a sample; what may be gained is not known",      \
+      "a sample, and what follows from it")                                                        \
+    X(RULE_SET_UP, "set-up", "a way is expected to pay for its set-up, which the credit allows",   \
+      "an inspection with a deadline, and a plan")                                                 \
+    X(RULE_UNATTRACTIVE, "unattractive", "by a sample no way is expected to be faster",            \
+      "the original loop; another sample after 64 calls, then at doubling distances")              \
+    X(RULE_CHANGING, "changing",                                                                   \
+      "two plans in a row were abandoned before they had paid, and a sample of the subscripts "    \
+      "differs from the call before",                                                              \
       "the original loop")                                                                         \
-    X(RULE_EVEN,                                                                                   \
-      "by `localwrite`, no thread executes more than 1.1 times an equal share of the iterations",  \
-      "`spare-localwrite` where spare parts are worth it (below), else `localwrite`")              \
-    X(RULE_GRAPH,                                                                                  \
-      "more; plans can be kept; what cutting the access graph will take is within the budget",     \
-      "`graph-localwrite` is tried, or `spare-graph-localwrite` where spare parts are worth it")   \
-    X(RULE_LEVELS,                                                                                 \
-      "these owners too leave some thread more than 1.25 times an equal share; iterations in "     \
-      "levels, a barrier reckoned as 200 of them, take less than 0.9 of that thread's",            \
-      "`wavefront` is tried in its place")                                                         \
-    X(RULE_INDEX, "more, but no thread executes more than 0.85 of the iterations", "`localwrite`") \
-    X(RULE_COPIES,                                                                                 \
-      "more than that; order `any` or all arrays integer; copies possible and memory allows",      \
-      "`expansion`")                                                                               \
-    X(RULE_DEFERRED, "more than that by a sample; an inspection is not yet within the budget",     \
-      "the original loop")                                                                         \
-    X(RULE_SERIAL, "more than that; otherwise",                                                    \
-      "one thread executes all within the region, timed; then the original loop")                  \
-    X(RULE_FASTER,                                                                                 \
-      "two executions by a plan have been timed and one or two by one thread, or what that takes " \
-      "is reckoned (below)",                                                                       \
-      "the faster course is kept for trip counts of that size (between two powers of two)")        \
-    X(RULE_GRAPH_KEPT,                                                                             \
-      "it and what there was before have been timed three times each, in turn; it was the faster", \
-      "it is kept")                                                                                \
-    X(RULE_GRAPH_LOST, "it was not",                                                               \
-      "what there was before; tried again after 16 to 1024 calls, the sooner the less slow it "    \
-      "was (after 16, then at growing distances, where it was cut and other subscripts came "      \
-      "before it had paid)")                                                                       \
-    X(RULE_SLOWER,                                                                                 \
-      "a parallel course is slower than the sequential loop was, 16 times in turn, and than it "   \
-      "is, timed once more",                                                                       \
-      "both are timed again")                                                                      \
-    X(RULE_RESTING, "the original loop was chosen",                                                \
-      "tried again after 16 to 256 calls, the sooner the less slow the parallel course was (16 "   \
-      "after too much replication, or while an inspection is put off; 2 after a failed guard), "   \
-      "then at growing distances")
+    X(RULE_CHANGED, "changed", "the subscripts are not those of the plan", "the original loop")    \
+    X(RULE_COMPARING, "comparing",                                                                 \
+      "a plan is new or was slow, or the sequential loop was not timed for long",                  \
+      "the two ways take turns, until one is a tenth faster or three pairs are timed")             \
+    X(RULE_FASTER, "faster", "a plan was the faster way", "it is used while the subscripts stay")  \
+    X(RULE_SLOWER, "slower", "a plan was the slower way",                                          \
+      "the original loop; compared again after 16 calls, then at doubling distances")              \
+    X(RULE_STOPPED, "stopped", "an inspection came to its deadline",                               \
+      "the original loop; another set-up when the credit allows what is now known of its cost")    \
+    X(RULE_REFUSED, "refused", "a guard or memory forbade it",                                     \
+      "the original loop; tried again after 2 calls, then at doubling distances")
 
 enum rule {
     RULE_NONE, /* REDCC_METHOD names a method */
-#define REDCC_RULE(id, known, done) id,
+#define REDCC_RULE(id, slug, known, done) id,
     REDCC_RULE_LIST(REDCC_RULE)
 #undef REDCC_RULE
         RULE_COUNT

@@ -5,7 +5,6 @@
  *     STEP_BEGIN: redcc_next comes for the first time; it begins, and goes on to
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
- *     STEP_ALONE: all iterations, by the first thread                         -> STEP_END
  */
 #include "execute/run.h"
 
@@ -73,8 +72,7 @@ static void place_owners(struct runner *runner) {
     }
 }
 
-void redcc_run_begin(struct run *run, enum mode mode) {
-    run->mode = mode;
+void redcc_run_begin(struct run *run) {
     run->plan = NULL;
     run->validation = (struct validation){0};
     atomic_store_explicit(&run->error, 0, memory_order_relaxed);
@@ -112,30 +110,6 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
-/* Calibration: the first thread has its first stealable block before it; the others wait until that
- * is done, or do not. */
-static void begin_calibration(struct runner *runner) {
-    struct run *run = runner->run;
-    if (runner->thread > 0 && run->mode == MODE_SOLO)
-        redcc_barrier_wait(run->barrier, runner->threads);
-    runner->began = redcc_seconds();
-}
-
-/* In a calibration nobody else claims that block. */
-static bool is_in_first_block(const struct runner *runner) {
-    return runner->thread == 0 && redcc_is_calibration(runner->run, runner->plan) &&
-           runner->schedule == redcc_spare_schedule(runner->plan, 0);
-}
-
-/* The first thread is done with it, and turns to what is its own. */
-static void end_first_block(struct runner *runner) {
-    struct run *run = runner->run;
-    run->block = redcc_seconds() - runner->began;
-    if (run->mode == MODE_SOLO)
-        redcc_barrier_wait(run->barrier, runner->threads);
-    runner->schedule = redcc_own_schedule(runner->plan, 0);
-}
-
 static void begin_running(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -148,17 +122,9 @@ static void begin_running(redcc_worker *worker) {
     worker->position = 0;
     worker->base = runner->base;
     worker->owner = runner->owner;
-    if (run->mode == MODE_TIMED) {
-        runner->step = STEP_ALONE;
-        for (uint32_t array = 0; array < run->call->request.loop->array_count; array++)
-            runner->base[array] = run->call->request.bases[array];
-        return;
-    }
     assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
     runner->step = STEP_EXECUTE;
-    const bool calibrates = redcc_is_calibration(run, plan);
-    runner->schedule = calibrates && runner->thread == 0 ? redcc_spare_schedule(plan, 0)
-                                                         : redcc_own_schedule(plan, runner->thread);
+    runner->schedule = redcc_own_schedule(plan, runner->thread);
     place_owners(runner);
     place_bases(runner, redcc_copy_of(plan, runner->thread));
     if (run->validated)
@@ -170,8 +136,6 @@ static void begin_running(redcc_worker *worker) {
         const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
-    if (calibrates)
-        begin_calibration(runner);
 }
 
 /* Hands out all iterations in order. False: there are none left. */
@@ -185,18 +149,6 @@ static bool hand_out_in_order(redcc_worker *worker) {
     worker->run_end = worker->run + 1;
     worker->position += count;
     return count > 0;
-}
-
-/* MODE_TIMED: the first thread executes all iterations in order. */
-static int next_alone(redcc_worker *worker) {
-    struct runner *runner = worker->execution;
-    struct run *run = runner->run;
-    if (runner->thread == 0 && hand_out_in_order(worker))
-        return 1;
-    if (runner->thread == 0)
-        run->alone = redcc_seconds() - run->ready;
-    runner->step = STEP_END;
-    return 0;
 }
 
 /* The loop is executed; the first thread executes it once more, from what the arrays held
@@ -233,8 +185,6 @@ static void finish(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
     struct run *run = runner->run;
-    if (redcc_is_calibration(run, plan))
-        runner->ended = redcc_seconds();
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
     if (plan->teams.stages[team] > 0)
         reach_stage(runner, plan->teams.stages[team] - 1);
@@ -297,8 +247,7 @@ static bool steal(struct runner *runner) {
     struct run *run = runner->run;
     const unsigned claimed =
         atomic_fetch_add_explicit(&run->blocks_claimed, 1, memory_order_relaxed);
-    const unsigned before = redcc_is_calibration(run, runner->plan) ? 1 : 0;
-    const uint32_t next = redcc_spare_schedule(runner->plan, before + claimed);
+    const uint32_t next = redcc_spare_schedule(runner->plan, claimed);
     runner->schedule = next == UINT32_MAX ? runner->schedule : next;
     return next != UINT32_MAX;
 }
@@ -307,13 +256,8 @@ static bool steal(struct runner *runner) {
 static bool turn_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
-    if (!plan->method->spares)
+    if (!plan->method->spares || !steal(runner))
         return false;
-    if (is_in_first_block(runner)) {
-        end_first_block(runner);
-    } else if (!steal(runner)) {
-        return false;
-    }
     worker->position = 0;
     place_owners(runner);
     if (is_hooked(plan))
@@ -354,8 +298,6 @@ static int next_chunk(redcc_worker *worker) {
             return 1;
         finish(worker);
         return runner->step == STEP_CHECK ? next_to_check(worker) : 0;
-    case STEP_ALONE:
-        return next_alone(worker);
     case STEP_CHECK:
         return next_to_check(worker);
     case STEP_BEGIN:
@@ -372,8 +314,7 @@ static int next_chunk(redcc_worker *worker) {
 static void note_error(const redcc_worker *worker) {
     const struct runner *runner = worker->execution;
     const int error = errno;
-    if ((error != EDOM && error != ERANGE) ||
-        (runner->step != STEP_EXECUTE && runner->step != STEP_ALONE))
+    if ((error != EDOM && error != ERANGE) || runner->step != STEP_EXECUTE)
         return;
     const redcc_run *last = worker->run_end - 1;
     const redcc_int end = worker->origin + last->begin + last->count_and_guard / 2;

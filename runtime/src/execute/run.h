@@ -4,7 +4,6 @@
 #define REDCC_RUN_H
 
 #include "base/call.h"
-#include "base/route.h"
 #include "execute/hook.h"
 #include "execute/validate.h"
 #include "plan/plan.h"
@@ -14,8 +13,7 @@ enum { REDCC_RUNS = 128 };
 /** What all threads share. */
 struct run {
     const struct call *call;
-    struct plan *plan; /* NULL: none (yet); MODE_TIMED can do without */
-    enum mode mode;
+    struct plan *plan; /* NULL: none (yet) */
     struct barrier *barrier;
     struct validated *validated; /* NULL: nothing is to be validated */
     struct validation validation;
@@ -25,20 +23,17 @@ struct run {
     /* Seconds. */
     double ready;    /* when the plan was there */
     double executed; /* with validation: when the loop was done */
-    double alone;    /* MODE_TIMED: what it took */
-    double block;    /* calibration: what the first stealable block took */
 };
 
 /** Where a thread stands. */
 enum step {
     STEP_BEGIN,
     STEP_EXECUTE, /* chunk by chunk */
-    STEP_ALONE,   /* MODE_TIMED: all iterations in order, by the first thread */
     STEP_CHECK,   /* validation: once more, in order */
     STEP_END
 };
 
-/** One thread's part. What only it writes; the times others read after the region. */
+/** One thread's part. */
 struct runner {
     struct run *run;
     const struct plan *plan; /* to execute */
@@ -54,18 +49,12 @@ struct runner {
     redcc_run whole;             /* handed out, in order, without a plan */
     void **base;                 /* [array_count] where it writes */
     redcc_owner *owner;          /* [array_count] what it owns */
-    double began, ended;         /* seconds; calibration */
 };
 
 /** Before the threads begin. */
-void redcc_run_begin(struct run *run, enum mode mode);
+void redcc_run_begin(struct run *run);
 
 /** What mathematical functions called in the loop left in errno; 0: nothing. */
 int redcc_error_of(struct run *run);
-
-/** Is the execution by this plan a calibration (MODE_SOLO, MODE_CONTENDED)? */
-static inline bool redcc_is_calibration(const struct run *run, const struct plan *plan) {
-    return run->mode >= MODE_SOLO && plan && plan->method->spares;
-}
 
 #endif

@@ -32,6 +32,7 @@ struct inspector {
     int threads;
     bool failed;          /* no memory */
     bool told_all;        /* the program told as many iterations as asked for */
+    bool late;            /* the deadline came before all were */
     redcc_int next;       /* iterations handed out up to here */
     redcc_int handed;     /* in the block at hand */
     redcc_int block;      /* that many at most */
@@ -53,6 +54,7 @@ struct inspection {
     struct range *sources;  /* [source_count] where they lie; the loop's */
     uint32_t stealable;     /* blocks to be cut for each thread (partition.spares) */
     enum route route;       /* as far as it is decided */
+    double deadline;        /* on the clock of redcc_seconds; 0: none */
     bool no_copies;         /* by all iterations they cannot be had */
     double touches;         /* of an iteration, by the sample */
     struct overlap overlap; /* REASON_OVERLAP: which */
@@ -120,6 +122,9 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
 /** The block is told. Returns how much of the thread's iterations is, where more blocks than one
  *  are handed out; else 0. */
 double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector);
+
+/** How many of the iterations are told, 0 to 1. */
+double redcc_sweep_done(const struct inspection *inspection);
 
 /** All iterations are told: what is touched, where the sources lie, and the overlap guard. */
 enum reason redcc_sweep_finish(struct inspection *inspection);

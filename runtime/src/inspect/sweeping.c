@@ -3,6 +3,8 @@
  *  summaries, the exact extents and the overlap guard. */
 #include "inspect/inspection.h"
 
+#include "base/clock.h"
+
 #include <assert.h>
 #include <string.h>
 
@@ -15,6 +17,10 @@ static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     return each < REDCC_BLOCK ? each : REDCC_BLOCK;
 }
 
+/* Where there is a deadline, it is looked at after so many iterations: 50 microseconds to a
+ * millisecond. */
+enum { BLOCK_BEFORE_DEADLINE = 16384 };
+
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
@@ -25,13 +31,19 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->next = begin;
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
+    if (inspection->deadline > 0 && inspector->block > BLOCK_BEFORE_DEADLINE)
+        inspector->block = BLOCK_BEFORE_DEADLINE;
     inspector->told_all = true;
+    inspector->late = false;
 }
 
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker) {
     const redcc_int end = redcc_own_end(inspection, inspector), first = inspector->next;
     if (inspector->failed || !inspector->told_all || first == end)
+        return false;
+    inspector->late = inspection->deadline > 0 && redcc_seconds() > inspection->deadline;
+    if (inspector->late)
         return false;
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;
     inspector->next = first + inspector->handed;
@@ -51,6 +63,15 @@ double redcc_sweep_close(const struct inspection *inspection, struct inspector *
     const redcc_int begin = redcc_own_begin(inspection, inspector);
     const redcc_int all = redcc_own_end(inspection, inspector) - begin;
     return inspector->block < all ? (double)(inspector->next - begin) / (double)all : 0;
+}
+
+double redcc_sweep_done(const struct inspection *inspection) {
+    double done = 0;
+    for (int thread = 0; thread < inspection->call->threads; thread++) {
+        const struct inspector *inspector = inspection->inspector[thread];
+        done += (double)(inspector->next - redcc_own_begin(inspection, inspector));
+    }
+    return done / (double)inspection->call->request.trip;
 }
 
 static void gather_sources(struct inspection *inspection) {
@@ -75,6 +96,9 @@ enum reason redcc_sweep_finish(struct inspection *inspection) {
     for (int thread = 0; thread < inspection->call->threads; thread++)
         if (!inspection->inspector[thread]->told_all)
             return REASON_INSPECTOR;
+    for (int thread = 0; thread < inspection->call->threads; thread++)
+        if (inspection->inspector[thread]->late)
+            return REASON_DEADLINE;
     redcc_gather_touched(inspection);
     gather_sources(inspection);
     return redcc_ranges_are_apart(inspection->sources, inspection->call->request.loop->source_count,

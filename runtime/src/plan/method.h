@@ -10,6 +10,7 @@
 #define REDCC_METHOD_H
 
 #include "base/share.h"
+#include "base/way.h"
 #include "ownership/partition.h"
 #include "ownership/summary.h"
 
@@ -72,6 +73,13 @@ struct method {
      *  once. False: no memory. NULL: the method is the sequential loop itself. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
+
+/** The way of auto's that a method is. */
+static inline enum way redcc_way_of(const struct method *method) {
+    if (method->copies != COPY_NONE)
+        return WAY_COPIES;
+    return method->by_graph || method->in_levels ? WAY_GRAPH : WAY_INDEX;
+}
 
 extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;

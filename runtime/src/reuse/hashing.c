@@ -52,12 +52,12 @@ static bool is_hashed_early(const struct request *request, const struct range *s
 }
 
 size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
-                        const struct range *sources, bool wanted) {
+                        const struct range *sources) {
     const redcc_loop *loop = request->loop;
     size_t bytes = 0, count;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         hasher->partial[s] = (struct partial_hash){.taken = 0};
-        if (!(loop->flags & REDCC_VERIFIABLE) || !wanted || !is_hashed_early(request, sources, s))
+        if (!(loop->flags & REDCC_VERIFIABLE) || !is_hashed_early(request, sources, s))
             continue;
         hasher->partial[s].reading = redcc_reading_of(loop, request->known, sources, s);
         share_of(hasher->partial[s].reading, hasher, &count);

@@ -32,11 +32,11 @@ bool redcc_is_small(struct reading reading);
 /** Of the thread's share of what is read. */
 struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading reading);
 
-/** To be called before the thread's iterations are told. wanted: a plan is to be kept. Returns the
+/** To be called before the thread's iterations are told. Returns the
  *  bytes of its share that will be hashed meanwhile, of sources whose place is known (sources
  *  [source_count]). */
 size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
-                        const struct range *sources, bool wanted);
+                        const struct range *sources);
 
 /** So much of its iterations, 0 to 1, the thread has told: hashes as much of these sources. */
 void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part);

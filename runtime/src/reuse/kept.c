@@ -84,24 +84,65 @@ static void ask_tracking(struct reuse *reuse) {
     }
 }
 
-static bool is_of_kind(const struct plan *plan, enum plan_kind kind) {
-    return kind == PLAN_ANY || plan->method->by_graph == (kind == PLAN_BY_GRAPH);
+static unsigned bit_of(const struct kept_plan *kept) {
+    return 1u << redcc_way_of(kept->plan->method);
 }
 
-void redcc_reuse_find(struct reuse *reuse, int threads, enum plan_kind kind) {
+void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
+    *fits_now = *changed = 0;
+    for (int p = 0; p < REDCC_PLANS; p++) {
+        const struct kept_plan *kept = reuse->cache->kept[p];
+        if (kept && fits(reuse, kept, threads))
+            *(kept->sampled == reuse->sampled ? fits_now : changed) |= bit_of(kept);
+    }
+    *changed &= ~*fits_now;
+}
+
+/* Where other subscripts have the same sample, it is the plan used last. */
+void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     struct plan_cache *cache = reuse->cache;
-    reuse->found = NULL;
+    struct kept_plan *found = NULL;
     for (int p = 0; p < REDCC_PLANS; p++) {
         struct kept_plan *kept = cache->kept[p];
-        if (!kept || !is_of_kind(kept->plan, kind) || !fits(reuse, kept, threads))
-            continue;
-        assert(kept->plan->array_count == reuse->call->request.loop->array_count);
-        kept->last_use = ++cache->clock;
-        kept->plan->round++;
-        reuse->found = kept;
-        ask_tracking(reuse);
-        return;
+        if (kept && (way == WAY_SEQUENTIAL || bit_of(kept) == 1u << way) &&
+            kept->sampled == reuse->sampled && (!found || found->last_use < kept->last_use) &&
+            fits(reuse, kept, threads))
+            found = kept;
     }
+    reuse->found = found;
+    if (!found || !fits(reuse, found, threads)) /* which sets where the sources are */
+        return;
+    assert(found->plan->array_count == reuse->call->request.loop->array_count);
+    found->last_use = ++cache->clock;
+    found->plan->round++;
+    ask_tracking(reuse);
+}
+
+/* SplitMix64 (Steele, Lea, Flood 2014). */
+static uint64_t mixed(uint64_t hash, uint64_t word) {
+    hash = (hash ^ word) + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return hash ^ hash >> 31;
+}
+
+void redcc_reuse_sample(struct reuse *reuse) {
+    enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
+    const struct request *request = &reuse->call->request;
+    uint64_t hash = 0;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        if (!request->loop->sources[s].is_subscript || !known.end ||
+            known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
+            continue;
+        const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
+        for (size_t word = 0; word < WORDS; word++) {
+            uint64_t held;
+            memcpy(&held, known.first + last / (WORDS - 1) * word, sizeof held);
+            hash = mixed(hash, held);
+        }
+    }
+    reuse->sampled = hash;
 }
 
 /* ---- are its subscripts what they were? --------------------------------------------------------
@@ -236,6 +277,7 @@ bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan) {
     drop(cache->kept[place]);
     cache->kept[place] = kept;
     kept->plan = plan;
+    kept->sampled = reuse->sampled;
     kept->last_use = ++cache->clock;
     return true;
 }
@@ -255,10 +297,4 @@ void redcc_reuse_drop_found(struct reuse *reuse) {
 void redcc_cache_drop_all(struct plan_cache *cache) {
     for (int p = 0; p < REDCC_PLANS; p++)
         drop_place(cache, p);
-}
-
-void redcc_cache_drop_others(struct plan_cache *cache) {
-    for (int p = 0; p < REDCC_PLANS; p++)
-        if (cache->kept[p] && !cache->kept[p]->plan->method->by_graph)
-            drop_place(cache, p);
 }

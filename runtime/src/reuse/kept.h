@@ -9,6 +9,7 @@
 
 #include "base/barrier.h"
 #include "base/call.h"
+#include "base/way.h"
 #include "plan/plan.h"
 #include "reuse/hashing.h"
 #include "reuse/tracking.h"
@@ -29,6 +30,7 @@ struct kept_plan {
     redcc_word *key;                    /* [key_count] */
     struct float_control float_control; /* of the thread that entered: subscripts may be rounded */
     struct source_record *source;       /* [source_count] */
+    uint64_t sampled;                   /* of its subscripts, as reuse->sampled */
     uint64_t last_use;
 };
 
@@ -49,16 +51,23 @@ struct reuse {
     struct range *sources;   /* [source_count] where they lie in this call */
     struct range *written;   /* [array_count] what its groups would write in this call */
     long skipped_calls;      /* that auto left to the sequential loop before this one */
+    uint64_t sampled;        /* a hash of a few words of the subscripts; 0: none is taken */
     bool same;               /* so far the subscripts are unchanged */
 };
 
-/** Which plans auto looks for. */
-enum plan_kind { PLAN_ANY, PLAN_BY_ADDRESS, PLAN_BY_GRAPH };
+/** Samples the subscripts that are where the call says, some words of each, into reuse->sampled;
+ *  0: there are none such. */
+void redcc_reuse_sample(struct reuse *reuse);
 
-/** Looks for a plan of that kind that may serve the call by so many threads, if its subscripts are
- *  what they were: everything is compared but these, and the guard is asked. Asks which of its
- *  subscripts the system shows to be unmodified. Sets reuse->found and reuse->sources. */
-void redcc_reuse_find(struct reuse *reuse, int threads, enum plan_kind kind);
+/** Looks for a plan of that way (SEQUENTIAL: of any) that may serve the call by so many threads, if
+ *  its subscripts are what they were: everything is compared but these, of which only the sample
+ * is, and the guard is asked. Asks which of its subscripts the system shows to be unmodified. Sets
+ *  reuse->found and reuse->sources. */
+void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
+
+/** Of which ways there are plans that redcc_reuse_find would find: as bits, into *fits; and such
+ *  that only the sample forbids, into *changed. */
+void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of the plan found what they were? Every thread calls it with its hasher and
  *  gets the same answer. */
@@ -79,8 +88,5 @@ bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan);
 
 /** Frees all plans, so that there is memory for another. */
 void redcc_cache_drop_all(struct plan_cache *cache);
-
-/** Frees those that are not made from the access graph. */
-void redcc_cache_drop_others(struct plan_cache *cache);
 
 #endif

@@ -1,0 +1,49 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What redcc costs and gains from the first execution on: the total time of N executions of loops as
+# programs have them (bench/choice.c), most of which are not worth running in parallel, by `auto`, by
+# each method named, and sequentially. Rounds are interleaved; each ratio is of one round, and the
+# table has their medians, lowest and highest. Results are compared bit for bit.
+#   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..."
+. bench/common.sh
+rounds=${ROUNDS:-5}
+read -r -a calls <<<"${CALLS:-1 3 10 40 400}"
+read -r -a loops <<<"${LOOPS:-count pairs weights charge columns force-sorted force-shuffled springs-sorted springs-shuffled}"
+read -r -a methods <<<"${METHODS:-auto localwrite graph-localwrite wavefront}"
+csv=$results/choice.csv
+prefix=$work/prefix
+cmake --install "$build" --prefix "$prefix" >/dev/null
+flags=(-O2 -ffp-contract=off)
+gcc "${flags[@]}" bench/choice.c -lm -o "$work/sequential"
+"$prefix/bin/redcc-cc" "${flags[@]}" bench/choice.c -lm -o "$work/redcc"
+load_note
+export OMP_NUM_THREADS=${OMP_NUM_THREADS:-$(nproc)}
+
+raw=$work/raw # loop method calls ratio seconds
+for round in $(seq "$rounds"); do
+  for loop in "${loops[@]}"; do
+    "$work/sequential" "$loop" "${calls[@]}" >"$work/expected"
+    for method in "${methods[@]}"; do
+      REDCC_METHOD=$method "$work/redcc" "$loop" "${calls[@]}" >"$work/given"
+      paste -d' ' "$work/expected" "$work/given" |
+        awk -v loop="$loop" -v method="$method" '
+          $3 != $6 {print "choice: " loop " by " method ": other bits" >"/dev/stderr"; bad = 1}
+          {print loop, method, $1, $2 / $5, $2, $5}
+          END {exit bad}' >>"$raw"
+    done
+  done
+  echo "round $round of $rounds"
+done
+echo "loop,method,calls,speed_up,lowest,highest,sequential_seconds,seconds" >"$csv"
+column() { awk -v l="$1" -v m="$2" -v c="$3" -v f="$4" '$1 == l && $2 == m && $3 == c {print $f}' "$raw"; }
+for loop in "${loops[@]}"; do
+  for method in "${methods[@]}"; do
+    for count in "${calls[@]}"; do
+      ratios=$(column "$loop" "$method" "$count" 4)
+      printf '%s,%s,%s,%.3f,%.3f,%.3f,%s,%s\n' "$loop" "$method" "$count" "$(median <<<"$ratios")" \
+        "$(minimum <<<"$ratios")" "$(maximum <<<"$ratios")" \
+        "$(column "$loop" "$method" "$count" 5 | median)" "$(column "$loop" "$method" "$count" 6 | median)"
+    done
+  done
+done | tee -a "$csv"
+echo "kept: $csv"

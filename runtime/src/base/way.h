@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The ways of executing a loop that auto chooses from. */
+#ifndef REDCC_WAY_H
+#define REDCC_WAY_H
+
+enum way {
+    WAY_SEQUENTIAL,
+    WAY_COPIES, /**< private copies */
+    WAY_INDEX,  /**< LOCALWRITE, owners by address */
+    WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph; wavefronts where these are uneven
+                 */
+    WAY_COUNT
+};
+
+#endif

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The choice of a method as an online decision with a bound (docs/choosing.md derives it).
+ *
+ *     redcc_decide     what to do in this call: the sequential loop, an inspection, a kept plan
+ *     redcc_pick_way   within an inspection, when estimates are there: which way, if any
+ *     redcc_observe    what came of it, and what it took
+ *
+ * No clock, no threads, no allocation: seconds come in with what is observed. Everything that may
+ * take longer than the sequential loop is paid from the credit: a tenth of the time that the loop
+ * has taken, and what was gained. Used by one thread at a time.
+ */
+#ifndef REDCC_CHOOSE_DECIDE_H
+#define REDCC_CHOOSE_DECIDE_H
+
+#include "base/way.h"
+#include "choose/rule.h"
+
+#include <stdbool.h>
+
+/** What a way would cost. */
+struct prospect {
+    bool possible;
+    bool ruled_out;   /**< it was tried in vain: not possible until the loop has rested */
+    bool measured;    /**< `execution`, rather than estimated */
+    double set_up;    /**< seconds, of an inspection and a plan, its sample included; estimated */
+    double learned;   /**< seconds that one has taken, or at least takes; 0: none was made */
+    double execution; /**< seconds an iteration, the check of a kept plan included */
+};
+
+/** Is a plan kept for what this call executes? */
+enum kept_match {
+    KEPT_NONE,
+    KEPT_CHANGED, /**< one for other subscripts, as a sample of them shows */
+    KEPT_FITS     /**< as far as is known without reading all subscripts */
+};
+
+/** A call. */
+struct situation {
+    long long trip; /**< iterations */
+    int threads;    /**< that would execute them */
+    double wake;    /**< seconds that waking those takes, as measured */
+    enum kept_match kept[WAY_COUNT];
+    int steady;             /**< calls in a row whose sampled subscripts were those of the call
+                                 before; -1: not known */
+    double forecast;        /**< seconds of a sequential execution that has never been timed;
+                                 0: not known */
+    double forecast_set_up; /**< of an inspection, then */
+};
+
+enum action {
+    ACTION_SEQUENTIAL, /**< the original loop */
+    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way says */
+    ACTION_REUSE       /**< a kept plan, of way `way` */
+};
+
+struct decision {
+    enum action action;
+    enum way way;
+    bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
+    double deadline; /**< INSPECT: seconds after which it must be given up */
+    enum rule rule;
+};
+
+/** What came of a call. An inspection or a reuse that fails is followed by a sequential execution,
+ *  which is an outcome of its own. */
+enum result {
+    RESULT_SEQUENTIAL,
+    RESULT_PARALLEL,     /**< after a set-up, where set_up > 0 */
+    RESULT_UNATTRACTIVE, /**< the inspection ended with its sample: redcc_pick_way said so */
+    RESULT_STOPPED,      /**< ... or at its deadline */
+    RESULT_CHANGED,      /**< the kept plan's subscripts were others */
+    RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: any other, too */
+};
+
+struct outcome {
+    enum result result;
+    enum way way;
+    long long trip;
+    double seconds; /**< of the execution; of UNATTRACTIVE, STOPPED, CHANGED, REFUSED: lost */
+    double set_up;  /**< seconds, of PARALLEL with a new plan */
+    double done;    /**< STOPPED: the part of the set-up that was done, 0 to 1 */
+};
+
+/** Where a loop stands, at trip counts of one size. */
+enum stand {
+    STAND_UNTIMED,   /**< never executed */
+    STAND_SHORT,     /**< too short for threads to be woken */
+    STAND_SAVING,    /**< sequential, until the credit allows a trial */
+    STAND_COMPARING, /**< two ways take turns */
+    STAND_PARALLEL,  /**< a plan is the faster way */
+    STAND_RESTING    /**< sequential for some calls: exponential back-off */
+};
+
+/** The last three sequential executions, seconds an iteration. */
+struct timings {
+    double recent[3];
+    long count;
+};
+
+/** Two ways executed in turn, so that both meet the machine as it is now. */
+struct comparison {
+    enum way contender, incumbent;
+    bool incumbents_turn;
+    int contended, defended;             /* executions */
+    double contender_sum, incumbent_sum; /* seconds an iteration */
+};
+
+/** Set-ups at one size. */
+struct set_ups {
+    double since;    /* sequential seconds since the last one */
+    double factor;   /* of its estimated cost, which `since` must reach for another */
+    double invested; /* seconds that the last one took */
+    double earned;   /* and saved */
+    int misses;      /* in a row that were abandoned before they had earned their cost */
+    long begun;      /* the call that made the last one */
+    long uses;       /* executions by it */
+    long lifetime;   /* executions by the plan before it, which other subscripts ended; 0: none */
+};
+
+/** Exponential back-off. */
+struct back_off {
+    long calls, until, length;
+};
+
+struct size_state {
+    enum stand stand;
+    enum rule rule;
+    enum way way; /* PARALLEL: of the plan */
+    int threads;
+    bool looked;      /* the prospects are known */
+    double look;      /* seconds that a sample took; 0: none was taken */
+    double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
+    struct timings sequential;
+    struct prospect prospect[WAY_COUNT];
+    struct comparison comparison;
+    struct set_ups set_ups;
+    struct back_off rest;
+};
+
+/** Seconds of all sizes. */
+struct ledger {
+    double sequential; /* that the sequential loop has taken, or would have */
+    double overhead;   /* taken beyond that; negative: gained */
+};
+
+enum { REDCC_SIZES = 48 };
+
+/** All that is known of a loop; zeroes at first. */
+struct choice_state {
+    struct ledger ledger;
+    struct size_state size[REDCC_SIZES]; /* by the logarithm of the trip count */
+};
+
+/** Is this one of the calls that a short loop is left alone in? Then it is counted, and need not be
+ *  decided: a compare and a counter. */
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads);
+
+/** What to do in a call. */
+struct decision redcc_decide(struct choice_state *state, const struct situation *now);
+
+/** An inspection has sampled the loop (`spent` seconds so far): notes the prospects [WAY_COUNT] and
+ *  says which way is worth its set-up and within the credit, until what deadline, from now on;
+ *  ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
+struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
+                               const struct prospect *prospect, double spent);
+
+/** Takes in an outcome; of each decision exactly one with what was decided, then, where that
+ *  failed, one more of the sequential loop if it is timed. */
+void redcc_observe(struct choice_state *state, const struct outcome *outcome);
+
+/** Seconds that may be lost now without passing the bound; may be negative. */
+double redcc_credit(const struct choice_state *state);
+
+/** Seconds of a sequential execution, as they were lately: the median of three. 0: not known. */
+double redcc_usual_sequential(const struct choice_state *state, long long trip);
+
+/** The row that decided last at this size. */
+enum rule redcc_rule_of(const struct choice_state *state, long long trip);
+
+#endif

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "choose/size.h"
+
+static const double evident = 0.1; /* difference of two ways that ends their comparison at once */
+static const double clear = 0.8;   /* of the sequential loop: one execution is enough */
+
+enum {
+    PAIRS = 3, /* of a comparison: decides right in 19 of 20 cases at a noise of 30 % */
+    /* Calls, of the first rest. */
+    SLOWER_REST = 16,
+    UNATTRACTIVE_REST = 64,
+    REFUSED_REST = 2
+};
+
+static void stop_resting(struct size_state *size, enum stand stand) {
+    size->rest.length = 0;
+    size->stand = stand;
+}
+
+/* A comparison is over: the contender was the faster way, or not. */
+static void settle(struct size_state *size, bool contender_won) {
+    const struct comparison *it = &size->comparison;
+    struct prospect *prospect = &size->prospect[it->contender];
+    prospect->execution = it->contender_sum / it->contended;
+    prospect->measured = true;
+    size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
+    size->unchecked = 0;
+    if (!contender_won && it->incumbent == WAY_SEQUENTIAL) {
+        redcc_rest(size, STAND_RESTING, RULE_SLOWER, SLOWER_REST, REDCC_REST_MOST);
+        return;
+    }
+    stop_resting(size, STAND_PARALLEL);
+    size->rule = RULE_FASTER;
+}
+
+static void settle_if_evident(struct size_state *size) {
+    const struct comparison *it = &size->comparison;
+    if (it->incumbent == WAY_SEQUENTIAL && it->contended == 1 && it->defended == 0 &&
+        it->contender_sum < clear * redcc_usual(&size->sequential)) {
+        settle(size, true);
+        return;
+    }
+    if (it->contended != it->defended)
+        return;
+    const double difference = it->incumbent_sum - it->contender_sum;
+    if (difference > evident * it->incumbent_sum || -difference > evident * it->incumbent_sum ||
+        it->contended >= PAIRS)
+        settle(size, difference > 0);
+}
+
+static void count_in_comparison(struct size_state *size, enum way way, double each) {
+    struct comparison *it = &size->comparison;
+    if (way != (it->incumbents_turn ? it->incumbent : it->contender))
+        return; /* sequential for want of credit */
+    if (it->incumbents_turn) {
+        it->incumbent_sum += each;
+        it->defended++;
+    } else {
+        it->contender_sum += each;
+        it->contended++;
+    }
+    it->incumbents_turn = !it->incumbents_turn;
+    settle_if_evident(size);
+}
+
+static void observe_sequential(struct choice_state *state, struct size_state *size,
+                               const struct outcome *outcome) {
+    const double each = outcome->seconds / (double)outcome->trip;
+    state->ledger.sequential += outcome->seconds;
+    size->set_ups.since += outcome->seconds;
+    const bool comparing = size->stand == STAND_COMPARING;
+    const bool checked = comparing && size->comparison.incumbent == WAY_SEQUENTIAL &&
+                         size->comparison.incumbents_turn && size->comparison.defended == 0;
+    if (checked) /* what was timed before the machine changed is of no use */
+        size->sequential.count = 0;
+    redcc_note_timing(&size->sequential, each);
+    if (comparing)
+        count_in_comparison(size, WAY_SEQUENTIAL, each);
+}
+
+static void count_set_up(struct size_state *size, enum way way, double seconds) {
+    struct set_ups *it = &size->set_ups;
+    const double factor = redcc_next_factor(it);
+    const int misses = redcc_next_misses(it);
+    *it = (struct set_ups){.factor = factor,
+                           .invested = seconds,
+                           .misses = misses,
+                           .begun = size->rest.calls,
+                           .lifetime = it->lifetime};
+    size->prospect[way].learned = seconds;
+    size->prospect[way].possible = true;
+}
+
+/* The first execution by a new plan starts threads and touches pages: it is not compared. */
+static void begin_trial(struct size_state *size, enum way way) {
+    const bool rival = size->stand == STAND_PARALLEL && size->way != way;
+    redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
+}
+
+static void observe_parallel(struct choice_state *state, struct size_state *size,
+                             const struct outcome *outcome) {
+    const double each = outcome->seconds / (double)outcome->trip;
+    const double sequential = redcc_least(&size->sequential) * (double)outcome->trip;
+    struct prospect *prospect = &size->prospect[outcome->way];
+    state->ledger.sequential += sequential;
+    state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
+    if (outcome->set_up > 0) {
+        if (size->stand == STAND_SAVING && size->set_ups.uses > 0)
+            size->set_ups.lifetime = size->set_ups.uses;
+        count_set_up(size, outcome->way, outcome->set_up);
+    }
+    size->set_ups.uses++;
+    size->set_ups.since += sequential;
+    size->set_ups.earned += sequential - outcome->seconds;
+    if (outcome->set_up > 0) {
+        begin_trial(size, outcome->way);
+        return;
+    }
+    prospect->execution = prospect->measured ? (prospect->execution + each) / 2 : each;
+    prospect->measured = true;
+    if (size->stand == STAND_COMPARING)
+        count_in_comparison(size, outcome->way, each);
+    else if (size->stand == STAND_PARALLEL)
+        size->unchecked += outcome->seconds;
+}
+
+static void observe_stop(struct size_state *size, const struct outcome *outcome) {
+    const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
+    const double twice = 2 * outcome->seconds;
+    count_set_up(size, outcome->way, outcome->seconds);
+    if (outcome->way == WAY_SEQUENTIAL) /* not even the sample was there */
+        size->look = twice;
+    else
+        size->prospect[outcome->way].learned = whole > twice ? whole : twice;
+    if (size->stand != STAND_PARALLEL)
+        size->stand = STAND_SAVING;
+    size->rule = RULE_STOPPED;
+}
+
+/* Of one way: then another one may do. Of all: the loop rests. */
+static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
+    size->prospect[outcome->way].possible = false;
+    size->prospect[outcome->way].ruled_out = true;
+    const bool another = outcome->way != WAY_SEQUENTIAL && redcc_some_way_is_better(size);
+    if (size->stand != STAND_PARALLEL && !another)
+        redcc_rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REDCC_REST_MOST);
+}
+
+void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
+    struct size_state *size = redcc_size_of(state, outcome->trip);
+    switch (outcome->result) {
+    case RESULT_SEQUENTIAL:
+        observe_sequential(state, size, outcome);
+        return;
+    case RESULT_PARALLEL:
+        observe_parallel(state, size, outcome);
+        return;
+    case RESULT_UNATTRACTIVE:
+        if (outcome->way != WAY_SEQUENTIAL)
+            count_set_up(size, outcome->way, outcome->seconds);
+        size->prospect[outcome->way].possible = false;
+        size->prospect[outcome->way].ruled_out = true;
+        if (!redcc_some_way_is_better(size))
+            redcc_rest(size, STAND_RESTING, RULE_UNATTRACTIVE, UNATTRACTIVE_REST, REDCC_REST_MOST);
+        break;
+    case RESULT_STOPPED:
+        observe_stop(size, outcome);
+        break;
+    case RESULT_CHANGED:
+        size->stand = STAND_SAVING;
+        size->rule = RULE_CHANGED;
+        break;
+    case RESULT_REFUSED:
+        observe_refusal(size, outcome);
+        break;
+    }
+    state->ledger.overhead += outcome->seconds;
+}

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "choose_simulator.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { THREADS = 2, PLANS = 4 };
+
+/* Of the plans the one used longest ago makes room. */
+struct kept_plan {
+    enum way way; /* SEQUENTIAL: none */
+    int subscripts;
+    long long trip;
+    int used;
+};
+
+struct simulation {
+    const struct trace *trace;
+    struct choice_state *state;
+    struct kept_plan plan[PLANS];
+    int clock;
+    int steady;
+    int last; /* subscripts of the call before; -1: none */
+    struct simulated so_far;
+};
+
+static struct kept_plan *find_plan(struct simulation *it, enum way way, long long trip) {
+    for (int p = 0; p < PLANS; p++)
+        if (it->plan[p].way == way && it->plan[p].trip == trip)
+            return &it->plan[p];
+    return NULL;
+}
+
+static void keep_plan(struct simulation *it, struct kept_plan plan) {
+    struct kept_plan *place = find_plan(it, plan.way, plan.trip);
+    for (int p = 0; p < PLANS && !place; p++)
+        if (it->plan[p].way == WAY_SEQUENTIAL)
+            place = &it->plan[p];
+    if (!place)
+        place = it->plan;
+    for (int p = 0; p < PLANS && place->way != plan.way; p++)
+        if (it->plan[p].used < place->used)
+            place = &it->plan[p];
+    *place = plan;
+    place->used = ++it->clock;
+}
+
+static struct situation situation_of(struct simulation *it, const struct simulated_call *call) {
+    const bool hidden = it->trace->hidden;
+    it->steady = hidden || call->subscripts == it->last ? it->steady + 1 : 0;
+    it->last = call->subscripts;
+    struct situation now = {
+        .trip = call->trip, .threads = THREADS, .wake = it->trace->wake, .steady = it->steady};
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+        const struct kept_plan *plan = find_plan(it, way, call->trip);
+        const bool same = plan && (plan->subscripts == call->subscripts || hidden);
+        now.kept[way] = same ? KEPT_FITS : plan ? KEPT_CHANGED : KEPT_NONE;
+    }
+    return now;
+}
+
+static void tell(struct simulation *it, struct outcome outcome) {
+    it->so_far.total += outcome.seconds + outcome.set_up;
+    redcc_observe(it->state, &outcome);
+}
+
+static void run_sequentially(struct simulation *it, const struct simulated_call *call, bool timed) {
+    if (timed)
+        tell(it, (struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, call->trip, call->sequential,
+                                  0, 0});
+    else
+        it->so_far.total += call->sequential;
+}
+
+static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
+    struct kept_plan *plan = find_plan(it, way, call->trip);
+    if (plan->subscripts == call->subscripts) {
+        plan->used = ++it->clock;
+        it->so_far.parallel++;
+        tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], 0, 0});
+        return;
+    }
+    plan->way = WAY_SEQUENTIAL;
+    tell(it, (struct outcome){RESULT_CHANGED, way, call->trip, it->trace->check * call->sequential,
+                              0, 0});
+    run_sequentially(it, call, true);
+}
+
+static void make_plan(struct simulation *it, const struct simulated_call *call, enum way way,
+                      double deadline) {
+    const struct trace *trace = it->trace;
+    const double rest = trace->set_up[way] * (double)call->trip;
+    it->so_far.set_ups++;
+    if (rest > deadline) {
+        tell(it, (struct outcome){RESULT_STOPPED, way, call->trip,
+                                  trace->look + deadline + trace->block, 0, deadline / rest});
+        run_sequentially(it, call, true);
+        return;
+    }
+    it->so_far.parallel++;
+    keep_plan(it, (struct kept_plan){way, call->subscripts, call->trip, 0});
+    tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way],
+                              trace->look + rest, 0});
+}
+
+static void inspect(struct simulation *it, const struct simulated_call *call,
+                    const struct situation *now, double deadline) {
+    const struct trace *trace = it->trace;
+    struct prospect prospect[WAY_COUNT] = {{0}};
+    if (trace->look > deadline) {
+        tell(it, (struct outcome){RESULT_STOPPED, WAY_SEQUENTIAL, call->trip,
+                                  deadline + trace->block, 0, 0});
+        run_sequentially(it, call, true);
+        return;
+    }
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+        const double trip = (double)call->trip;
+        prospect[way].possible = trace->possible[way];
+        prospect[way].set_up = trace->look + trace->set_up[way] * trip * trace->set_up_error;
+        prospect[way].execution = call->execution[way] / trip * trace->execution_error;
+    }
+    const struct decision decision = redcc_pick_way(it->state, now, prospect, trace->look);
+    if (decision.action == ACTION_INSPECT) {
+        make_plan(it, call, decision.way, decision.deadline);
+        return;
+    }
+    tell(it, (struct outcome){RESULT_UNATTRACTIVE, WAY_SEQUENTIAL, call->trip, trace->look, 0, 0});
+    run_sequentially(it, call, true);
+}
+
+static void carry_out(struct simulation *it, const struct simulated_call *call) {
+    const struct situation now = situation_of(it, call);
+    const struct decision decision = redcc_decide(it->state, &now);
+    switch (decision.action) {
+    case ACTION_SEQUENTIAL:
+        run_sequentially(it, call, decision.timed);
+        break;
+    case ACTION_INSPECT:
+        inspect(it, call, &now, decision.deadline);
+        break;
+    case ACTION_REUSE:
+        run_by_plan(it, call, decision.way);
+        break;
+    }
+}
+
+/* What one more execution, or the check of a plan, may take beyond the sequential one. */
+static void widen_allowance(struct simulation *it, const struct simulated_call *call) {
+    double most = it->trace->check * call->sequential;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        if (it->trace->possible[way] && call->execution[way] - call->sequential > most)
+            most = call->execution[way] - call->sequential;
+    most += it->trace->block;
+    if (most > it->so_far.allowance)
+        it->so_far.allowance = most;
+}
+
+static double best_in_hindsight(const struct trace *trace, double sequential) {
+    double best = sequential;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+        double total = 0;
+        for (int c = 0; c < trace->count; c++) {
+            const struct simulated_call *call = &trace->call[c], *before = call - 1;
+            total += call->execution[way];
+            if (c == 0 || before->subscripts != call->subscripts || before->trip != call->trip)
+                total += trace->set_up[way] * (double)call->trip;
+        }
+        if (trace->possible[way] && total < best)
+            best = total;
+    }
+    return best;
+}
+
+struct simulated simulate(const struct trace *trace) {
+    struct simulation it = {.trace = trace, .state = calloc(1, sizeof *it.state), .last = -1};
+    struct simulated *result = &it.so_far;
+    for (int c = 0; c < trace->count; c++) {
+        result->sequential += trace->call[c].sequential;
+        widen_allowance(&it, &trace->call[c]);
+        carry_out(&it, &trace->call[c]);
+        const double ratio = (result->total - result->allowance) / result->sequential;
+        if (ratio > result->worst_prefix)
+            result->worst_prefix = ratio;
+    }
+    result->best = best_in_hindsight(trace, result->sequential);
+    free(it.state);
+    return *result;
+}

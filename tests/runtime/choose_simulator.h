@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The decision code of `auto` (runtime/src/choose/decide.h) against a virtual clock: what each call
+ * of a loop would take by each way is given, and the decisions are carried out as the runtime
+ * would, without threads. Apart from the decision code this knows nothing of it.
+ */
+#ifndef CHOOSE_SIMULATOR_H
+#define CHOOSE_SIMULATOR_H
+
+#include "choose/decide.h"
+
+enum { SIMULATED_CALLS = 2000 };
+
+/** One call of the loop. */
+struct simulated_call {
+    long long trip;
+    double sequential;           /**< seconds */
+    double execution[WAY_COUNT]; /**< seconds by a plan, its check included; [0] unused */
+    int subscripts;              /**< a plan serves only calls with the same number */
+};
+
+struct trace {
+    int count;
+    struct simulated_call call[SIMULATED_CALLS];
+    bool possible[WAY_COUNT];
+    double set_up[WAY_COUNT]; /**< seconds an iteration, in truth */
+    double set_up_error;      /**< estimated over true */
+    double execution_error;   /**< the same, of executions */
+    double look;              /**< seconds of a sample */
+    double check;             /**< of a sequential execution: to find that subscripts changed */
+    double wake;              /**< seconds */
+    double block;             /**< seconds by which a deadline is passed */
+    bool hidden;              /**< a sample of the subscripts does not show that they changed */
+};
+
+struct simulated {
+    double total;
+    double sequential;   /**< seconds of the sequential program */
+    double best;         /**< of the best single way in hindsight, its set-ups included */
+    double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
+    double allowance;    /**< the bound's additive constant: the largest excess of one execution
+                              over the sequential one, and a block */
+    int set_ups;         /**< begun */
+    int parallel;        /**< executions by a plan */
+};
+
+/** Carries out the trace, from a state of zeroes. */
+struct simulated simulate(const struct trace *trace);
+
+#endif

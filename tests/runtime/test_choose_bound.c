@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* The bounds of docs/choosing.md, on simulated loops: families of them, 10,000 random ones, the
+ * worst that a search finds, and the worst found so far. */
+#include "choose_simulator.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* The bound's e, and how many times as fast as the sequential loop a plan of these loops is at
+ * most; apart from the code's own. */
+static const double share = 0.1, fastest = 2;
+
+static uint64_t random_state;
+
+static double uniform(void) {
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return (double)(random_state >> 11) * 0x1p-53;
+}
+
+static double between(double low, double high) {
+    return low + (high - low) * uniform();
+}
+
+/* A loop of a million iterations, 10 ms, half as long by owners, whose plan takes half an
+ * execution; owners by the graph are better and their plan is four times as expensive. */
+static struct trace *ordinary(int count) {
+    struct trace *trace = calloc(1, sizeof *trace);
+    *trace = (struct trace){.count = count,
+                            .set_up_error = 1,
+                            .execution_error = 1,
+                            .look = 0.3e-3,
+                            .check = 0.2,
+                            .wake = 10e-6,
+                            .block = 50e-6};
+    trace->possible[WAY_INDEX] = trace->possible[WAY_GRAPH] = true;
+    trace->set_up[WAY_INDEX] = 5e-9;
+    trace->set_up[WAY_GRAPH] = 20e-9;
+    for (int c = 0; c < count; c++) {
+        trace->call[c] = (struct simulated_call){.trip = 1000000, .sequential = 10e-3};
+        trace->call[c].execution[WAY_INDEX] = 6.5e-3;
+        trace->call[c].execution[WAY_GRAPH] = 5.5e-3;
+    }
+    return trace;
+}
+
+static void scale(struct simulated_call *call, double sequential, double parallel) {
+    call->sequential *= sequential;
+    for (enum way way = 0; way < WAY_COUNT; way++)
+        call->execution[way] *= parallel;
+}
+
+/* What a test asks of a trace. */
+struct asked {
+    double
+        sequential; /* total over the sequential program's, after the allowance, at every prefix */
+    double best;    /* total over the best way's in hindsight */
+    int set_ups;    /* no more than these; 0: however many */
+};
+
+static void check(struct trace *trace, const char *name, struct asked asked) {
+    const struct simulated it = simulate(trace);
+    if (getenv("CHOOSE_SHOW"))
+        printf(
+            "%-34s prefix %.4f  total/sequential %.4f  total/best %.4f  set-ups %d  parallel %d\n",
+            name, it.worst_prefix, it.total / it.sequential, it.total / it.best, it.set_ups,
+            it.parallel);
+    if (it.worst_prefix > asked.sequential)
+        fail_msg("%s: %.4f times the sequential program's time", name, it.worst_prefix);
+    if (asked.set_ups && it.set_ups > asked.set_ups)
+        fail_msg("%s: %d set-ups", name, it.set_ups);
+    if (it.total > asked.best * it.best)
+        fail_msg("%s: %.4f times the best way's time", name, it.total / it.best);
+    free(trace);
+}
+
+static void stable_loops(void **unused) {
+    (void)unused;
+    check(ordinary(1), "once", (struct asked){1, 1, 0});
+    check(ordinary(3), "thrice", (struct asked){1, 1.5, 0});
+    check(ordinary(10), "10", (struct asked){1 + share, 1.6, 1});
+    check(ordinary(40), "40", (struct asked){1 + share, 1.3, 2});
+    check(ordinary(400), "400", (struct asked){1 + share, 1.05, 2});
+    check(ordinary(2000), "2000", (struct asked){1 + share, 1.03, 2});
+}
+
+static void loops_that_never_gain(void **unused) {
+    (void)unused;
+    struct trace *trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++)
+        scale(&trace->call[c], 1, 2);
+    check(trace, "parallel twice as slow", (struct asked){1 + share, 1.001, 1});
+    trace = ordinary(2000);
+    trace->execution_error = 0.4;
+    for (int c = 0; c < trace->count; c++)
+        scale(&trace->call[c], 1, 2);
+    check(trace, "the same, not expected", (struct asked){1 + share, 1.01, 3});
+    trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++)
+        scale(&trace->call[c], 1e-2, 1e-2);
+    check(trace, "short", (struct asked){1, 2, 1});
+}
+
+static void noise(void **unused) {
+    (void)unused;
+    random_state = 88172645463325252u;
+    for (int gain = 0; gain < 4; gain++) {
+        struct trace *trace = ordinary(2000);
+        for (int c = 0; c < trace->count; c++)
+            scale(&trace->call[c], between(0.7, 1.3), between(0.7, 1.3) * (1 + 0.3 * gain));
+        static const char *const names[] = {"noise of 30 %", "noise, 1.4 times as fast",
+                                            "noise, 1.14 times as fast", "noise, slower"};
+        check(trace, names[gain], (struct asked){1 + share, 1.12, 8});
+    }
+}
+
+static void drift(void **unused) {
+    (void)unused;
+    for (int both = 0; both < 3; both++) {
+        struct trace *trace = ordinary(2000);
+        for (int c = 0; c < trace->count; c++) {
+            const double wave = exp2(sin(c / 50.0)), other = exp2(cos(c / 70.0));
+            scale(&trace->call[c], both == 2 ? 1 : wave, both == 0 ? wave : other);
+        }
+        static const char *const names[] = {"drift of both", "drift of each", "drift of parallel"};
+        check(trace, names[both], (struct asked){1 + share, 1.2, 3});
+    }
+}
+
+/* For a second a neighbour takes a core: each thread's half takes twice as long. */
+static void a_neighbour(void **unused) {
+    (void)unused;
+    struct trace *trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++)
+        if (c % 500 >= 100 && c % 500 < 200)
+            scale(&trace->call[c], 1, 2);
+    check(trace, "a neighbour for a second", (struct asked){1 + share, 1.04, 3});
+    trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++)
+        if (c % 100 == 50)
+            scale(&trace->call[c], 1, 10);
+    check(trace, "stalls", (struct asked){1 + share, 1.15, 3});
+}
+
+/* From the 500th call on one of the two takes so many times as long. */
+static void what_was_faster_no_longer_is(void **unused) {
+    (void)unused;
+    struct trace *trace = ordinary(2000);
+    for (int c = 500; c < trace->count; c++)
+        scale(&trace->call[c], 1, 3);
+    check(trace, "plans become slow", (struct asked){1 + share, 0.91, 3});
+    trace = ordinary(2000);
+    for (int c = 500; c < trace->count; c++)
+        scale(&trace->call[c], 0.25, 1);
+    check(trace, "the sequential loop becomes fast", (struct asked){1 + share, 0.88, 3});
+}
+
+static void subscripts_that_change(void **unused) {
+    (void)unused;
+    static const int every[] = {1, 2, 5, 20};
+    for (int e = 0; e < 4; e++)
+        for (int hidden = 0; hidden < 2; hidden++)
+            for (int costly = 0; costly < 2; costly++) {
+                struct trace *trace = ordinary(2000);
+                char name[80];
+                for (int c = 0; c < trace->count; c++)
+                    trace->call[c].subscripts = c / every[e];
+                trace->hidden = hidden;
+                if (costly)
+                    trace->set_up[WAY_INDEX] = trace->set_up[WAY_GRAPH] = 100e-9;
+                snprintf(name, sizeof name, "changes every %d%s%s", every[e],
+                         hidden ? ", hidden" : "", costly ? ", expensive" : "");
+                check(trace, name,
+                      (struct asked){1 + share,
+                                     costly           ? 1.03
+                                     : every[e] == 20 ? 1.06
+                                                      : 1.2,
+                                     costly || every[e] == 1 ? hidden ? 8 : 4 : 0});
+            }
+}
+
+static void sizes_that_alternate(void **unused) {
+    (void)unused;
+    struct trace *trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++)
+        if (c % 2) {
+            trace->call[c].trip = 1000;
+            scale(&trace->call[c], 1e-3, 1e-2);
+        }
+    check(trace, "sizes alternate", (struct asked){1 + share, 0.6, 3});
+    trace = ordinary(2000);
+    for (int c = 0; c < trace->count; c++) {
+        const double size = (double)(1 << c % 8);
+        trace->call[c].trip = (long long)(1e5 * size);
+        scale(&trace->call[c], size / 10, size / 10);
+    }
+    check(trace, "eight sizes in turn", (struct asked){1 + share, 0.95, 0});
+}
+
+static void estimates_that_are_wrong(void **unused) {
+    (void)unused;
+    static const double errors[] = {0.1, 10};
+    for (int e = 0; e < 2; e++)
+        for (int costly = 0; costly < 2; costly++) {
+            struct trace *trace = ordinary(2000);
+            char name[80];
+            trace->set_up_error = errors[e];
+            if (costly)
+                trace->set_up[WAY_INDEX] = trace->set_up[WAY_GRAPH] = 200e-9;
+            snprintf(name, sizeof name, "set-ups estimated at %g%s", errors[e],
+                     costly ? ", expensive" : "");
+            check(trace, name, (struct asked){1 + share, !costly ? 1.06 : e ? 1.8 : 1.45, 5});
+        }
+}
+
+/* A loop by digits: what it is like, and of each call how the plans do and whether the subscripts
+ * are others. */
+enum { KNOBS = 14, CALLS = 120 };
+struct digits {
+    char like[KNOBS + 1];
+    char slow[CALLS + 1];
+    char change[CALLS + 1];
+};
+
+static double part(char digit) {
+    return (digit - '0') / 9.0;
+}
+
+static struct trace *loop_of(const struct digits *digits, double noise) {
+    const char *like = digits->like;
+    struct trace *trace = ordinary((int)strlen(digits->slow));
+    const double sequential = 1e-4 * pow(1e3, part(like[0]));
+    trace->set_up_error = 0.1 * pow(100, part(like[1]));
+    trace->execution_error = 0.5 * pow(4, part(like[2]));
+    trace->set_up[WAY_INDEX] = 1e-6 * sequential * 0.05 * pow(400, part(like[3]));
+    trace->set_up[WAY_GRAPH] = trace->set_up[WAY_INDEX] * (1 + 9 * part(like[4]));
+    const double by_index = 0.5 + part(like[5]), by_graph = 0.5 + part(like[6]);
+    trace->look = sequential * (0.001 + part(like[7]));
+    trace->check = part(like[8]);
+    trace->hidden = like[9] < '5';
+    trace->block = 0.01 * sequential;
+    int subscripts = 0;
+    for (int c = 0; c < trace->count; c++) {
+        struct simulated_call *call = &trace->call[c];
+        const double slow = 0.5 + 1.5 * part(digits->slow[c]);
+        subscripts += digits->change[c] == '1';
+        call->subscripts = subscripts;
+        call->sequential = sequential;
+        call->execution[WAY_INDEX] = fmax(0.5, fmin(2, by_index * slow)) * sequential;
+        call->execution[WAY_GRAPH] = fmax(0.5, fmin(2, by_graph * slow)) * sequential;
+        scale(call, 1 + noise * (2 * uniform() - 1), 1 + noise * (2 * uniform() - 1));
+    }
+    return trace;
+}
+
+static char random_digit(void) {
+    return (char)('0' + (int)(10 * uniform()));
+}
+
+static struct digits random_digits(void) {
+    struct digits it = {{0}, {0}, {0}};
+    const double slow = uniform() * uniform(), change = pow(uniform(), 4);
+    const int calls = 10 + (int)((CALLS - 10) * uniform());
+    for (int k = 0; k < KNOBS; k++)
+        it.like[k] = random_digit();
+    for (int c = 0; c < calls; c++) {
+        it.slow[c] = uniform() < slow ? random_digit() : '3';
+        it.change[c] = uniform() < change ? '1' : '0';
+    }
+    return it;
+}
+
+static void random_loops(void **unused) {
+    (void)unused;
+    random_state = 88172645463325252u;
+    double worst = 0, worst_best = 0;
+    for (int loop = 0; loop < 10000; loop++) {
+        const struct digits digits = random_digits();
+        struct trace *trace = loop_of(&digits, loop % 2 ? 0.3 * uniform() : 0);
+        const struct simulated it = simulate(trace);
+        worst = fmax(worst, it.worst_prefix);
+        worst_best = fmax(worst_best, (it.total - it.allowance) / it.best);
+        free(trace);
+    }
+    if (getenv("CHOOSE_SHOW"))
+        printf("random: prefix %.4f, total/best %.4f\n", worst, worst_best);
+    assert_true(worst <= 1 + share);
+    assert_true(worst_best <= fastest * (1 + share));
+}
+
+/* What a search is to make large. */
+static double badness(const struct digits *digits, bool against_best) {
+    struct trace *trace = loop_of(digits, 0);
+    const struct simulated it = simulate(trace);
+    free(trace);
+    return against_best ? (it.total - it.allowance) / it.best : it.worst_prefix;
+}
+
+static struct digits mutated(struct digits it) {
+    const int calls = (int)strlen(it.slow);
+    for (int m = 0; m < 1 + (int)(4 * uniform()); m++) {
+        const int c = (int)(calls * uniform());
+        const double which = uniform();
+        if (which < 0.4)
+            it.like[(int)(KNOBS * uniform())] = random_digit();
+        else if (which < 0.7)
+            it.slow[c] = random_digit();
+        else
+            it.change[c] = it.change[c] == '1' ? '0' : '1';
+    }
+    return it;
+}
+
+/* Hill climbing from random loops. */
+static struct digits search(int climbs, int steps, bool against_best, double *worst) {
+    struct digits found = random_digits();
+    *worst = 0;
+    for (int climb = 0; climb < climbs; climb++) {
+        struct digits here = random_digits();
+        double height = badness(&here, against_best);
+        for (int step = 0; step < steps; step++) {
+            const struct digits next = mutated(here);
+            const double there = badness(&next, against_best);
+            if (there >= height) {
+                here = next;
+                height = there;
+            }
+        }
+        if (height > *worst) {
+            *worst = height;
+            found = here;
+        }
+    }
+    return found;
+}
+
+static void loops_made_to_be_bad(void **unused) {
+    (void)unused;
+    const char *given = getenv("CHOOSE_CLIMBS");
+    const int climbs = given ? atoi(given) : 10;
+    for (int against_best = 0; against_best < 2; against_best++) {
+        double worst;
+        random_state = 0x9e3779b97f4a7c15u;
+        const struct digits found = search(climbs, 1000, against_best, &worst);
+        if (getenv("CHOOSE_SHOW"))
+            printf("search: %.4f {\"%s\", \"%s\", \"%s\"}\n", worst, found.like, found.slow,
+                   found.change);
+        assert_true(worst <= (against_best ? fastest * (1 + share) : 1 + share));
+    }
+}
+
+/* What the search has found in 200,000 steps. */
+static void the_worst_found(void **unused) {
+    (void)unused;
+    static const struct digits worst[] = {
+        {"31574003010090",
+         "61118129762416815212072848395677765603904273820073773699759098912646293554489086817091651"
+         "299894897199950456334276073632",
+         "10100010011100101010000010010001000110110010011001111001111100011000110110001011110111010"
+         "111111111011101011110010100110"},
+        {"49009009057789", "02313210123030003", "10000000000000000"}};
+    random_state = 1;
+    const double sequential = badness(&worst[0], false), best = badness(&worst[1], true);
+    if (getenv("CHOOSE_SHOW"))
+        printf("worst found: %.4f of the sequential, %.4f of the best\n", sequential, best);
+    assert_true(sequential <= 1 + share);
+    assert_true(best <= fastest * (1 + share));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stable_loops),
+        cmocka_unit_test(loops_that_never_gain),
+        cmocka_unit_test(noise),
+        cmocka_unit_test(drift),
+        cmocka_unit_test(a_neighbour),
+        cmocka_unit_test(what_was_faster_no_longer_is),
+        cmocka_unit_test(subscripts_that_change),
+        cmocka_unit_test(sizes_that_alternate),
+        cmocka_unit_test(estimates_that_are_wrong),
+        cmocka_unit_test(random_loops),
+        cmocka_unit_test(loops_made_to_be_bad),
+        cmocka_unit_test(the_worst_found),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
