@@ -13,8 +13,8 @@ static const double reserve = 0.25;
 static const double first_look = 0.5e-3;
 
 enum {
-    WAKES = 50,    /* executions shorter than so many wake-ups gain less than 2 % a microsecond */
-    FORECAST = 20, /* times an inspection: then it costs 5 % of one execution */
+    WAKES = 50,         /* waking the threads then costs no more than 2 % of an execution */
+    FORECAST = 20,      /* times an inspection: then it costs 5 % of one execution */
     CHECKED_AFTER = 64, /* timing the sequential loop again costs 1/64 */
     MISSES = 2,
     STEADY = 2,
