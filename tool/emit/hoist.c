@@ -220,6 +220,11 @@ static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
         return (first->type->kind == IR_ARRAY ? address_is_safe(facts, first)
                                               : value_is_safe(facts, first)) &&
                value_is_safe(facts, ir_child(node, 1));
+    case IR_UNARY:
+        if (node->op == IR_OP_DEREFERENCE)
+            return first->type->kind == IR_ARRAY ? address_is_safe(facts, first)
+                                                 : value_is_safe(facts, first);
+        return value_is_safe(facts, node);
     default:
         return value_is_safe(facts, node);
     }
