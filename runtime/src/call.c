@@ -3,9 +3,12 @@
 #include "loop.h"
 
 #include "base/clock.h"
+#include "base/escapes.h"
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/node.h"
+#include "base/signals.h"
+#include "base/team.h"
 #include "base/trace.h"
 #include "settings.h"
 
@@ -131,13 +134,13 @@ static const struct method *method_of(const struct settings *settings) {
 
 /* What forbids running in parallel without a look at the loop's data. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
-                                 int threads, int nested) {
+                                 int threads, int nested, bool forked) {
     if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
         settings->method->keeps != REDCC_ORDER_SERIAL)
         return REASON_ORDER_NEEDED;
     if (is_always_planned(settings))
         return REASON_NONE;
-    if (redcc_is_forked())
+    if (forked)
         return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
@@ -177,6 +180,14 @@ static int serially(struct loop_state *state, enum reason reason) {
     return 0;
 }
 
+void redcc_note_no_memory(redcc_loop *loop) {
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    serially(state, REASON_NO_MEMORY);
+}
+
 static void take_request(struct request *request, redcc_int trip, void *const *bases,
                          const redcc_extent *known, const redcc_word *key) {
     const redcc_loop *loop = request->loop;
@@ -186,6 +197,48 @@ static void take_request(struct request *request, redcc_int trip, void *const *b
         memcpy(request->known, known, loop->source_count * sizeof *known);
     if (loop->key_count)
         memcpy(request->key, key, loop->key_count * sizeof *key);
+}
+
+/* Does an execution take long enough for somebody to wait for its end? Also where that is not
+ * known. */
+static bool is_long(const struct execution *execution) {
+    const struct statistics *statistics = &execution->state->reported.statistics;
+    return statistics->in_loops == 0 ||
+           statistics->execute_seconds * (double)execution->call.request.trip >
+               1e-3 * (double)statistics->in_loops;
+}
+
+/* To be called where a region may follow: no handler may leave the execution then, and none begins
+ * one of its own. */
+static void begin_within(struct execution *execution, int threads) {
+    execution->is_within = redcc_within;
+    redcc_within = 1;
+    execution->holds_signals =
+        execution->call.always_planned || redcc_may_escape() || redcc_team_grows(threads);
+    if (execution->holds_signals)
+        execution->signals = redcc_signals_hold();
+}
+
+/* The region's threads are there. */
+static void relax_within(struct execution *execution) {
+    if (!execution->holds_signals)
+        return;
+    if (!execution->call.always_planned && !redcc_may_escape()) {
+        execution->holds_signals = false;
+        redcc_signals_release(execution->signals);
+    } else if (is_long(execution))
+        redcc_signals_let_default(execution->signals);
+}
+
+/* The loop is let go: nothing of the execution's is touched any more. */
+static void end_within(struct loop_state *state) {
+    const uint64_t signals = state->execution.signals;
+    const bool holds_signals = state->execution.holds_signals;
+    const bool was_within = state->execution.is_within;
+    release(state);
+    redcc_within = was_within;
+    if (holds_signals)
+        redcc_signals_release(signals);
 }
 
 static void take_settings(struct call *call, const struct settings *settings, int error_before) {
@@ -228,6 +281,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         redcc_note_serial(&state->reported.statistics);
         return false;
     }
+    threads = redcc_team_prepare(threads, execution->signals);
+    *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
+    if (threads < (call->always_planned ? 1 : 2))
+        return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
         return false;
@@ -257,9 +314,8 @@ static bool rests(struct loop_state *state, redcc_int trip, int threads, enum re
 
 /* The bits of compensated sums are the same at any number of threads. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
-                              redcc_int trip, int threads, int nested) {
+                              redcc_int trip, int threads) {
     const struct statistics *statistics = &state->reported.statistics;
-    threads = nested || threads < 1 || redcc_is_forked() ? 1 : threads;
     return settings->compensated && !settings->method
                ? redcc_advise_threads(trip, threads, statistics->execute_seconds,
                                       statistics->in_loops)
@@ -270,6 +326,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
                 const redcc_extent *known, const redcc_word *key, int threads, int nested) {
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
     const struct settings *settings = redcc_settings();
     stop_at_contradiction(loop, settings);
     struct loop_state *state = state_of(loop);
@@ -278,12 +335,14 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0 || (settings->method && !settings->method->prepare))
         return 0;
-    enum reason reason = reason_not_to(loop, settings, threads, nested);
+    enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
     if (reason != REASON_NONE && !settings->method)
         redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     if (reason != REASON_NONE)
         return serially(state, reason);
     const bool always = is_always_planned(settings);
+    if (redcc_within && !always)
+        return serially(state, REASON_NESTED);
     struct loop_state *held = acquire(state, loop, always, &reason);
     if (!held)
         return serially(state, reason);
@@ -294,12 +353,19 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, reason);
     }
     take_settings(&execution->call, settings, error_before);
-    threads = threads_to_ask_for(held, settings, trip, threads, nested);
+    if (redcc_float_traps(execution->call.float_control)) {
+        release(held);
+        return serially(state, REASON_TRAPS);
+    }
+    threads = nested || threads < 1 || forked ? 1 : threads;
+    begin_within(execution, threads);
+    threads = threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
-        release(held);
+        end_within(held);
         return serially(state, reason);
     }
+    threads = execution->call.asked;
     redcc_find_plan(execution);
     redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
                 execution->run.mode == MODE_TIMED ? "by one thread, timed" : "in parallel",
@@ -326,6 +392,10 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         return;
     }
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
+    if (number == 0) {
+        redcc_team_came(threads);
+        relax_within(execution);
+    }
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;
@@ -361,7 +431,7 @@ int redcc_leave(redcc_call *call) {
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;
     const int error_before = execution->call.error_before;
-    release(execution->state);
+    end_within(execution->state);
     errno = error ? error : error_before;
     return done;
 }

@@ -31,6 +31,9 @@ struct execution {
     enum stage stage;   /* that all threads go on with, after they met */
     enum reason reason; /* why there is no plan */
     struct barrier barrier;
+    uint64_t signals; /* what the thread that entered blocked before; where they are held */
+    bool holds_signals;
+    bool is_within; /* the thread that entered was within another execution */
 };
 
 /** One thread's part: a sub-structure for each stage. */
@@ -77,6 +80,9 @@ bool redcc_account(struct execution *execution);
 
 /** Counts that a call falls back to the original loop. */
 void redcc_count_fallback(struct loop_state *state, enum reason reason);
+
+/** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
+void redcc_note_no_memory(redcc_loop *loop);
 
 /** Notes the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);

@@ -319,7 +319,7 @@ static enum progress prepare(struct thread_state *thread, redcc_worker *worker) 
         !plan->method->prepare(plan, &evidence, thread->thread) ||
         !redcc_copies_take(plan, thread->thread, inspector->seen, inspection->partition.base);
     if (redcc_is_reusable(request, inspection->sources))
-        redcc_hash_rest(&thread->hasher, request->loop, inspection->sources);
+        redcc_hash_rest(&thread->hasher, request, inspection->sources);
     return PROGRESS_MEET;
 }
 

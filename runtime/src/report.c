@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* struct statx */
 #include "report.h"
 
+#include "base/memory.h"
+#include "base/system.h"
 #include "settings.h"
 
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static _Atomic(struct reported *) all;
@@ -65,28 +70,36 @@ static void write_fallback(FILE *out, const char **separator, const char *reason
     *separator = ", ";
 }
 
-static void write_fallbacks(FILE *out, const struct statistics *statistics) {
-    static const char *const texts[] = {
+static const char *const reason_texts[] = {
 #define REDCC_REASON(id, text) text,
-        REDCC_REASON_LIST(REDCC_REASON)
+    REDCC_REASON_LIST(REDCC_REASON)
 #undef REDCC_REASON
-    };
+};
+
+static void write_fallbacks(FILE *out, const struct statistics *statistics) {
     const char *separator = "";
     for (int reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
-        write_fallback(out, &separator, texts[reason], atomic_load(&statistics->fallback[reason]));
+        write_fallback(out, &separator, reason_texts[reason],
+                       atomic_load(&statistics->fallback[reason]));
     for (int i = 0; i < REDCC_TEXTS; i++)
         write_fallback(out, &separator, statistics->told[i].text, statistics->told[i].count);
 }
 
-static void write_method(FILE *out, const struct statistics *statistics) {
+enum { LONGEST_METHOD = 64 };
+
+static void spell_method(char name[LONGEST_METHOD], const struct statistics *statistics) {
     const struct method *method = statistics->method ? statistics->method : &redcc_method_serial;
-    char name[64];
     if (method->parameter && method->parameter[0] == 'N')
-        snprintf(name, sizeof name, "%s:%d", method->name, statistics->parameter);
+        snprintf(name, LONGEST_METHOD, "%s:%d", method->name, statistics->parameter);
     else if (method->parameter && statistics->parameter != method->usual)
-        snprintf(name, sizeof name, "%s:%c", method->name, statistics->parameter);
+        snprintf(name, LONGEST_METHOD, "%s:%c", method->name, statistics->parameter);
     else
-        snprintf(name, sizeof name, "%s", method->name);
+        snprintf(name, LONGEST_METHOD, "%s", method->name);
+}
+
+static void write_method(FILE *out, const struct statistics *statistics) {
+    char name[LONGEST_METHOD];
+    spell_method(name, statistics);
     write_string(out, name);
 }
 
@@ -170,7 +183,7 @@ bool redcc_report_validation(void) {
 
 /* What binds the threads, as the environment says it: to bind them is OpenMP's. */
 static void write_variable(FILE *out, const char *key, const char *variable) {
-    const char *value = getenv(variable);
+    const char *value = redcc_environment(variable);
     fprintf(out, "\"%s\": ", key);
     if (value)
         write_string(out, value);
@@ -195,23 +208,91 @@ static bool write_all(FILE *out) {
     return fclose(out) == 0 && written;
 }
 
+/* For people: a line a loop, and why it ran sequentially where it did. */
+static void write_table(FILE *out) {
+    char method[LONGEST_METHOD];
+    fputs("redcc: calls threads plans-built plans-reused inspecting executing method  loop\n", out);
+    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next) {
+        const struct statistics *it = &loop->statistics;
+        spell_method(method, it);
+        fprintf(out, "redcc: %5ld %7d %11ld %12ld %9.4fs %8.4fs %s  %s:%d (%s)\n",
+                atomic_load(&it->calls), it->threads, it->plans_built, it->plans_reused,
+                it->inspect_seconds, it->execute_seconds, method, loop->file ? loop->file : "",
+                loop->line, loop->function ? loop->function : "");
+        for (int reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
+            if (atomic_load(&it->fallback[reason]) > 0)
+                fprintf(out, "redcc:       sequential %ld times: %s\n",
+                        atomic_load(&it->fallback[reason]), reason_texts[reason]);
+        for (int i = 0; i < REDCC_TEXTS; i++)
+            if (it->told[i].count > 0)
+                fprintf(out, "redcc:       sequential %ld times: %s\n", it->told[i].count,
+                        it->told[i].text);
+    }
+}
+
+/* With the process's id for %p: of several processes each has a report of its own. NULL: no
+ * memory. */
+static char *spell_name(const char *name) {
+    const size_t room = 24 * strlen(name) + 1; /* %p is two letters, an id fewer than 40 */
+    char *spelled = redcc_memory_take(room);
+    size_t length = 0;
+    for (; spelled && *name; name++) {
+        if (name[0] == '%' && name[1] == 'p') {
+            length +=
+                (size_t)snprintf(spelled + length, room - length, "%ld", redcc_system_process());
+            name++;
+        } else
+            spelled[length++] = *name;
+    }
+    if (spelled)
+        spelled[length] = '\0';
+    return spelled;
+}
+
+/* What is no plain file (a pipe, a device, a link to a file) is written to, and never replaced. */
+static bool is_replaceable(const char *name) {
+#if defined(__linux__)
+    struct statx found;
+    return redcc_system(SYS_statx, AT_FDCWD, name, AT_SYMLINK_NOFOLLOW, STATX_TYPE, &found) != 0 ||
+           (found.stx_mode & S_IFMT) == S_IFREG;
+#else
+    (void)name;
+    return false;
+#endif
+}
+
+static bool write_through(const char *name) {
+    FILE *out = fopen(name, "w");
+    return out && write_all(out);
+}
+
 /* Beside the file, then renamed: nobody reads half a report. */
+static bool replace(const char *name) {
+    const size_t room = strlen(name) + 32;
+    char *beside = redcc_memory_take(room);
+    if (!beside)
+        return write_through(name);
+    snprintf(beside, room, "%s.%ld", name, redcc_system_process());
+    FILE *out = fopen(beside, "w");
+    const bool written = out && write_all(out) && rename(beside, name) == 0;
+    if (out && !written)
+        remove(beside);
+    redcc_memory_give(beside);
+    return written;
+}
+
 void redcc_report_write(void) {
-    const char *name = redcc_settings()->report;
+    if (!redcc_settings()->report)
+        return;
+    redcc_memory_limit(0); /* what reached the limit is to be reported, too */
+    char *name = spell_name(redcc_settings()->report);
     if (!name)
         return;
-    const size_t room = strlen(name) + 32;
-    char *beside = malloc(room);
-    if (!beside)
-        return;
-    snprintf(beside, room, "%s.%ld", name, (long)getpid());
-    FILE *out = fopen(beside, "w");
-    if (!out || !write_all(out) || rename(beside, name) != 0) {
+    if (strcmp(name, "-") == 0)
+        write_table(stderr);
+    else if (!(is_replaceable(name) ? replace(name) : write_through(name)))
         fprintf(stderr, "redcc: cannot write the report %s\n", name);
-        if (out)
-            remove(beside);
-    }
-    free(beside);
+    redcc_memory_give(name);
 }
 
 /* ---- the end of the program ---------------------------------------------------------------- */
@@ -225,7 +306,7 @@ static void end_program(void) {
 
 /* What is registered first runs last: the program's own handlers, and all reports, come before. */
 __attribute__((constructor)) static void register_end(void) {
-    const char *value = getenv("REDCC_VALIDATE");
+    const char *value = redcc_environment("REDCC_VALIDATE");
     if (value && strcmp(value, "1") == 0)
         atexit(end_program);
 }

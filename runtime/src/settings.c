@@ -2,11 +2,12 @@
 #include "settings.h"
 
 #include "base/memory.h"
+#include "base/signals.h"
+#include "base/spin.h"
 #include "base/trace.h"
 #include "report.h"
 
 #include <errno.h>
-#include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -205,25 +206,49 @@ static void read_memory_limit(const char *value) {
     redcc_memory_limit(settings.memory_limit);
 }
 
+/* Who starts a program that has more rights than himself may not tell it what to write where. */
+const char *redcc_environment(const char *name) {
+    return redcc_system_is_privileged() ? NULL : getenv(name);
+}
+
+static char *copy_of(const char *text) {
+    const size_t bytes = strlen(text) + 1;
+    char *copy = redcc_memory_take(bytes);
+    return copy ? memcpy(copy, text, bytes) : NULL;
+}
+
 static void read_environment(void) {
-    read_method(getenv("REDCC_METHOD"));
-    read_order(getenv("REDCC_ORDER"));
-    read_sum(getenv("REDCC_SUM"));
-    read_validate(getenv("REDCC_VALIDATE"));
-    read_watch(getenv("REDCC_WATCH"));
-    read_trace(getenv("REDCC_TRACE"));
-    read_memory_limit(getenv("REDCC_MEMORY_LIMIT"));
+    read_method(redcc_environment("REDCC_METHOD"));
+    read_order(redcc_environment("REDCC_ORDER"));
+    read_sum(redcc_environment("REDCC_SUM"));
+    read_validate(redcc_environment("REDCC_VALIDATE"));
+    read_watch(redcc_environment("REDCC_WATCH"));
+    read_trace(redcc_environment("REDCC_TRACE"));
+    read_memory_limit(redcc_environment("REDCC_MEMORY_LIMIT"));
     if (!settings.method && !settings.compensated && !settings.validate)
         __atomic_store_n(&redcc_least_trip, LEAST_TRIP, __ATOMIC_RELAXED);
-    const char *report = getenv("REDCC_REPORT");
-    if (report && *report && (settings.report = strdup(report)) != NULL)
+    const char *report = redcc_environment("REDCC_REPORT");
+    if (report && *report && (settings.report = copy_of(report)) != NULL)
         atexit(redcc_report_write);
 }
 
+/* Of several threads that come first, one reads. */
+static void read_once(atomic_int *done) {
+    static struct spin lock;
+    const uint64_t signals = redcc_signals_hold();
+    redcc_spin_lock(&lock);
+    if (!atomic_load(done))
+        read_environment();
+    atomic_store(done, 1);
+    redcc_spin_unlock(&lock);
+    redcc_signals_release(signals);
+}
+
 const struct settings *redcc_settings(void) {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, read_environment);
-    if (complaint[0]) /* only now: nobody leaves from within pthread_once */
+    static atomic_int done;
+    if (!atomic_load_explicit(&done, memory_order_acquire))
+        read_once(&done);
+    if (complaint[0])
         redcc_stop("%s", complaint);
     return &settings;
 }

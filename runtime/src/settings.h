@@ -21,6 +21,10 @@ struct settings {
  *  status 2 where it says something unknown. Thread-safe. */
 const struct settings *redcc_settings(void);
 
+/** A variable of the environment; NULL: it is not set, or the program has more rights than who
+ *  started it (setuid), who must not tell it anything then. */
+const char *redcc_environment(const char *name);
+
 /** The sizes that REDCC_MEMORY_LIMIT may name: digits and K, M or G. False: it is none. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);
 

@@ -65,6 +65,33 @@ static void a_fingerprint_sees_what_changes_places(void **unused) {
             }
 }
 
+static unsigned long splitmix64(unsigned long *state) {
+    unsigned long mixed = *state += 0x9e3779b97f4a7c15u;
+    mixed = (mixed ^ mixed >> 30) * 0xbf58476d1ce4e5b9u;
+    mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111ebu;
+    return mixed ^ mixed >> 31;
+}
+
+/* Contents made for a key that is known, the numbers of splitmix64 from 0: with it all products are
+ * 0, and what is left are sums, in which the upper halves of two words may change places. */
+static void a_fingerprint_has_a_secret(void **unused) {
+    (void)unused;
+    enum { STRIPES = 16, WORDS = 8 };
+    unsigned long key[STRIPES + WORDS], state = 0, data[STRIPES][WORDS];
+    for (int i = 0; i < STRIPES + WORDS; i++)
+        key[i] = splitmix64(&state);
+    for (int stripe = 0; stripe < STRIPES; stripe++)
+        for (int word = 0; word < WORDS; word++)
+            data[stripe][word] =
+                (key[stripe + word] & 0xffffffffu) | (unsigned long)(stripe * WORDS + word) << 32;
+    const struct fingerprint before = redcc_fingerprint((char *)data, sizeof data);
+    const unsigned long difference = (data[0][0] ^ data[1][0]) & 0xffffffff00000000u;
+    data[0][0] ^= difference;
+    data[1][0] ^= difference;
+    const struct fingerprint after = redcc_fingerprint((char *)data, sizeof data);
+    assert_false(redcc_fingerprint_equal(before, after));
+}
+
 static void a_fingerprint_knows_lengths_and_places(void **unused) {
     (void)unused;
     char data[256] = {0};
@@ -84,6 +111,7 @@ int main(void) {
         cmocka_unit_test(a_fingerprint_sees_every_bit),
         cmocka_unit_test(a_fingerprint_sees_two_changes),
         cmocka_unit_test(a_fingerprint_sees_what_changes_places),
+        cmocka_unit_test(a_fingerprint_has_a_secret),
         cmocka_unit_test(a_fingerprint_knows_lengths_and_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,9 +48,7 @@ void declare_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const char *type = type_of(&loop->facts->scalars[i]);
         writer_line(out, "%s *const redcc__operands_%u =", type, i);
-        writer_line(out, "    redcc__trip > (redcc_int)((redcc_size)-1 / 2 / sizeof(%s)) ? 0",
-                    type);
-        writer_line(out, "    : (%s *)__builtin_malloc((redcc_size)redcc__trip * sizeof(%s));",
+        writer_line(out, "    (%s *)redcc_operands_take(&redcc__loop, redcc__trip, sizeof(%s));",
                     type, type);
     }
 }
@@ -120,5 +118,5 @@ void apply_operands(loop_text *loop, writer *out) {
     writer_line(out, "    }");
     writer_line(out, "}");
     for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        writer_line(out, "__builtin_free(redcc__operands_%u);", i);
+        writer_line(out, "redcc_operands_give(redcc__operands_%u);", i);
 }

@@ -256,6 +256,14 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
  * validated, 0. */
 extern redcc_int redcc_least_trip;
 
+/** Memory for an operand of `size` bytes an iteration, to be given back by redcc_operands_give
+ * after redcc_leave. Counted by REDCC_MEMORY_LIMIT. NULL: trip is not positive, or there is no
+ * memory (which is reported), and the original loop must run. */
+void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size);
+
+/** Gives it back; NULL does nothing. */
+void redcc_operands_give(void *operands);
+
 /** Called once by each thread of the region, with omp_get_thread_num() and omp_get_num_threads().
  */
 void redcc_join(redcc_worker *worker, redcc_call *call, int thread, int threads);

@@ -2,12 +2,11 @@
 #ifndef REDCC_CLOCK_H
 #define REDCC_CLOCK_H
 
-#include <time.h>
+#include "base/system.h"
 
 /** Seconds since some moment, never going back. */
 static inline double redcc_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    const struct timespec now = redcc_system_clock(CLOCK_MONOTONIC);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 

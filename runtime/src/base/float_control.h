@@ -47,6 +47,19 @@ static inline bool redcc_float_control_equal(struct float_control a, struct floa
     return a.vector == b.vector && a.x87 == b.x87;
 }
 
+/** Does some exception trap? A handler runs where it occurs, and can tell that from where it would
+ *  in the sequential loop. */
+static inline bool redcc_float_traps(struct float_control own) {
+#if defined(__x86_64__)
+    return (own.vector & 0x1f80) != 0x1f80 || (own.x87 & 0x3f) != 0x3f;
+#elif defined(__aarch64__)
+    return (own.vector & 0x9f00) != 0;
+#else
+    (void)own;
+    return false;
+#endif
+}
+
 /** Makes it the calling thread's. Flags of exceptions that occurred stay. */
 static inline void redcc_float_control_take(struct float_control wanted) {
     redcc_use_locale(wanted.locale); /* also where it is the same: the tables may not be */

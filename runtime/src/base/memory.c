@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/memory.h"
 
+#include "base/blocks.h"
+
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -10,8 +12,26 @@ enum { LINE = 64 };
 
 /* Stands in the cache line before a block. */
 struct header {
-    size_t bytes;
+    size_t bytes; /* counted */
+    size_t held;  /* of the block that holds it all */
+    bool kept;    /* may be kept for others */
 };
+
+#if defined(__SANITIZE_ADDRESS__) /* sees where each of its own blocks ends */
+static void *block_take(size_t *bytes, bool keep) {
+    (void)keep;
+    return aligned_alloc(LINE, *bytes);
+}
+
+static void block_give(void *block, size_t bytes, bool keep) {
+    (void)bytes;
+    (void)keep;
+    free(block);
+}
+#else
+#define block_take redcc_block_take
+#define block_give redcc_block_give
+#endif
 
 static atomic_size_t in_use;
 static atomic_size_t limit; /* 0: none */
@@ -44,12 +64,14 @@ void *redcc_memory_take(size_t bytes) {
     const size_t whole = (bytes + LINE - 1) / LINE * LINE + LINE;
     if (!account(whole))
         return NULL;
-    char *memory = aligned_alloc(LINE, whole);
+    const bool keep = atomic_load_explicit(&limit, memory_order_relaxed) == 0;
+    size_t held = whole;
+    char *memory = block_take(&held, keep);
     if (!memory) {
         atomic_fetch_sub(&in_use, whole);
         return NULL;
     }
-    ((struct header *)memory)->bytes = whole;
+    *(struct header *)memory = (struct header){whole, held, keep};
     atomic_fetch_add(&live, 1);
     return memory + LINE;
 }
@@ -82,7 +104,12 @@ void redcc_memory_give(void *block) {
         return;
     atomic_fetch_sub(&in_use, header_of(block)->bytes);
     atomic_fetch_sub(&live, 1);
-    free(header_of(block));
+    const struct header header = *header_of(block);
+    block_give(header_of(block), header.held, header.kept);
+}
+
+void redcc_memory_forked(void) {
+    redcc_blocks_forked();
 }
 
 size_t redcc_memory_size(const void *block) {

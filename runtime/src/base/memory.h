@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * All memory of the runtime: counted, limited by REDCC_MEMORY_LIMIT, and made to fail by tests.
- * Every function is thread-safe.
+ * None of it is the program's malloc's (blocks.h). Every function is thread-safe.
  */
 #ifndef REDCC_MEMORY_H
 #define REDCC_MEMORY_H
@@ -22,6 +22,9 @@ void *redcc_memory_resize(void *block, size_t bytes);
 
 /** Gives a block back; NULL does nothing. */
 void redcc_memory_give(void *block);
+
+/** To be called in a new process: other threads of the one before may have been taking memory. */
+void redcc_memory_forked(void);
 
 /** Bytes a block takes; 0 for NULL. */
 size_t redcc_memory_size(const void *block);

@@ -6,6 +6,9 @@
 #define REDCC_REASON_LIST(X)                                                                       \
     X(REASON_NONE, "")                                                                             \
     X(REASON_FORKED, "in a process forked from one with several threads")                          \
+    X(REASON_TRAPS, "floating-point exceptions trap in the calling thread")                        \
+    X(REASON_NO_THREADS, "the system gives the process no more threads")                           \
+    X(REASON_HANDLER, "in the handler of a signal, before there were threads")                     \
     X(REASON_NESTED, "inside a parallel region")                                                   \
     X(REASON_CONCURRENT, "the loop is being executed by another thread")                           \
     X(REASON_ONE_THREAD, "one thread")                                                             \

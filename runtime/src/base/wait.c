@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* sched_getaffinity */
 #include "base/wait.h"
 
+#include "base/system.h"
+
 #include <limits.h>
-#include <sched.h>
-#include <time.h>
-#include <unistd.h>
 
 #ifdef __linux__
 #include <linux/futex.h>
-#include <sys/syscall.h>
 #endif
 
 enum {
@@ -21,11 +18,7 @@ static int cores(void) {
     static atomic_int known;
     int count = atomic_load_explicit(&known, memory_order_relaxed);
     if (count == 0) {
-        count = (int)sysconf(_SC_NPROCESSORS_ONLN);
-        cpu_set_t allowed;
-        if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
-            count = CPU_COUNT(&allowed);
-        count = count < 1 ? 1 : count;
+        count = redcc_system_processors();
         atomic_store_explicit(&known, count, memory_order_relaxed);
     }
     return count;
@@ -45,10 +38,9 @@ static void sleep_while(atomic_uint *word, unsigned value, atomic_int *asleep) {
     atomic_fetch_add(asleep, 1);
     while (atomic_load(word) == value) {
 #ifdef __linux__
-        syscall(SYS_futex, word, FUTEX_WAIT_PRIVATE, value, NULL, NULL, 0);
+        redcc_system(SYS_futex, word, FUTEX_WAIT_PRIVATE, value);
 #else
-        const struct timespec nap = {0, 50 * 1000};
-        nanosleep(&nap, NULL);
+        redcc_system_yield();
 #endif
     }
     atomic_fetch_sub(asleep, 1);
@@ -68,7 +60,7 @@ void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int
     for (int yield = 0; yield < YIELDS; yield++) {
         if (changed(word, value))
             return;
-        sched_yield();
+        redcc_system_yield();
     }
     sleep_while(word, value, asleep);
 }
@@ -76,7 +68,7 @@ void redcc_wait_while(atomic_uint *word, unsigned value, atomic_int *asleep, int
 void redcc_wake(atomic_uint *word, atomic_int *asleep) {
 #ifdef __linux__
     if (atomic_load(asleep) > 0)
-        syscall(SYS_futex, word, FUTEX_WAKE_PRIVATE, INT_MAX, NULL, NULL, 0);
+        redcc_system(SYS_futex, word, FUTEX_WAKE_PRIVATE, INT_MAX);
 #else
     (void)word;
     (void)asleep;

@@ -2,10 +2,9 @@
 #include "choose/advice.h"
 
 #include "base/memory.h"
+#include "base/system.h"
 #include "choose/budget.h"
 #include "plan/copies.h"
-
-#include <unistd.h>
 
 static const double uneven = 1.25;       /* of an equal share of the iterations */
 static const double shorter = 0.9;       /* than by the owners that were cut */
@@ -63,8 +62,8 @@ static bool memory_allows(size_t limit, size_t bytes) {
     const size_t used = redcc_memory_in_use();
     if (limit)
         return used < limit && bytes < limit - used;
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-    return pages <= 0 || size <= 0 || bytes / (size_t)size < (size_t)pages / 4;
+    const uint64_t there = redcc_system_memory();
+    return there == 0 || bytes < there / 4;
 }
 
 bool redcc_copies_allowed(const struct inspection *inspection) {

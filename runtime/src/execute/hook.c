@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/hook.h"
 
+#include "base/system.h"
 #include "execute/compensate.h"
 
 #include <assert.h>
-#include <sched.h>
 
 enum { LOCKS = 1 << 14, TRIES = 100 };
 
@@ -22,7 +22,7 @@ static void lock_unit(struct hooks *hooks, uintptr_t unit) {
     atomic_uchar *lock = &locks[hash >> 50 & (LOCKS - 1)];
     for (int try = 1; atomic_exchange_explicit(lock, 1, memory_order_acquire); try++)
         if (try % TRIES == 0)
-            sched_yield();
+            redcc_system_yield();
     hooks->held = lock;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/fingerprint.h"
 
+#include "base/spin.h"
 #include "reuse/fingerprint_wide.h"
 
 #include <string.h>
@@ -11,6 +12,21 @@ enum { LANES = 8, STRIPE = LANES * 8 };
 #define FIRST 0x9e3779b97f4a7c15u
 #define SECOND 0xc2b2ae3d27d4eb4fu
 #define THIRD 0x165667b19e3779f9u
+
+/* A secret of this process and its children. */
+static uint64_t key[REDCC_WIDE_KEYS];
+
+static void make_key(void) {
+    static struct spin lock;
+    static atomic_int made;
+    if (atomic_load_explicit(&made, memory_order_acquire))
+        return;
+    redcc_spin_lock(&lock);
+    if (!atomic_load(&made))
+        redcc_system_secret(key, REDCC_WIDE_KEYS);
+    atomic_store(&made, 1);
+    redcc_spin_unlock(&lock);
+}
 
 static inline uint64_t rotate(uint64_t value, int bits) {
     return value << bits | value >> (64 - bits);
@@ -60,7 +76,7 @@ static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t byte
     uint64_t wide[REDCC_WIDE_LANES];
     memcpy(wide, lane, LANES * sizeof *lane);
     memcpy(wide + LANES, lane, LANES * sizeof *lane);
-    redcc_take_in_wide(wide, data, bytes / REDCC_WIDE_BLOCK);
+    redcc_take_in_wide(wide, data, bytes / REDCC_WIDE_BLOCK, key);
     memcpy(lane, wide, LANES * sizeof *lane);
     take_in(lane, (const char *)(wide + LANES), 1);
     return bytes / REDCC_WIDE_BLOCK * REDCC_WIDE_BLOCK;
@@ -68,8 +84,9 @@ static size_t take_in_blocks(uint64_t lane[LANES], const char *data, size_t byte
 
 struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
     uint64_t lane[LANES];
+    make_key();
     for (int i = 0; i < LANES; i++)
-        lane[i] = mix(FIRST * (uint64_t)(i + 1));
+        lane[i] = key[i];
     size_t whole = take_in_blocks(lane, data, bytes);
     take_in(lane, data + whole, (bytes - whole) / STRIPE);
     whole += (bytes - whole) / STRIPE * STRIPE;
@@ -77,7 +94,7 @@ struct fingerprint redcc_fingerprint(const char *data, size_t bytes) {
     if (bytes > whole)
         memcpy(rest, data + whole, bytes - whole);
     take_in(lane, rest, 1);
-    struct fingerprint result = {{mix(bytes ^ FIRST), mix(bytes ^ SECOND)}};
+    struct fingerprint result = {{mix(bytes ^ key[LANES]), mix(bytes ^ key[LANES + 1])}};
     for (int i = 0; i < LANES; i++) {
         result.word[0] = mix(result.word[0] ^ lane[i]) + SECOND;
         result.word[1] = mix(result.word[1] * THIRD + rotate(lane[i], 17));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * 128 bits that stand for the contents of a piece of memory, at memory speed. A plan is used again
- * where its subscripts' fingerprint is unchanged; no defence against someone who constructs
- * collisions in his own program's memory.
+ * where its subscripts' fingerprint is unchanged. It is made under a secret of the process, so that
+ * no contents can be made beforehand that differ and have one fingerprint.
  */
 #ifndef REDCC_FINGERPRINT_H
 #define REDCC_FINGERPRINT_H

@@ -5,16 +5,7 @@
 
 #include <immintrin.h>
 
-enum { WORDS = 8, STRIPES = REDCC_WIDE_BLOCK / (8 * WORDS), KEYS = 24 };
-
-/* Of splitmix64, from 0. */
-static const uint64_t key[KEYS] = {
-    0xe220a8397b1dcdafu, 0x6e789e6aa1b965f4u, 0x06c45d188009454fu, 0xf88bb8a8724c81ecu,
-    0x1b39896a51a8749bu, 0x53cb9f0c747ea2eau, 0x2c829abe1f4532e1u, 0xc584133ac916ab3cu,
-    0x3ee5789041c98ac3u, 0xf3b8488c368cb0a6u, 0x657eecdd3cb13d09u, 0xc2d326e0055bdef6u,
-    0x8621a03fe0bbdb7bu, 0x8e1f7555983aa92fu, 0xb54e0f1600cc4d19u, 0x84bb3f97971d80abu,
-    0x7d29825c75521255u, 0xc3cf17102b7f7f86u, 0x3466e9a083914f64u, 0xd81a8d2b5a4485acu,
-    0xdb01602b100b9ed7u, 0xa9038a921825f10du, 0xedf5f1d90dca2f6au, 0x54496ad67bd2634cu};
+enum { WORDS = 8, STRIPES = REDCC_WIDE_BLOCK / (8 * WORDS) };
 
 bool redcc_has_wide(void) {
     return __builtin_cpu_supports("avx2") != 0;
@@ -49,7 +40,8 @@ WIDE __m256i scramble(__m256i lane, const uint64_t *under) {
  * word as it is. Words that change places are seen by the products alone: so each half is
  * multiplied with that of another word too. */
 __attribute__((target("avx2"))) void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES],
-                                                        const char *data, size_t blocks) {
+                                                        const char *data, size_t blocks,
+                                                        const uint64_t key[REDCC_WIDE_KEYS]) {
     __m256i a = four(lane), b = four(lane + 4), c = four(lane + 8), d = four(lane + 12);
     for (size_t block = 0; block < blocks; block++) {
         for (int stripe = 0; stripe < STRIPES; stripe++, data += 8 * WORDS) {
@@ -78,7 +70,9 @@ bool redcc_has_wide(void) {
     return false;
 }
 
-void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks) {
+void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks,
+                        const uint64_t key[REDCC_WIDE_KEYS]) {
+    (void)key;
     (void)lane;
     (void)data;
     (void)blocks;

@@ -7,13 +7,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { REDCC_WIDE_BLOCK = 1024, REDCC_WIDE_LANES = 16 };
+enum { REDCC_WIDE_BLOCK = 1024, REDCC_WIDE_LANES = 16, REDCC_WIDE_KEYS = 24 };
 
 /** Is this such a processor? Always the same answer. */
 bool redcc_has_wide(void);
 
-/** Takes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. Only where
- *  redcc_has_wide(). */
-void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks);
+/** Takes `blocks` blocks of REDCC_WIDE_BLOCK bytes at `data` into `lane`. Whoever knows the key can
+ *  make contents that differ and are taken in alike. Only where redcc_has_wide(). */
+void redcc_take_in_wide(uint64_t lane[REDCC_WIDE_LANES], const char *data, size_t blocks,
+                        const uint64_t key[REDCC_WIDE_KEYS]);
 
 #endif

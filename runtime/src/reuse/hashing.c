@@ -29,8 +29,10 @@ static void hash_up_to(struct partial_hash *partial, const struct hasher *hasher
     const size_t wanted = part < 1 ? (size_t)((double)count * part) / PIECE * PIECE : count;
     while (partial->taken < wanted) {
         const size_t left = wanted - partial->taken, bytes = left < PIECE ? left : PIECE;
+        const uintptr_t first = (uintptr_t)share + partial->taken;
+        const struct range piece = {first, first + bytes};
         const struct fingerprint parts[] = {partial->so_far,
-                                            redcc_fingerprint(share + partial->taken, bytes)};
+                                            redcc_part_fingerprint(&partial->reading, piece)};
         partial->so_far = redcc_fingerprint_join(parts, 2);
         partial->taken += bytes;
     }
@@ -46,7 +48,7 @@ struct fingerprint redcc_hash_share(const struct hasher *hasher, struct reading 
 static bool is_hashed_early(const struct request *request, const struct range *sources,
                             uint32_t source) {
     return request->loop->sources[source].is_subscript && request->known[source].end &&
-           !redcc_is_small(redcc_reading_of(request->loop, sources, source));
+           !redcc_is_small(redcc_reading_of(request->loop, request->known, sources, source));
 }
 
 size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
@@ -57,7 +59,7 @@ size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
         hasher->partial[s] = (struct partial_hash){.taken = 0};
         if (!(loop->flags & REDCC_VERIFIABLE) || !wanted || !is_hashed_early(request, sources, s))
             continue;
-        hasher->partial[s].reading = redcc_reading_of(loop, sources, s);
+        hasher->partial[s].reading = redcc_reading_of(loop, request->known, sources, s);
         share_of(hasher->partial[s].reading, hasher, &count);
         bytes += count;
     }
@@ -70,11 +72,13 @@ void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part)
             hash_up_to(&hasher->partial[s], hasher, part);
 }
 
-void redcc_hash_rest(struct hasher *hasher, const redcc_loop *loop, const struct range *sources) {
+void redcc_hash_rest(struct hasher *hasher, const struct request *request,
+                     const struct range *sources) {
+    const redcc_loop *loop = request->loop;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         if (!loop->sources[s].is_subscript)
             continue;
-        const struct reading reading = redcc_reading_of(loop, sources, s);
+        const struct reading reading = redcc_reading_of(loop, request->known, sources, s);
         struct partial_hash *partial = &hasher->partial[s];
         if (redcc_is_small(reading)) {
             if (hasher->thread == 0)

@@ -42,7 +42,8 @@ size_t redcc_hash_begin(struct hasher *hasher, const struct request *request,
 void redcc_hash_some(struct hasher *hasher, const redcc_loop *loop, double part);
 
 /** Hashes what is left of the own share of all subscripts, into hasher->fingerprint. */
-void redcc_hash_rest(struct hasher *hasher, const redcc_loop *loop, const struct range *sources);
+void redcc_hash_rest(struct hasher *hasher, const struct request *request,
+                     const struct range *sources);
 
 /** The fingerprint of source number `source`, from all threads' shares of it. */
 struct fingerprint redcc_hash_joined(struct hasher *const *hasher, int threads, uint32_t source,

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/pages/watch.h"
 
+#include "base/spin.h"
 #include "reuse/pages/written_pages.h"
-
-#include <pthread.h>
 
 enum { WATCHED = 64 };
 
@@ -15,7 +14,7 @@ struct watched {
 
 /* A lock that is only tried: in a child of a process with several threads it may be held for
  * ever. */
-static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static struct spin lock;
 static struct watched watched[WATCHED];
 static uint64_t versions; /* given so far */
 static uint64_t uses;
@@ -81,27 +80,27 @@ static uint64_t begin(struct range pages) {
 }
 
 uint64_t redcc_watch_begin(struct range pages) {
-    if (pthread_mutex_trylock(&lock) != 0)
+    if (!redcc_spin_try(&lock))
         return 0;
     const uint64_t version = begun() ? begin(pages) : 0;
-    pthread_mutex_unlock(&lock);
+    redcc_spin_unlock(&lock);
     return version;
 }
 
 uint64_t redcc_watch_share(struct range pages) {
-    if (pthread_mutex_trylock(&lock) != 0)
+    if (!redcc_spin_try(&lock))
         return 0;
     struct watched *it = redcc_pages_begun() ? find(pages) : NULL;
     const uint64_t version = it ? version_of(it) : 0;
-    pthread_mutex_unlock(&lock);
+    redcc_spin_unlock(&lock);
     return version;
 }
 
 enum watch_answer redcc_watch_ask(struct range pages, uint64_t version) {
-    if (pthread_mutex_trylock(&lock) != 0)
+    if (!redcc_spin_try(&lock))
         return WATCH_BUSY;
     struct watched *it = redcc_pages_begun() ? find(pages) : NULL;
     const bool same = it && it->version == version && version_of(it) == version;
-    pthread_mutex_unlock(&lock);
+    redcc_spin_unlock(&lock);
     return same ? WATCH_UNTOUCHED : WATCH_TOUCHED;
 }

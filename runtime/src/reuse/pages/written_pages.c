@@ -4,15 +4,14 @@
  * it faults, the kernel clears the page's mark and lets the write go on. PAGEMAP_SCAN looks for
  * pages without the mark.
  */
-#define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MADV_WIPEONFORK, mremap, syscall */
+#define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MREMAP_FIXED, struct statx */
 #include "reuse/pages/written_pages.h"
 
+#include "base/system.h"
 #include "reuse/pages/watch.h"
 
-#include <unistd.h>
-
 struct range redcc_whole_pages(struct range range) {
-    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t page = redcc_page_size();
     if (redcc_range_empty(range) || range.first > UINTPTR_MAX - page)
         return redcc_nowhere;
     const struct range whole = {(range.first + page - 1) / page * page, range.end / page * page};
@@ -21,7 +20,8 @@ struct range redcc_whole_pages(struct range range) {
 
 #if defined(__linux__) && !defined(REDCC_NO_PAGE_TRACKING)
 
-#include "reuse/pages/mappings.h"
+#include "base/forked.h"
+#include "base/mappings.h"
 #include "reuse/pages/page_watch_abi.h"
 
 #include <fcntl.h>
@@ -30,14 +30,13 @@ struct range redcc_whole_pages(struct range range) {
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 
 /* A file that we have opened, and by what it is known again: the program may close any descriptor,
  * and open another file under its number. */
 struct opened {
     int descriptor;
-    dev_t device;
-    ino_t number;
+    uint64_t device;
+    uint64_t number;
 };
 
 static struct opened faults;  /* through which pages are protected */
@@ -47,14 +46,22 @@ static struct opened pagemap; /* through which they are looked at */
  * not begun. */
 static volatile char *own_mark;
 
-static size_t page_size(void) {
-    return (size_t)sysconf(_SC_PAGESIZE);
+static bool look_at(struct opened *opened) {
+    struct statx now;
+    if (redcc_system(SYS_statx, opened->descriptor, "", AT_EMPTY_PATH, STATX_INO, &now) != 0)
+        return false;
+    opened->device = (uint64_t)now.stx_dev_major << 32 | now.stx_dev_minor;
+    opened->number = now.stx_ino;
+    return true;
 }
 
 static bool is_ours(const struct opened *opened) {
-    struct stat now;
-    return fstat(opened->descriptor, &now) == 0 && now.st_dev == opened->device &&
-           now.st_ino == opened->number;
+    struct opened now = {.descriptor = opened->descriptor};
+    return look_at(&now) && now.device == opened->device && now.number == opened->number;
+}
+
+static int request_of(const struct opened *opened, unsigned long request, const void *argument) {
+    return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
 /* Takes over `descriptor` under a high number, so that the program goes on getting the low ones. */
@@ -63,44 +70,38 @@ static bool take(struct opened *opened, int descriptor) {
         return false;
     struct rlimit limit;
     int from = 512;
-    if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < 1024)
+    if (redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 && limit.rlim_cur < 1024)
         from = (int)limit.rlim_cur / 2;
-    struct stat now;
-    opened->descriptor = fcntl(descriptor, F_DUPFD_CLOEXEC, from);
-    close(descriptor);
-    if (opened->descriptor < 0)
-        return false;
-    const bool known = fstat(opened->descriptor, &now) == 0;
-    opened->device = known ? now.st_dev : 0;
-    opened->number = known ? now.st_ino : 0;
-    return known;
+    opened->descriptor = (int)redcc_system(SYS_fcntl, descriptor, F_DUPFD_CLOEXEC, from);
+    redcc_system_close(descriptor);
+    return opened->descriptor >= 0 && look_at(opened);
 }
 
 static void give_up(struct opened *opened) {
     if (opened->descriptor >= 0 && is_ours(opened))
-        close(opened->descriptor);
+        redcc_system_close(opened->descriptor);
     opened->descriptor = -1;
 }
 
 static bool open_both(void) {
     faults.descriptor = pagemap.descriptor = -1;
     struct watch_api api = {WATCH_API_VERSION, WATCH_FEATURE_ASYNC | WATCH_FEATURE_UNPOPULATED, 0};
-    return take(&faults,
-                (int)syscall(SYS_userfaultfd, O_CLOEXEC | O_NONBLOCK | WATCH_USER_MODE_ONLY)) &&
-           ioctl(faults.descriptor, WATCH_IOCTL_API, &api) == 0 &&
-           take(&pagemap, open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC));
+    return take(&faults, (int)redcc_system(SYS_userfaultfd,
+                                           O_CLOEXEC | O_NONBLOCK | WATCH_USER_MODE_ONLY)) &&
+           request_of(&faults, WATCH_IOCTL_API, &api) == 0 &&
+           take(&pagemap, redcc_system_open("/proc/self/pagemap"));
 }
 
 /* EBUSY where the program watches the place by a descriptor of its own. */
 static bool enter(struct range mapping) {
     struct watch_register request = {
         {mapping.first, mapping.end - mapping.first}, WATCH_REGISTER_WRITES, 0};
-    return ioctl(faults.descriptor, WATCH_IOCTL_REGISTER, &request) == 0;
+    return request_of(&faults, WATCH_IOCTL_REGISTER, &request) == 0;
 }
 
 static bool protect(struct range pages) {
     struct watch_protect request = {{pages.first, pages.end - pages.first}, WATCH_PROTECT};
-    return ioctl(faults.descriptor, WATCH_IOCTL_PROTECT, &request) == 0;
+    return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
 }
 
 /* A page counts as touched if it has no mark, or is not there: of a whole page table that
@@ -117,34 +118,36 @@ static bool untouched(struct range pages) {
                               .inverted = WATCH_IS_PRESENT,
                               .any_of = WATCH_IS_WRITTEN | WATCH_IS_PRESENT,
                               .wanted = WATCH_IS_WRITTEN | WATCH_IS_PRESENT};
-    return ioctl(pagemap.descriptor, WATCH_IOCTL_SCAN, &scan) == 0 && scan.walk_end == pages.end;
+    return request_of(&pagemap, WATCH_IOCTL_SCAN, &scan) == 0 && scan.walk_end == pages.end;
 }
 
 enum { STORED, READ_INTO, DROPPED, MOVED, LEFT, TRIED, GOAL = TRIED, TRIAL_PAGES };
 
 static struct range trial_page(const char *trial, int page) {
-    const uintptr_t first = (uintptr_t)trial + (uintptr_t)page * page_size();
-    return (struct range){first, first + page_size()};
+    const uintptr_t first = (uintptr_t)trial + (uintptr_t)page * redcc_page_size();
+    return (struct range){first, first + redcc_page_size()};
 }
 
 /* Writes to pages of our own in each way that the system could miss. */
 static bool touch(char *trial) {
-    const size_t page = page_size();
-    const int in = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
-    const bool was_read = in >= 0 && read(in, trial + READ_INTO * page, 8) == 8;
+    const size_t page = redcc_page_size();
+    const int in = redcc_system_open("/proc/self/stat");
+    const bool was_read = in >= 0 && redcc_system_read(in, trial + READ_INTO * page, 8) == 8;
     if (in >= 0)
-        close(in);
+        redcc_system_close(in);
     ((volatile char *)trial)[STORED * page] = 2;
-    return was_read && madvise(trial + DROPPED * page, page, MADV_DONTNEED) == 0 &&
-           mremap(trial + MOVED * page, page, page, MREMAP_MAYMOVE | MREMAP_FIXED,
-                  trial + GOAL * page) != MAP_FAILED;
+    char *const goal = trial + GOAL * page;
+    return was_read &&
+           redcc_system(SYS_madvise, trial + DROPPED * page, page, MADV_DONTNEED) == 0 &&
+           redcc_system(SYS_mremap, trial + MOVED * page, page, page, MREMAP_MAYMOVE | MREMAP_FIXED,
+                        goal) == (long)goal;
 }
 
 /* Does all of it work here as it should? A page moved to another place must not bring its mark
  * along (kernels before 6.12.11 let it). */
 static bool passes_trial(char *trial) {
     for (int page = 0; page < TRIAL_PAGES; page++)
-        ((volatile char *)trial)[(size_t)page * page_size()] = 1;
+        ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
     const struct range tried = {(uintptr_t)trial, trial_page(trial, TRIED).first};
     if (!enter(tried) || !protect(tried))
         return false;
@@ -158,29 +161,20 @@ static bool passes_trial(char *trial) {
 }
 
 static bool try_out(void) {
-    const size_t bytes = TRIAL_PAGES * page_size();
-    char *trial = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (trial == MAP_FAILED)
+    const size_t bytes = TRIAL_PAGES * redcc_page_size();
+    char *trial = redcc_system_map(bytes);
+    if (!trial)
         return false;
     const bool passed = passes_trial(trial);
-    munmap(trial, bytes);
+    redcc_system_unmap(trial, bytes);
     return passed;
 }
 
 /* The page is used again by a child, which finds it empty. */
 static bool make_mark(void) {
-    if (own_mark)
-        return true;
-    char *page =
-        mmap(NULL, page_size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (page == MAP_FAILED)
-        return false;
-    if (madvise(page, page_size(), MADV_WIPEONFORK) != 0) {
-        munmap(page, page_size());
-        return false;
-    }
-    own_mark = page;
-    return true;
+    if (!own_mark)
+        own_mark = redcc_wiped_page();
+    return own_mark != NULL;
 }
 
 /* Valgrind knows none of these calls, and says so each time. */

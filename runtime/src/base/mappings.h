@@ -13,6 +13,9 @@ struct mappings {
     int count;
 };
 
+/** The mapping that holds the address; an empty range where that cannot be told. */
+struct range redcc_mapping_of(uintptr_t address);
+
 /** May the calling thread be stopped for a system call that it makes (seccomp)? True also where
  *  that cannot be told. */
 bool redcc_is_confined(void);

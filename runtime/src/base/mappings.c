@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#define _GNU_SOURCE /* O_CLOEXEC, readlinkat */
-#include "reuse/pages/mappings.h"
+#define _GNU_SOURCE /* O_DIRECTORY */
+#include "base/mappings.h"
+
+#include "base/system.h"
 
 #if defined(__linux__)
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { LONGEST = 512 };
 
@@ -24,13 +24,13 @@ struct lines {
 };
 
 static bool lines_open(struct lines *lines, const char *name) {
-    lines->descriptor = open(name, O_RDONLY | O_CLOEXEC);
+    lines->descriptor = redcc_system_open(name);
     lines->at = lines->held = 0;
     return lines->descriptor >= 0;
 }
 
 static bool refill(struct lines *lines) {
-    const ssize_t got = read(lines->descriptor, lines->buffer, sizeof lines->buffer);
+    const long got = redcc_system_read(lines->descriptor, lines->buffer, sizeof lines->buffer);
     lines->at = 0;
     lines->held = got > 0 ? (size_t)got : 0;
     return got > 0;
@@ -66,7 +66,7 @@ static long status_of(const char *key, long otherwise) {
             value = strtol(lines.line + strlen(key), NULL, 10);
             break;
         }
-    close(lines.descriptor);
+    redcc_system_close(lines.descriptor);
     return value;
 }
 
@@ -78,7 +78,7 @@ bool redcc_has_accelerator(void) {
     static const char *const places[] = {"/dev/dri", "/dev/kfd", "/dev/nvidia-uvm",
                                          "/dev/nvidiactl", "/dev/accel"};
     for (size_t i = 0; i < sizeof places / sizeof *places; i++)
-        if (access(places[i], F_OK) == 0)
+        if (redcc_system(SYS_faccessat, AT_FDCWD, places[i], 0) == 0)
             return true;
     return false;
 }
@@ -130,6 +130,18 @@ static bool parse(const char *line, struct mapping *mapping) {
     return true;
 }
 
+struct range redcc_mapping_of(uintptr_t address) {
+    struct lines lines;
+    struct mapping mapping = {.place = redcc_nowhere};
+    bool found = false;
+    if (!lines_open(&lines, "/proc/self/maps"))
+        return redcc_nowhere;
+    while (!found && next_line(&lines) && parse(lines.line, &mapping))
+        found = mapping.place.first <= address && address < mapping.place.end;
+    redcc_system_close(lines.descriptor);
+    return found ? mapping.place : redcc_nowhere;
+}
+
 /* False: the mapping forbids it. *covered: the pages are mapped up to here. */
 static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
                      uintptr_t *covered) {
@@ -154,14 +166,14 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
         return false;
     while (allowed && next_line(&lines))
         allowed = parse(lines.line, &mapping) && consider(&mapping, pages, found, &covered);
-    close(lines.descriptor);
+    redcc_system_close(lines.descriptor);
     return allowed && covered >= pages.end;
 }
 
 /* A descriptor through which memory may be written, or our marks be lost? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
     char name[LONGEST];
-    const ssize_t length = readlinkat(folder, number, name, sizeof name - 1);
+    const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
     if (length < 0 || atoi(number) == own)
         return true; /* closed meanwhile */
     name[length] = '\0';
@@ -170,16 +182,36 @@ static bool is_harmless_descriptor(int folder, const char *number, int own) {
     return !begins(name, "/dev/") || is_plain_device(name);
 }
 
+/* getdents64(2). */
+struct entry {
+    uint64_t inode;
+    int64_t next;
+    unsigned short bytes;
+    unsigned char type;
+    char name[];
+};
+
+static bool entries_allow(int folder, const char *entries, long bytes, int own) {
+    bool allowed = true;
+    for (long at = 0; allowed && at < bytes;) {
+        const struct entry *entry = (const void *)(entries + at);
+        allowed = entry->name[0] == '.' || is_harmless_descriptor(folder, entry->name, own);
+        at += entry->bytes;
+    }
+    return allowed;
+}
+
 static bool descriptors_allow(int own) {
-    DIR *folder = opendir("/proc/self/fd");
-    if (!folder)
+    _Alignas(struct entry) char entries[4096];
+    const int folder = redcc_system_open("/proc/self/fd");
+    if (folder < 0)
         return false;
     bool allowed = true;
-    for (const struct dirent *entry; allowed && (entry = readdir(folder)) != NULL;)
-        allowed =
-            entry->d_name[0] == '.' || is_harmless_descriptor(dirfd(folder), entry->d_name, own);
-    closedir(folder);
-    return allowed;
+    long bytes = 0;
+    while (allowed && (bytes = redcc_system(SYS_getdents64, folder, entries, sizeof entries)) > 0)
+        allowed = entries_allow(folder, entries, bytes, own);
+    redcc_system_close(folder);
+    return allowed && bytes == 0;
 }
 
 bool redcc_may_watch(struct mappings *found, struct range pages, int own) {
@@ -187,6 +219,11 @@ bool redcc_may_watch(struct mappings *found, struct range pages, int own) {
 }
 
 #else
+
+struct range redcc_mapping_of(uintptr_t address) {
+    (void)address;
+    return redcc_nowhere;
+}
 
 bool redcc_is_confined(void) {
     return true;

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What is done before OpenMP makes threads for a region, and after. Nothing, where the calling
+ * thread's last region had as many: GCC's OpenMP and LLVM's keep them.
+ */
+#ifndef REDCC_TEAM_H
+#define REDCC_TEAM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/** Before a region of `threads` threads begins: how many can be had (OpenMP ends a program where
+ *  the system refuses it a thread); 1: none beside the calling one; 0: the region must not begin,
+ *  for the thread is in a handler, which may have found it in malloc. before: what the thread
+ *  blocked before redcc_signals_hold. Sees to it that the code the
+ *  threads run is not unloaded while they are there, and that their stacks are as large as the
+ *  main thread's may become. Signals must be held (signals.h). */
+int redcc_team_prepare(int threads, uint64_t before);
+
+/** Is the calling thread within an execution? A loop that begins meanwhile, unless in its body, is
+ *  one in a handler, which may find locks held. */
+extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
+
+/** Will a region of `threads` threads have OpenMP make some? */
+bool redcc_team_grows(int threads);
+
+/** The region has begun, with `threads` threads; to be called by its first thread. */
+void redcc_team_came(int threads);
+
+#endif

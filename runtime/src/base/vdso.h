@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Functions of the kernel's own, which it maps into each process: a clock without a system call.
+ */
+#ifndef REDCC_VDSO_H
+#define REDCC_VDSO_H
+
+#if defined(__aarch64__)
+#define REDCC_VDSO_CLOCK "__kernel_clock_gettime"
+#define REDCC_VDSO_NODE "__kernel_getcpu" /* there is none */
+#else
+#define REDCC_VDSO_CLOCK "__vdso_clock_gettime"
+#define REDCC_VDSO_NODE "__vdso_getcpu"
+#endif
+
+/** The function called `name` in the image at address `image` (AT_SYSINFO_EHDR; 0: none), as
+ *  vdso(7) says; a null pointer where there is none. */
+void (*redcc_vdso_find(unsigned long image, const char *name))(void);
+
+#endif

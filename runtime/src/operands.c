@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Memory for the operands of scalars that a loop accumulates into beside its arrays. */
+#include "base/forked.h"
+#include "base/memory.h"
+#include "base/system.h"
+#include "loop.h"
+#include "settings.h"
+
+/* Without a limit no more than a quarter of the machine's memory: as much again is what the loop's
+ * arrays, and their plans, may need. */
+static bool are_too_many(size_t bytes) {
+    const uint64_t there = redcc_settings()->memory_limit ? 0 : redcc_system_memory();
+    return there > 0 && bytes > there / 4;
+}
+
+void *redcc_operands_take(redcc_loop *loop, redcc_int trip, redcc_size size) {
+    if (trip <= 0)
+        return NULL;
+    (void)redcc_is_forked(); /* before anything of the parent's is used */
+    const bool fits = (redcc_size)trip <= SIZE_MAX / 4 / size;
+    void *operands =
+        fits && !are_too_many((size_t)trip * size) ? redcc_memory_take((size_t)trip * size) : NULL;
+    if (!operands)
+        redcc_note_no_memory(loop);
+    return operands;
+}
+
+void redcc_operands_give(void *operands) {
+    redcc_memory_give(operands);
+}
