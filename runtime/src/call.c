@@ -3,11 +3,9 @@
 #include "loop.h"
 
 #include "base/clock.h"
-#include "base/escapes.h"
 #include "base/forked.h"
 #include "base/memory.h"
 #include "base/node.h"
-#include "base/signals.h"
 #include "base/team.h"
 #include "base/trace.h"
 #include "settings.h"
@@ -188,17 +186,6 @@ void redcc_note_no_memory(redcc_loop *loop) {
     serially(state, REASON_NO_MEMORY);
 }
 
-static void take_request(struct request *request, redcc_int trip, void *const *bases,
-                         const redcc_extent *known, const redcc_word *key) {
-    const redcc_loop *loop = request->loop;
-    request->trip = trip;
-    memcpy(request->bases, bases, loop->array_count * sizeof *bases);
-    if (loop->source_count)
-        memcpy(request->known, known, loop->source_count * sizeof *known);
-    if (loop->key_count)
-        memcpy(request->key, key, loop->key_count * sizeof *key);
-}
-
 /* Does an execution take long enough for somebody to wait for its end? Also where that is not
  * known. */
 static bool is_long(const struct execution *execution) {
@@ -208,37 +195,22 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* To be called where a region may follow: no handler may leave the execution then, and none begins
- * one of its own. */
-static void begin_within(struct execution *execution, int threads) {
-    execution->is_within = redcc_within;
-    redcc_within = 1;
-    execution->holds_signals =
-        execution->call.always_planned || redcc_may_escape() || redcc_team_grows(threads);
-    if (execution->holds_signals)
-        execution->signals = redcc_signals_hold();
-}
-
-/* The region's threads are there. */
-static void relax_within(struct execution *execution) {
-    if (!execution->holds_signals)
-        return;
-    if (!execution->call.always_planned && !redcc_may_escape()) {
-        execution->holds_signals = false;
-        redcc_signals_release(execution->signals);
-    } else if (is_long(execution))
-        redcc_signals_let_default(execution->signals);
-}
-
 /* The loop is let go: nothing of the execution's is touched any more. */
-static void end_within(struct loop_state *state) {
-    const uint64_t signals = state->execution.signals;
-    const bool holds_signals = state->execution.holds_signals;
-    const bool was_within = state->execution.is_within;
+static void end(struct loop_state *state) {
+    const struct within within = state->execution.within;
     release(state);
-    redcc_within = was_within;
-    if (holds_signals)
-        redcc_signals_release(signals);
+    redcc_within_end(within);
+}
+
+static void take_request(struct request *request, redcc_int trip, void *const *bases,
+                         const redcc_extent *known, const redcc_word *key) {
+    const redcc_loop *loop = request->loop;
+    request->trip = trip;
+    memcpy(request->bases, bases, loop->array_count * sizeof *bases);
+    if (loop->source_count)
+        memcpy(request->known, known, loop->source_count * sizeof *known);
+    if (loop->key_count)
+        memcpy(request->key, key, loop->key_count * sizeof *key);
 }
 
 static void take_settings(struct call *call, const struct settings *settings, int error_before) {
@@ -281,7 +253,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         redcc_note_serial(&state->reported.statistics);
         return false;
     }
-    threads = redcc_team_prepare(threads, execution->signals);
+    threads = redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (threads < (call->always_planned ? 1 : 2))
         return false;
@@ -358,11 +330,11 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, REASON_TRAPS);
     }
     threads = nested || threads < 1 || forked ? 1 : threads;
-    begin_within(execution, threads);
+    redcc_within_begin(&execution->within, always, threads);
     threads = threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {
-        end_within(held);
+        end(held);
         return serially(state, reason);
     }
     threads = execution->call.asked;
@@ -394,7 +366,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     if (number == 0) {
         redcc_team_came(threads);
-        relax_within(execution);
+        redcc_within_relax(&execution->within, execution->call.always_planned, is_long(execution));
     }
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
@@ -431,7 +403,7 @@ int redcc_leave(redcc_call *call) {
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;
     const int error_before = execution->call.error_before;
-    end_within(execution->state);
+    end(execution->state);
     errno = error ? error : error_before;
     return done;
 }

@@ -9,6 +9,7 @@
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
 
+#include "base/within.h"
 #include "choose/advice.h"
 #include "execute/run.h"
 #include "inspect/inspection.h"
@@ -22,6 +23,7 @@
 struct execution {
     struct loop_state *state;
     struct call call;
+    struct within within; /* of the thread that entered */
     struct advice advice; /* auto's, at entry */
     struct reuse reuse;
     struct inspection inspection;
@@ -31,9 +33,6 @@ struct execution {
     enum stage stage;   /* that all threads go on with, after they met */
     enum reason reason; /* why there is no plan */
     struct barrier barrier;
-    uint64_t signals; /* what the thread that entered blocked before; where they are held */
-    bool holds_signals;
-    bool is_within; /* the thread that entered was within another execution */
 };
 
 /** One thread's part: a sub-structure for each stage. */
@@ -78,11 +77,11 @@ void redcc_threads_end(struct loop_state *state);
  *  done. */
 bool redcc_account(struct execution *execution);
 
-/** Counts that a call falls back to the original loop. */
-void redcc_count_fallback(struct loop_state *state, enum reason reason);
-
 /** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
 void redcc_note_no_memory(redcc_loop *loop);
+
+/** Counts that a call falls back to the original loop. */
+void redcc_count_fallback(struct loop_state *state, enum reason reason);
 
 /** Notes the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);

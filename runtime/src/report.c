@@ -282,10 +282,9 @@ static bool replace(const char *name) {
 }
 
 void redcc_report_write(void) {
-    if (!redcc_settings()->report)
-        return;
-    redcc_memory_limit(0); /* what reached the limit is to be reported, too */
-    char *name = spell_name(redcc_settings()->report);
+    redcc_memory_limit(
+        0); /* it was for the loops, which are over; the report is owed all the same */
+    char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
     if (strcmp(name, "-") == 0)

@@ -56,10 +56,24 @@ static bool is_known(const judgement *j, const ir_variable *variable) {
     return variable == j->counted.counter;
 }
 
+/* Is a const variable named that may hold the address of a static object? gcc puts what it was
+ * initialised with in its place, `&deleted`, which would then be the address of a copy. */
+static bool names_constant_address(const ir_node *node) {
+    const ir_type *type = node->kind == IR_VARIABLE ? node->variable->type : NULL;
+    if (type && type->is_const && node->variable->storage != IR_PARAMETER &&
+        (type->kind == IR_POINTER || (type->kind == IR_INTEGER && type->size == 8)))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (names_constant_address(node->children[i]))
+            return true;
+    return false;
+}
+
 /* Of a record or scalar that the loop only reads each thread may have a copy, unless the loop asks
  * for its address: `if (entry[t] == &deleted)`. */
 static bool may_be_copied(const judgement *j, const ir_variable *variable) {
-    if (variable_written_in(j->an->facts, j->loop, variable))
+    if (variable_written_in(j->an->facts, j->loop, variable) ||
+        (!variable_is_automatic(variable) && names_constant_address(j->loop)))
         return false;
     if (variable->type->kind != IR_RECORD)
         return ir_type_is_scalar(variable->type);

@@ -69,8 +69,8 @@ static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int th
 }
 
 static struct reading reading_of(const struct reuse *reuse, uint32_t source) {
-    const struct request *request = &reuse->call->request;
-    return redcc_reading_of(request->loop, request->known, reuse->sources, source);
+    return redcc_reading_of(reuse->call->request.loop, reuse->call->request.known, reuse->sources,
+                            source);
 }
 
 static void ask_tracking(struct reuse *reuse) {
