@@ -1,4 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * fork tells us, by handlers of the library's; _Fork and clone do not. A page that the system wipes
+ * in a child shows those as well.
+ */
 #define _GNU_SOURCE /* struct statx, MADV_WIPEONFORK */
 #include "base/forked.h"
 

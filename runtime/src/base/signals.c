@@ -53,11 +53,14 @@ static bool is_on_other_stack(void) {
 #define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
 
 /* A handler's return address, and above it what was interrupted: sigreturn(2), struct rt_sigframe.
- * The stack pointer at that time lay above. */
+ * The stack pointer at that time lay above; the link is none, and of the processor's flags the
+ * second is always set and those from the 22nd on never. Old contents of the stack may hold the
+ * address. */
 NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
-    enum { STACK_POINTER = 1 + 5 + 15 };
-    return *at == restorer && end - at > STACK_POINTER && at[STACK_POINTER] > (uintptr_t)at &&
-           at[STACK_POINTER] <= (uintptr_t)end;
+    enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
+    return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&
+           at[STACK_POINTER] > (uintptr_t)at && at[STACK_POINTER] <= (uintptr_t)end &&
+           at[FLAGS] >> 22 == 0 && (at[FLAGS] & 2) != 0;
 }
 
 NOT_SANITIZED static bool has_frame(uintptr_t restorer) {

@@ -3,7 +3,6 @@
 
 #include "base/system.h"
 #include "reuse/pages/watch.h"
-#include "reuse/pages/written_pages.h"
 
 #include <stdatomic.h>
 
