@@ -63,7 +63,8 @@ static int allocate(collisions *c) {
     c->pin_speed = calloc(pins, sizeof *c->pin_speed);
     c->there = calloc(colliders, 1);
     c->near = calloc(colliders, 1);
-    if (!c->pin_of || !c->pinned_at || !c->pin_speed || !c->there || !c->near)
+    c->near_list = calloc(colliders, sizeof *c->near_list);
+    if (!c->pin_of || !c->pinned_at || !c->pin_speed || !c->there || !c->near || !c->near_list)
         return -1;
     if (c->scene->collider_count == 0)
         return 0;
@@ -93,7 +94,8 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
     set_pin_speeds(c, 0, s->step);
     for (int n = 0; n < s->collider_count; n++) {
         c->near[n] = c->there[n];
-        c->any_near += c->near[n];
+        if (c->near[n])
+            c->near_list[c->any_near++] = n;
     }
     return 0;
 }
@@ -104,8 +106,10 @@ void collisions_free(collisions *c) {
     free(c->pin_speed);
     free(c->there);
     free(c->near);
+    free(c->near_list);
     free(c->before);
     free(c->now);
+    free(c->met.list);
     *c = (collisions){0};
 }
 
@@ -158,8 +162,15 @@ static void find_near(collisions *c, double time, double h, const double (*x)[3]
         const double reach =
             1.01 * (ball.radius + ball.way + h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
         c->near[n] = c->there[n] && !(shape_distance(k, p, normal) > reach);
-        c->any_near += c->near[n];
+        if (c->near[n])
+            c->near_list[c->any_near++] = n;
     }
+}
+
+void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
+                          const double (*v)[3]) {
+    if (c->now)
+        find_near(c, time, h, x, v, NULL);
 }
 
 /* Would a vertex at x with velocity v come too near to the collider in the next h seconds? */
@@ -173,10 +184,8 @@ static int would_touch(const collider *k, double time, double h, const double x[
     return shape_approach(k, p, u, found);
 }
 
-/* The velocity along the normal that ends the step at the gap. A vertex found inside is pushed out
- * by no more than the gap in a step of the scene: the push stays in its velocity, and in a part of
- * that step must not be faster. */
-static double given_speed(const collisions *c, const collider *k, const approach *found, double h) {
+double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
+                              double h) {
     const double most = k->gap * (h / c->scene->step);
     const double push = -found->room > most ? most : -found->room;
     return vector_dot(found->normal, k->velocity) + push / h;
@@ -197,7 +206,7 @@ static void add_contact(const collisions *c, vertex_contacts *of, const contact 
     *added = before ? *before : (contact){.collider = index};
     for (int a = 0; a < 3; a++)
         added->normal[a] = found->normal[a];
-    added->speed = given_speed(c, k, found, h);
+    added->speed = collisions_given_speed(c, k, found, h);
 }
 
 /* A_ii += c (I - n n'), b_i -= c (I - n n') (v - v_collider). */
@@ -239,11 +248,12 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
         c->now[i].count = 0;
         if (c->pin_of[i] >= 0)
             continue;
-        for (int n = 0; n < c->scene->collider_count; n++) {
+        for (int m = 0; m < c->any_near; m++) {
+            const int n = c->near_list[m];
             const collider *k = &c->scene->colliders[n];
             const contact *before = find_contact(&c->before[i], n);
             approach found;
-            if (!c->near[n] || (before && before->pulls >= patience) ||
+            if ((before && before->pulls >= patience) ||
                 !would_touch(k, time, h, x[i], expected, &found))
                 continue;
             add_contact(c, &c->now[i], before, &found, n, k, h);
@@ -330,12 +340,12 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
         vector_add_scaled(v[i], 1, dv[i], after);
         if (c->pin_of[i] >= 0)
             continue;
-        for (int n = 0; n < c->scene->collider_count; n++) {
+        for (int m = 0; m < c->any_near; m++) {
+            const int n = c->near_list[m];
             const collider *k = &c->scene->colliders[n];
             approach found;
-            if (!c->near[n] || c->now[i].count == CONTACTS_PER_VERTEX ||
-                find_contact(&c->now[i], n) || !would_touch(k, time, h, x[i], after, &found) ||
-                !(found.beyond > 0))
+            if (c->now[i].count == CONTACTS_PER_VERTEX || find_contact(&c->now[i], n) ||
+                !would_touch(k, time, h, x[i], after, &found) || !(found.beyond > 0))
                 continue;
             add_contact(c, &c->now[i], NULL, &found, n, k, h);
             added++;
@@ -344,42 +354,44 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     return added;
 }
 
-/* Changes the velocity of one vertex; whether it did. */
-static int keep_out(const collisions *c, int i, double time, double h, const double x[3],
-                    double v[3]) {
-    int changed = 0;
-    for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
+/* Changes the velocity of one vertex; by how much, m/s. */
+static double keep_out(const collisions *c, int i, double time, double h, const double x[3],
+                       double v[3]) {
+    double changed = 0;
+    for (int m = 0; m < c->any_near && c->pin_of[i] < 0; m++) {
+        const int n = c->near_list[m];
         const collider *k = &c->scene->colliders[n];
         approach found;
-        if (!c->near[n] || find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
+        if (find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
             !(found.beyond > 0))
             continue;
-        const double lacking = given_speed(c, k, &found, h) - vector_dot(found.normal, v);
+        const double lacking =
+            collisions_given_speed(c, k, &found, h) - vector_dot(found.normal, v);
         if (!(lacking > 0))
             continue;
         vector_add_scaled(v, lacking, found.normal, v);
-        changed = 1;
+        changed = lacking > changed ? lacking : changed;
     }
     return changed;
 }
 
 double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3]) {
+                           const double (*x)[3], double (*v)[3], double *work) {
     const int count = c->vertex_count;
-    double sum[CHUNK_SUM_MOST] = {0};
-    if (!c->now)
+    double sum[CHUNK_SUM_MOST] = {0}, largest = 0;
+    if (!c->now || !c->any_near)
         return 0;
-    find_near(c, time, h, x, (const double(*)[3])v, NULL);
-    if (!c->any_near)
-        return 0;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) reduction(max : largest)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
         for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
             const double before = vector_dot(v[i], v[i]);
-            if (keep_out(c, i, time, h, x[i], v[i]))
+            const double changed = keep_out(c, i, time, h, x[i], v[i]);
+            if (changed > 0)
                 sum[chunk] += mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
+            largest = changed > largest ? changed : largest;
         }
-    return chunk_sum_all(count, sum);
+    *work += chunk_sum_all(count, sum);
+    return largest;
 }
 
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]) {

@@ -13,8 +13,10 @@
 #define FABRIC_COLLISION_H
 
 #include "constraint.h"
+#include "impulse.h"
 #include "mesh.h"
 #include "scene.h"
+#include "shape.h"
 #include "system.h"
 
 enum { CONTACTS_PER_VERTEX = 3 };
@@ -34,6 +36,18 @@ typedef struct vertex_contacts {
     contact list[CONTACTS_PER_VERTEX];
 } vertex_contacts;
 
+typedef struct met_triangle {
+    int triangle, collider;
+} met_triangle;
+
+/** Triangles that a collider may meet between their vertices in the step being taken. */
+typedef struct met_triangles {
+    met_triangle *list; /* [count] */
+    int count, room;
+    int left;   /* of those, how many still meet one after the impulses */
+    double gap; /* m, the least of their colliders; infinite: there are none */
+} met_triangles;
+
 typedef struct collisions {
     const scene *scene;
     const mesh *mesh;
@@ -45,6 +59,7 @@ typedef struct collisions {
     double (*pin_speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
     unsigned char *there;   /* [colliders] it exists at present */
     unsigned char *near;    /* [colliders] it may touch the cloth in the step being taken */
+    int *near_list;         /* [any_near] the numbers of those, ascending */
     int any_near;
     int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
     long visits;                 /* vertices held against a collider, in all */
@@ -52,6 +67,7 @@ typedef struct collisions {
     double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
     vertex_contacts *now;        /* [vertices] of the step being taken */
+    met_triangles met;
 } collisions;
 
 /** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held
@@ -77,10 +93,33 @@ void collisions_constrain(const collisions *c, const double (*v)[3], constraints
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
                           const double (*v)[3], const double (*dv)[3]);
 
-/** Last resort for what was still missed: changes v so that x + h v stays out. Returns the work
- *  that takes, J; mass [vertices] kg. */
+/** Last resort for what was still missed: changes v so that x + h v stays out, and adds the work
+ *  that takes to *work, J; mass [vertices] kg. Returns the largest change of a velocity, m/s. */
 double collisions_keep_out(collisions *c, double time, double h, const double *mass,
-                           const double (*x)[3], double (*v)[3]);
+                           const double (*x)[3], double (*v)[3], double *work);
+
+/** Finds which colliders may touch the cloth in the step: what follows looks at no others. */
+void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
+                          const double (*v)[3]);
+
+/** Finds the triangles that a near collider may meet between their vertices (shape_triangle.h) in
+ * the step; planes meet none. 0, or -1: out of memory. */
+int collisions_find_triangles(collisions *c, double time, double h, const double (*x)[3],
+                              const double (*v)[3]);
+
+/** One round of impulses over those triangles, as collisions_keep_out. */
+double collisions_push_triangles(collisions *c, const movable *of, double time, double h,
+                                 const double (*x)[3], double (*v)[3], double *work);
+
+/** Counts in c->met.left those of the triangles that are still met, though they could be moved. */
+void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
+                                const double (*x)[3], const double (*v)[3]);
+
+/** The velocity along found->normal, m/s, that ends a step of h s at the collider's gap. What is
+ *  found inside is pushed out by no more than the gap in a step of the scene: the push stays in its
+ *  velocity, and in a part of that step must not be faster. */
+double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
+                              double h);
 
 /** Puts pinned vertices exactly where they are at `time`. */
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]);
@@ -99,6 +138,9 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
 
 /** How deep the deepest vertex that is not pinned is inside a collider at `time`, m; 0: none is. */
 double collisions_depth(const collisions *c, double time, const double (*x)[3]);
+
+/** How many vertices that are not pinned are inside a collider at `time`. */
+long collisions_inside(const collisions *c, double time, const double (*x)[3]);
 
 /** Contacts now; and of them, how many stick. Either may be NULL. */
 void collisions_count(const collisions *c, long *contacts, long *sticking);

@@ -49,24 +49,39 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
     return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
 }
 
+/* How deep the vertex is in the deepest of the near colliders, m; 0: it is in none. */
+static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
+    double deepest = 0;
+    for (int m = 0; m < c->any_near && c->pin_of[vertex] < 0; m++) {
+        const collider *k = &c->scene->colliders[c->near_list[m]];
+        double p[3], normal[3];
+        for (int a = 0; a < 3; a++)
+            p[a] = x[a] - k->position[a] - time * k->velocity[a];
+        const double depth = -shape_distance(k, p, normal);
+        if (depth > deepest)
+            deepest = depth;
+    }
+    return deepest;
+}
+
 double collisions_depth(const collisions *c, double time, const double (*x)[3]) {
     double deepest = 0;
     if (!c->now || !c->any_near)
         return 0;
 #pragma omp parallel for schedule(static) reduction(max : deepest)
-    for (int i = 0; i < c->vertex_count; i++)
-        for (int n = 0; n < c->scene->collider_count && c->pin_of[i] < 0; n++) {
-            const collider *k = &c->scene->colliders[n];
-            double p[3], normal[3];
-            if (!c->near[n])
-                continue;
-            for (int a = 0; a < 3; a++)
-                p[a] = x[i][a] - k->position[a] - time * k->velocity[a];
-            const double depth = -shape_distance(k, p, normal);
-            if (depth > deepest)
-                deepest = depth;
-        }
+    for (int i = 0; i < c->vertex_count; i++) {
+        const double depth = depth_of(c, i, time, x[i]);
+        if (depth > deepest)
+            deepest = depth;
+    }
     return deepest;
+}
+
+long collisions_inside(const collisions *c, double time, const double (*x)[3]) {
+    long inside = 0;
+    for (int i = 0; i < c->vertex_count && c->any_near > 0; i++)
+        inside += depth_of(c, i, time, x[i]) > 0;
+    return inside;
 }
 
 void collisions_count(const collisions *c, long *contacts, long *sticking) {

@@ -7,6 +7,7 @@
 
 #include "clock.h"
 #include "forces.h"
+#include "impact.h"
 #include "newton.h"
 #include "simulation_state.h"
 #include "vector.h"
@@ -127,8 +128,8 @@ static solver_status solve_stage(simulation *sim) {
         .floor = 1e-3 * sim->scene->tolerance * fall * sqrt(sim->total_mass),
         .max_iterations = sim->scene->max_iterations,
     };
-    return solver_solve(&sim->solver, &sim->system, &sim->constraints, &limits, sim->dv,
-                        &sim->iterations);
+    return solver_fallback_solve(&sim->fallback, &sim->solver, &sim->system, &sim->constraints,
+                                 &limits, sim->dv, &sim->iterations);
 }
 
 /* Newton's method finds such forces by itself, at the states it goes through. */
@@ -172,22 +173,27 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
         }
 }
 
-/* Changes v_next so that the cloth does not go through itself; returns the energy that took from
- * it, as work below 0, J. What it may have given is no work from outside: the monitor is to see it.
- */
-static double keep_from_itself(simulation *sim) {
-    self_collision *self = &sim->self_collision;
+/* Changes v_next so that the cloth goes through neither itself nor a body. 0, or -1: that could not
+ * be found out. */
+static int keep_apart(simulation *sim) {
+    const int itself = effect_is_on(sim, EFFECT_SELF_COLLISION);
     effect_account *account = &sim->effects[EFFECT_SELF_COLLISION];
-    if (!effect_is_on(sim, EFFECT_SELF_COLLISION))
-        return 0;
     const double start = clock_seconds();
-    for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sim->inverse_mass[i] = sim->constraints.given[i] == 3 ? 0 : 1 / sim->mass[i];
-    const double work =
-        self_collision_resolve(self, sim->h, sim->inverse_mass, read_only(sim->x), sim->v_next);
-    account->visited = self->visits;
-    account->seconds += clock_seconds() - start;
-    return work < 0 ? work : 0;
+    impact_step step = {
+        .time = simulation_time(sim),
+        .h = sim->h,
+        .x = read_only(sim->x),
+        .v = sim->v_next,
+        .of = {sim->mass, &sim->collisions},
+        .itself = itself ? &sim->self_collision : NULL,
+        .bodies = &sim->collisions,
+    };
+    const int status = impact_resolve(&step, &sim->push_work);
+    if (itself) {
+        account->visited = sim->self_collision.visits;
+        account->seconds += clock_seconds() - start;
+    }
+    return status;
 }
 
 int integrator_move(simulation *sim) {
@@ -198,9 +204,7 @@ int integrator_move(simulation *sim) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->v[i], 1, mean[i], sim->v_next[i]);
-    const double self_work = keep_from_itself(sim);
-    sim->push_work = self_work + collisions_keep_out(&sim->collisions, simulation_time(sim), sim->h,
-                                                     sim->mass, read_only(sim->x), sim->v_next);
+    const int unknown = keep_apart(sim) != 0;
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);
@@ -211,7 +215,7 @@ int integrator_move(simulation *sim) {
     if (sim->integrator.kind == INTEGRATOR_MIDPOINT || sim->integrator.two_states)
         end_velocity(sim, mean);
     collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
-    return !broken && !sim->self_collision.failed;
+    return !broken && !unknown;
 }
 
 void integrator_accept(simulation *sim) {

@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "monitor.h"
 
+#include <string.h>
+
 #include "chunk_sum.h"
 #include "effects/drag.h"
 #include "vector.h"
 
 const char *monitor_verdict_name(monitor_verdict verdict) {
     static const char *const names[STEP_VERDICT_COUNT] = {
-        [STEP_GOOD] = "good",     [STEP_NOT_FINITE] = "not finite",
-        [STEP_STRAIN] = "strain", [STEP_NOT_SOLVED] = "not solved",
-        [STEP_ENERGY] = "energy", [STEP_PENETRATION] = "penetration"};
+        [STEP_GOOD] = "good",      [STEP_NOT_FINITE] = "not finite",
+        [STEP_STRAIN] = "strain",  [STEP_NOT_SOLVED] = "not solved",
+        [STEP_ENERGY] = "energy",  [STEP_PENETRATION] = "penetration",
+        [STEP_PASSING] = "passing"};
     return names[verdict];
 }
 
@@ -79,6 +82,9 @@ void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
                 elastic_energy(start, start->x);
     m->depth = collisions_depth(start->collisions, start->time, start->x);
     m->reference = m->energy;
+    m->greatest_strain = m->strain;
+    m->deepest = m->start_depth = m->depth;
+    m->start_inside = collisions_inside(start->collisions, start->time, start->x);
     m->noise = energy_of_rounding(start);
 }
 
@@ -88,15 +94,22 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
     return verdict;
 }
 
+/* A step that cannot be halved any more is taken as it is, and what is wrong with it is noted. */
+static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
+    m->tolerated[verdict] = step->shortest;
+    return step->shortest;
+}
+
 monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
     const monitor_limits *limits = &m->scene->limits;
+    memset(m->tolerated, 0, sizeof m->tolerated);
     m->next_strain = triangle_greatest_strain(step->triangles, step->x_next);
     if (!step->finite || !isfinite(m->next_strain))
         return complain(m, STEP_NOT_FINITE, NAN, 0);
-    if (step->status != SOLVER_CONVERGED && !step->shortest)
+    if (step->status != SOLVER_CONVERGED && !tolerates(m, step, STEP_NOT_SOLVED))
         return complain(m, STEP_NOT_SOLVED, step->status, SOLVER_CONVERGED);
     if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
-        !step->shortest)
+        !tolerates(m, step, STEP_STRAIN))
         return complain(m, STEP_STRAIN, m->next_strain - m->strain, limits->growth);
     m->next_energy = kinetic_energy(step->collisions->vertex_count, step->mass, step->v_next) +
                      elastic_energy(step, step->x_next);
@@ -106,16 +119,21 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
     if (!(gain <= most))
         return complain(m, STEP_ENERGY, gain, most);
     m->next_depth = collisions_depth(step->collisions, step->time + step->h, step->x_next);
-    if (m->next_depth > limits->penetration && m->next_depth > m->depth && !step->shortest)
+    if (m->next_depth > limits->penetration && m->next_depth > m->depth &&
+        !tolerates(m, step, STEP_PENETRATION))
         return complain(m, STEP_PENETRATION, m->next_depth, limits->penetration);
-    if (step->passing > 0 && !step->shortest)
-        return complain(m, STEP_PENETRATION, step->passing, 0);
+    if (step->passing > 0 && !tolerates(m, step, STEP_PASSING))
+        return complain(m, STEP_PASSING, step->passing, 0);
     return STEP_GOOD;
 }
 
 void monitor_accept(monitor *m) {
+    for (int k = 0; k < STEP_VERDICT_COUNT; k++)
+        m->let_pass[k] += m->tolerated[k];
     m->strain = m->next_strain;
     m->energy = m->next_energy;
     m->depth = m->next_depth;
     m->reference += fabs(m->work);
+    m->greatest_strain = fmax(m->greatest_strain, m->strain);
+    m->deepest = fmax(m->deepest, m->depth);
 }

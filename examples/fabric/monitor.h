@@ -5,7 +5,8 @@
  *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
  *  - has gained more energy than gravity, wind, pins and colliders put in: with E kinetic and
  *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|);
- *  - ends with a vertex deeper in a collider than a limit, and deeper than it was.
+ *  - ends with a vertex deeper in a collider than a limit, and deeper than it was;
+ *  - lets cloth pass through itself or through a collider.
  * Nothing here changes the state, so a step that is accepted has the bits it has without.
  */
 #ifndef FABRIC_MONITOR_H
@@ -25,6 +26,7 @@ typedef enum monitor_verdict {
     STEP_STRAIN,
     STEP_ENERGY,
     STEP_PENETRATION,
+    STEP_PASSING,
     STEP_VERDICT_COUNT
 } monitor_verdict;
 
@@ -58,14 +60,21 @@ typedef struct monitor {
     double noise;                 /* J, what the rounding of positions may make of nothing */
     /* of the step judged last */
     double next_strain, next_energy, next_depth, work;
-    double value, limit; /* what was too much, and what would not have been */
+    double value, limit;               /* what was too much, and what would not have been */
+    int tolerated[STEP_VERDICT_COUNT]; /* what it let pass because the step was the shortest */
+    /* of all steps accepted */
+    long let_pass[STEP_VERDICT_COUNT];
+    double greatest_strain, deepest; /* m */
+    /* where the run starts */
+    long start_inside;  /* vertices in a collider */
+    double start_depth; /* m */
 } monitor;
 
 /** Looks at the state a run starts from: only mass, x, v, elements and collisions are read. */
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
-/** Judges a step. At the shortest length a step without a converged solution or with much strain
- *  passes: there is nothing better to be had. */
+/** Judges a step. At the shortest length all but energy and infinities passes, since there is
+ * nothing better to be had: that is counted. */
 monitor_verdict monitor_judge(monitor *m, const monitored_step *step);
 
 /** The step judged last becomes the state to compare with. */

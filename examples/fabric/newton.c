@@ -115,8 +115,8 @@ static solver_status solve_linear(simulation *sim, double relative, double floor
                                   .floor = inner_part * floor,
                                   .max_iterations = sim->scene->max_iterations};
     sim->integrator.iterations++;
-    return solver_solve(&sim->solver, &sim->system, &sim->constraints, &limits, sim->dv,
-                        &sim->iterations);
+    return solver_fallback_solve(&sim->fallback, &sim->solver, &sim->system, &sim->constraints,
+                                 &limits, sim->dv, &sim->iterations);
 }
 
 solver_status newton_solve(simulation *sim) {

@@ -195,4 +195,4 @@ const scene scene_defaults = {
     .max_iterations = 5000,
     .newton_tolerance = 1e-6,
     .newton_iterations = 50,
-    .limits = {.energy = 0.25, .growth = 0.5, .strain = 1.0, .penetration = 0.01}};
+    .limits = {.energy = 1e-3, .growth = 0.5, .strain = 1.0, .penetration = 0.01}};

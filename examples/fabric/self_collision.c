@@ -7,8 +7,6 @@
 #include "mesh_sides.h"
 #include "vector.h"
 
-/* Impulses are given in this many rounds, the pairs of each in order. */
-enum { most_rounds = 20 };
 /* What is nearer than the gap draws apart by this part of what is missing, a step of the scene. */
 static const double drawing_apart = 0.25;
 /* What would pass is kept this part of its distance, or of the gap, away. */
@@ -92,6 +90,9 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
         least = drawing_apart * (s->gap - found->distance) / s->step;
     else if (self_pair_passes(pair->is_edges, start, end, found))
         least = -(1 - kept_away) * found->distance / h;
+    else if (!pair->near_at_rest &&
+             self_pair_ends_near(pair->is_edges, start, end, kept_away * s->gap, found))
+        least = (kept_away * s->gap - found->distance) / h;
     else
         return 0;
     for (int k = 0; k < 4; k++)
@@ -99,73 +100,50 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
     return speed < least ? least - speed : 0;
 }
 
-static double inverse_mass_of(const self_pair *pair, const self_contact *found,
-                              const double *inverse_mass) {
-    double sum = 0;
-    for (int k = 0; k < 4; k++)
-        sum += found->weight[k] * found->weight[k] * inverse_mass[pair->vertex[k]];
-    return sum;
-}
-
-/* The same impulse, in kg m/s, on the first feature and against it on the second. */
-static void give(const self_pair *pair, const self_contact *found, const double *inverse_mass,
-                 const double impulse[3], double (*v)[3]) {
-    for (int k = 0; k < 4; k++) {
-        const int i = pair->vertex[k];
-        vector_add_scaled(v[i], found->weight[k] * inverse_mass[i], impulse, v[i]);
-    }
-}
-
-/* Coulomb: at most friction times the normal impulse, and no more than stops the sliding. */
-static void add_friction(const self_pair *pair, const self_contact *found, double mass, double most,
-                         const double (*v)[3], double impulse[3]) {
-    double slip[3] = {0, 0, 0};
-    for (int k = 0; k < 4; k++)
-        vector_add_scaled(slip, found->weight[k], v[pair->vertex[k]], slip);
-    vector_add_scaled(slip, -vector_dot(slip, found->normal), found->normal, slip);
-    const double stops = mass * vector_length(slip);
-    if (stops > 0)
-        vector_add_scaled(impulse, -mass * (stops < most ? 1 : most / stops), slip, impulse);
-}
-
-/* One round over all pairs; returns the largest change of a normal velocity, m/s. */
-static double push_apart(self_collision *s, double h, const double *inverse_mass,
-                         const double (*x)[3], double (*v)[3]) {
+double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
+                           double (*v)[3], double *work) {
     double largest = 0;
     for (int n = 0; n < s->pair_count; n++) {
         const self_pair *pair = &s->pair[n];
         const double(*moving)[3] = (const double(*)[3])v;
-        double start[4][3], end[4][3], impulse[3] = {0, 0, 0};
+        double start[4][3], end[4][3];
         self_contact found;
         gather(pair, h, x, moving, start, end);
         const double change =
             asked(s, pair, h, moving, (const double(*)[3])start, (const double(*)[3])end, &found);
         if (!(change > 0))
             continue;
-        const double light = inverse_mass_of(pair, &found, inverse_mass);
-        if (!(light > 0))
-            continue;
-        vector_add_scaled(impulse, change / light, found.normal, impulse);
-        add_friction(pair, &found, 1 / light, s->friction * change / light, moving, impulse);
-        give(pair, &found, inverse_mass, impulse, v);
-        largest = fmax(largest, change);
+        feature both = {.count = 4};
+        for (int k = 0; k < 4; k++) {
+            both.vertex[k] = pair->vertex[k];
+            both.weight[k] = found.weight[k];
+        }
+        if (impulse_give(of, &both, found.normal, change, s->friction, NULL, v, work))
+            largest = fmax(largest, change);
     }
     return largest;
 }
 
-static int count_passing(const self_collision *s, double h, const double (*x)[3],
-                         const double (*v)[3]) {
+int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
+                          const double (*x)[3], const double (*v)[3]) {
+    double start[4][3], end[4][3];
+    self_contact found;
+    gather(pair, h, x, v, start, end);
+    return !stay_apart(s->gap, pair, (const double(*)[3])start, (const double(*)[3])end) &&
+           self_pair_passes(pair->is_edges, (const double(*)[3])start, (const double(*)[3])end,
+                            &found);
+}
+
+int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     int passing = 0;
+    s->left = 1;
+    if (self_grid_find(s, h, x, v) != 0)
+        return -1;
 #pragma omp parallel for schedule(static) reduction(+ : passing)
-    for (int n = 0; n < s->pair_count; n++) {
-        double start[4][3], end[4][3];
-        self_contact found;
-        gather(&s->pair[n], h, x, v, start, end);
-        if (!stay_apart(s->gap, &s->pair[n], (const double(*)[3])start, (const double(*)[3])end))
-            passing += self_pair_passes(s->pair[n].is_edges, (const double(*)[3])start,
-                                        (const double(*)[3])end, &found);
-    }
-    return passing;
+    for (int n = 0; n < s->pair_count; n++)
+        passing += self_collision_passes(s, &s->pair[n], h, x, v);
+    s->left = passing;
+    return 0;
 }
 
 /* Keeps the pairs that may come near. What impulses move a vertex by in a step is less than a gap,
@@ -183,31 +161,11 @@ static void drop_far_pairs(self_collision *s, double h, const double (*x)[3],
     s->pair_count = kept;
 }
 
-static double kinetic_energy(const self_collision *s, const double *inverse_mass,
-                             const double (*v)[3]) {
-    double sum = 0;
-    for (int i = 0; i < s->mesh->vertex_count; i++)
-        if (inverse_mass[i] > 0)
-            sum += vector_dot(v[i], v[i]) / inverse_mass[i] / 2;
-    return sum;
-}
-
-double self_collision_resolve(self_collision *s, double h, const double *inverse_mass,
-                              const double (*x)[3], double (*v)[3]) {
+int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     s->left = 0;
-    s->failed = self_grid_find(s, h, x, (const double(*)[3])v) != 0;
+    if (self_grid_find(s, h, x, v) != 0)
+        return -1;
     s->visits += s->pair_count;
-    if (s->failed || s->pair_count == 0)
-        return 0;
-    const double before = kinetic_energy(s, inverse_mass, (const double(*)[3])v);
-    drop_far_pairs(s, h, x, (const double(*)[3])v);
-    double largest = push_apart(s, h, inverse_mass, x, v);
-    if (!(largest > 0))
-        return 0;
-    for (int n = 1; n < most_rounds && largest > 1e-3 * s->gap / h; n++)
-        largest = push_apart(s, h, inverse_mass, x, v);
-    /* The boxes have moved with the velocities. */
-    s->failed = self_grid_find(s, h, x, (const double(*)[3])v) != 0;
-    s->left = s->failed ? 1 : count_passing(s, h, x, (const double(*)[3])v);
-    return kinetic_energy(s, inverse_mass, (const double(*)[3])v) - before;
+    drop_far_pairs(s, h, x, v);
+    return 0;
 }

@@ -3,8 +3,8 @@
  * Cloth against itself. After the system is solved, velocities are changed so that in the step no
  * vertex goes through a triangle and no edge through an edge, and those nearer than the gap draw
  * apart (Bridson, Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with
- * friction, one pair after the other in a fixed order, several times. What is left after that is
- * counted; the monitor then rejects the step.
+ * friction, one pair after the other in a fixed order. impact.h says how often, and what comes of
+ * those that are left.
  *
  * Pairs that may meet are found in a grid of the boxes that the triangles sweep; each vertex and
  * edge is tested for one of its triangles alone (Curtis, Tamstorf and Manocha 2008).
@@ -12,6 +12,7 @@
 #ifndef FABRIC_SELF_COLLISION_H
 #define FABRIC_SELF_COLLISION_H
 
+#include "impulse.h"
 #include "mesh.h"
 
 /** Vertex 0 against triangle 1 2 3, or edge 0 1 against edge 2 3. */
@@ -37,8 +38,7 @@ typedef struct self_collision {
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
-    int failed; /* out of memory, or the step ends in something not finite */
-    int left;   /* pairs that still pass through each other, of the step treated last */
+    int left; /* pairs that still pass through each other, of the step treated last */
     long visits;
 } self_collision;
 
@@ -46,10 +46,22 @@ typedef struct self_collision {
 int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
 void self_collision_free(self_collision *s);
 
-/** A step of h s from positions x (m) with velocities v (m/s): changes v. inverse_mass [vertices]
- *  1/kg, 0 for what is held. Returns the energy that took, J. */
-double self_collision_resolve(self_collision *s, double h, const double *inverse_mass,
-                              const double (*x)[3], double (*v)[3]);
+/** Finds the pairs that may come near in a step of h s from positions x (m) with velocities v
+ * (m/s). 0, or -1: out of memory, or not all is finite. */
+int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+
+/** One round of impulses over the pairs found, in order: changes v, adds the energy that gives to
+ *  *work (J); returns the largest change of a normal velocity, m/s. */
+double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
+                           double (*v)[3], double *work);
+
+/** Finds the pairs anew, since what they sweep has changed with the velocities, and counts in
+ *  s->left those that pass. 0, or -1 as above. */
+int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+
+/** Does the pair pass through itself in the step? */
+int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
+                          const double (*x)[3], const double (*v)[3]);
 
 /** Finds the pairs that may meet in the step; 0, or -1: out of memory, or not all is finite. */
 int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
@@ -64,6 +76,11 @@ typedef struct self_contact {
 
 /** Do the pair's features pass through each other on the way from x to y, all [4]? */
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);
+
+/** Do they end at y nearer than the gap? The normal and the distance are those at x, of the points
+ * that are nearest at y. */
+int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
+                        self_contact *found);
 
 /** Are they nearer than the gap at x? */
 int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found);

@@ -164,3 +164,14 @@ int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3],
     }
     return 0;
 }
+
+int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
+                        self_contact *found) {
+    double apart[3];
+    if (is_edges)
+        nearest_on_edges(y, found->weight);
+    else if (foot_in_plane(y, found->weight) < 0)
+        return 0;
+    combine(found->weight, y, apart);
+    return vector_length(apart) < gap && set_normal(x, found);
+}

@@ -49,13 +49,14 @@ static double box_distance(const double half[3], const double p[3], double norma
     return depth > 0 ? length : depth;
 }
 
-/* A cylinder with flat ends is a box in the plane of its axis and the point. */
+/* A cylinder with flat ends is a box in the plane of its axis and the point, which has no third
+ * side. */
 static double cylinder_distance(const collider *k, const double p[3], double normal[3]) {
     const double along = vector_dot(p, k->axis);
     double radial[3];
     vector_add_scaled(p, -along, k->axis, radial);
     const double radius = vector_length(radial);
-    const double half[3] = {k->size[0], k->size[1], 1};
+    const double half[3] = {k->size[0], k->size[1], 1e300};
     const double flat[3] = {radius, along, 0};
     double direction[3];
     const double distance = box_distance(half, flat, direction);

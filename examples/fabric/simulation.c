@@ -60,7 +60,7 @@ monitored_step simulation_monitored(simulation *sim) {
         .hinge_material = &sim->hinge_material,
         .collisions = &sim->collisions,
         .status = sim->solver_status,
-        .passing = sim->self_collision.left,
+        .passing = sim->self_collision.left + sim->collisions.met.left,
         .shortest = sim->ticks == 1,
     };
 }

@@ -73,4 +73,17 @@ long simulation_steps_rejected(const simulation *sim);
 const rejection *simulation_rejections(const simulation *sim, int *count);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
 
+/** What is wrong with a run that has come to its end all the same. */
+typedef struct run_faults {
+    /* steps that the monitor let pass since they could not be halved any more */
+    long not_solved, strain, penetration, passing;
+    double greatest_strain, strain_limit; /* of a triangle in all of the run; the scene's limit */
+    double deepest;                       /* m, of a vertex in a collider */
+    long start_inside;                    /* vertices in a collider where the cloth starts, */
+    double start_depth;                   /* m, the deepest of them */
+    long solved_directly; /* systems, because the conjugate gradients did not converge */
+} run_faults;
+
+run_faults simulation_faults(const simulation *sim);
+
 #endif

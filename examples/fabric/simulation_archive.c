@@ -66,6 +66,10 @@ static void pass_monitor(archive *a, monitor *m) {
     archive_double(a, &m->energy);
     archive_double(a, &m->depth);
     archive_double(a, &m->reference);
+    for (int k = 0; k < STEP_VERDICT_COUNT; k++)
+        archive_long(a, &m->let_pass[k]);
+    archive_double(a, &m->greatest_strain);
+    archive_double(a, &m->deepest);
 }
 
 /* Where time stands, and how long the next step is. */
@@ -98,6 +102,9 @@ static void pass_rejection(archive *a, rejection *r) {
 
 static void pass_counts(archive *a, simulation *sim) {
     archive_long(a, &sim->iterations);
+    archive_long(a, &sim->fallback.solved);
+    archive_int(a, &sim->fallback.next);
+    archive_int_within(a, &sim->fallback.failed, 0, 1);
     archive_long(a, &sim->steps_taken);
     archive_long(a, &sim->steps_rejected);
     archive_long(a, &sim->plans_changed);

@@ -88,12 +88,9 @@ static int build(simulation *sim, char *error) {
         integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
         collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
         return -1;
-    if (s->self_gap > 0) {
-        sim->inverse_mass = calloc((size_t)vertices + 1, sizeof *sim->inverse_mass);
-        if (!sim->inverse_mass || self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
-                                                      s->self_friction, s->step) != 0)
-            return -1;
-    }
+    if (s->self_gap > 0 && self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
+                                               s->self_friction, s->step) != 0)
+        return -1;
     plan_make(sim);
     set_start(sim);
     return 0;
@@ -138,8 +135,8 @@ void simulation_free(simulation *sim) {
     collisions_free(&sim->collisions);
     constraints_free(&sim->constraints);
     self_collision_free(&sim->self_collision);
-    free(sim->inverse_mass);
     solver_free(&sim->solver);
+    solver_fallback_free(&sim->fallback);
     integrator_free(&sim->integrator);
     free(sim->mass);
     free(sim->x);
@@ -192,6 +189,22 @@ long simulation_steps_rejected(const simulation *sim) {
 const rejection *simulation_rejections(const simulation *sim, int *count) {
     *count = sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
     return sim->rejections;
+}
+
+run_faults simulation_faults(const simulation *sim) {
+    const monitor *m = &sim->monitor;
+    return (run_faults){
+        .not_solved = m->let_pass[STEP_NOT_SOLVED],
+        .strain = m->let_pass[STEP_STRAIN],
+        .penetration = m->let_pass[STEP_PENETRATION],
+        .passing = m->let_pass[STEP_PASSING],
+        .greatest_strain = m->greatest_strain,
+        .strain_limit = m->scene->limits.strain,
+        .deepest = m->deepest,
+        .start_inside = m->start_inside,
+        .start_depth = m->start_depth,
+        .solved_directly = sim->fallback.solved,
+    };
 }
 
 long simulation_matrix_blocks(const simulation *sim) {

@@ -14,6 +14,7 @@
 #include "self_collision.h"
 #include "simulation.h"
 #include "solver.h"
+#include "solver_fallback.h"
 #include "system.h"
 
 /** A step may be halved ten times: time within it is counted in these. */
@@ -56,8 +57,8 @@ struct simulation {
     collisions collisions;
     constraints constraints;
     self_collision self_collision; /* empty without */
-    double *inverse_mass;          /* [vertices] 1/kg, 0: held; NULL without self-collision */
     solver solver;
+    solver_fallback fallback;
     solver_status solver_status;
     double push_work; /* J, that keeping out of colliders by force took */
     monitor monitor;

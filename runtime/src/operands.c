@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Memory for the operands of scalars that a loop accumulates into beside its arrays. */
-#include "forked.h"
+#include "base/forked.h"
+#include "base/memory.h"
+#include "base/system.h"
 #include "loop.h"
-#include "memory.h"
 #include "settings.h"
-#include "system.h"
 
 /* Without a limit no more than a quarter of the machine's memory: as much again is what the loop's
  * arrays, and their plans, may need. */

@@ -2,15 +2,16 @@
 #define _GNU_SOURCE /* struct statx */
 #include "report.h"
 
-#include "memory.h"
+#include "base/memory.h"
+#include "base/system.h"
 #include "settings.h"
-#include "system.h"
 
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static _Atomic(struct reported *) all;
 
@@ -124,7 +125,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
             redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
     fprintf(out, ", \"nodes\": %d, \"moves\": %ld", it->nodes, it->moves);
-    fprintf(out, ", \"sum\": \"%s\"", it->compensated ? "compensated" : "plain");
+    fprintf(out, ", \"sum\": \"%s\"", it->last.compensated ? "compensated" : "plain");
     if (it->validated.executions > 0)
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
                 it->validated.broken);
@@ -136,9 +137,9 @@ static void write_loop(FILE *out, const struct reported *loop) {
     const redcc_int tenths = /* of a per mille; the decimal point must not depend on the locale */
         it->in_loops ? (redcc_int)(1e4 * (double)it->executed / (double)it->in_loops + 0.5) : 10000;
     fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
-            it->executed, it->stages);
+            it->executed, it->last.stages);
     fprintf(out, ", \"replication\": %lld.%04lld", tenths / 10000, tenths % 10000);
-    const redcc_int modelled = it->length ? it->trip * 100 / it->length : 100;
+    const redcc_int modelled = it->last.length ? it->last.trip * 100 / it->last.length : 100;
     fprintf(out, ", \"modelled_speedup\": %lld.%02lld, \"fallbacks\": [", modelled / 100,
             modelled % 100);
     write_fallbacks(out, it);
@@ -166,7 +167,7 @@ static bool tell_validation(const struct reported *loop) {
     if (it->broken > 0)
         fprintf(stderr, "; the promise of order %s is BROKEN in %ld of them\n",
                 redcc_order_name(loop->statistics.order), it->broken);
-    else if (loop->statistics.compensated)
+    else if (loop->statistics.last.compensated)
         fputs("; the sums are compensated, those of the sequential loop are not\n", stderr);
     else
         fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
@@ -281,6 +282,8 @@ static bool replace(const char *name) {
 }
 
 void redcc_report_write(void) {
+    redcc_memory_limit(
+        0); /* it was for the loops, which are over; the report is owed all the same */
     char *name = redcc_settings()->report ? spell_name(redcc_settings()->report) : NULL;
     if (!name)
         return;
@@ -289,4 +292,20 @@ void redcc_report_write(void) {
     else if (!(is_replaceable(name) ? replace(name) : write_through(name)))
         fprintf(stderr, "redcc: cannot write the report %s\n", name);
     redcc_memory_give(name);
+}
+
+/* ---- the end of the program ---------------------------------------------------------------- */
+
+static void end_program(void) {
+    if (!redcc_report_validation())
+        return;
+    fflush(NULL);
+    _exit(REDCC_BROKEN); /* exit must not be called here: it is what called this */
+}
+
+/* What is registered first runs last: the program's own handlers, and all reports, come before. */
+__attribute__((constructor)) static void register_end(void) {
+    const char *value = redcc_environment("REDCC_VALIDATE");
+    if (value && strcmp(value, "1") == 0)
+        atexit(end_program);
 }

@@ -3,9 +3,10 @@
 #ifndef REDCC_REPORT_H
 #define REDCC_REPORT_H
 
-#include "method.h"
-#include "reason.h"
-#include "rule.h"
+#include "base/reason.h"
+#include "choose/rule.h"
+#include "execute/validate.h"
+#include "plan/method.h"
 
 #include <stdatomic.h>
 
@@ -17,15 +18,12 @@ struct told_reason {
     long count;
 };
 
-/** What REDCC_VALIDATE=1 found. */
-struct validated {
-    long executions;  /* compared with the sequential loop */
-    long passed_over; /* not compared: of a scattered array no copy can be made */
-    long broken;      /* of these, where the promise was not kept */
-    double largest;   /* difference, in ulps */
-    const char *array;
-    char name[64];     /* of the array where it was found */
-    redcc_int element; /* counted from the array's first one */
+/** Of the last execution. */
+struct last_execution {
+    redcc_int stages;
+    redcc_int trip;
+    redcc_int length; /* how long it takes by the schedule, in iterations */
+    bool compensated; /* its sums */
 };
 
 /** What is counted without holding the loop is atomic. */
@@ -48,10 +46,7 @@ struct statistics {
     size_t extra_bytes; /* the most that a plan took */
     redcc_int executed; /* iterations in parallel executions, replicated ones counted */
     redcc_int in_loops; /* and not counted */
-    redcc_int stages;   /* of the last plan */
-    redcc_int trip;     /* of the last execution */
-    redcc_int length;   /* how long it takes by the schedule, in iterations */
-    bool compensated;   /* the last execution's sums */
+    struct last_execution last;
     struct validated validated;
 };
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "settings.h"
 
-#include "memory.h"
+#include "base/memory.h"
+#include "base/signals.h"
+#include "base/spin.h"
+#include "base/trace.h"
 #include "report.h"
-#include "signals.h"
-#include "spin.h"
-#include "trace.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -99,7 +99,7 @@ static void read_method(const char *value) {
     const size_t length = strcspn(value, ":");
     for (const struct method *const *each = redcc_methods; *each; each++) {
         const struct method *method = *each;
-        if (strlen(method->name) != length || strncmp(method->name, value, length) != 0)
+        if (!redcc_method_is_named(method, value, length))
             continue;
         settings.method = method;
         settings.parameter = method->usual;

@@ -3,7 +3,7 @@
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
-#include "method.h"
+#include "plan/method.h"
 
 struct settings {
     const struct method *method; /* NULL: auto */

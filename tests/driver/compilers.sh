@@ -37,7 +37,7 @@ build_both() { # COMPILER OPTIONS...: p1 by the compiler, p2 by redcc-cc; messag
   local compiler=$1
   shift
   rm -f report p1 p2
-  $compiler -O1 -ffp-contract=off "$@" x.c -o p1 && REDCC_REPORT=$PWD/report "$redcc_cc" "$compiler" -O1 "$@" x.c -o p2 2>messages ||
+  $compiler -O1 -ffp-contract=off "$@" x.c -o p1 && REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" "$compiler" -O1 "$@" x.c -o p2 2>messages ||
     fail "$case_name: $compiler $*: $(cat messages)"
   ./p1 >expected && ./p2 >actual && expect_same expected actual
 }
@@ -47,7 +47,7 @@ write_program "" >x.c
 gcc -O1 x.c -o p1 && ./p1 >expected
 try_standard() { # COMPILER OPTIONS...
   rm -f report
-  REDCC_REPORT=$PWD/report "$redcc_cc" "$@" -pedantic-errors -Wall -Wextra -Wdeclaration-after-statement -Werror \
+  REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" "$@" -pedantic-errors -Wall -Wextra -Wdeclaration-after-statement -Werror \
     -O1 x.c -o p2 2>messages || fail "$case_name: $*"
   expect_empty messages
   expect_match report '"verdict":"transformed"'
@@ -65,20 +65,20 @@ void f(int n, const long *s, const double *x, double *y) {
         y[s[t]] += x[t];
 }
 END2
-guards() { rm -f report; REDCC_REPORT=$PWD/report "$redcc_cc" "$@" -c x.c && jq -rs '[.[].loops[].guards[]] | join(" ")' report; }
+guards() { rm -f report; REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" "$@" -c x.c && jq -rs '[.[].loops[].guards[]] | join(" ")' report; }
 expect_equal "$case_name" "no-overlap(y, x)" "$(guards -O2)"
 expect_equal "$case_name" "no-overlap(y, s) no-overlap(y, x)" "$(guards -O2 -fno-strict-aliasing)"
 expect_equal "$case_name" "no-overlap(y, x)" "$(guards -fno-strict-aliasing -fstrict-aliasing)"
 for option in -fwrapv -fno-strict-overflow -frounding-math -funsigned-bitfields -fpack-struct -undef -finput-charset=UTF-8 \
   -ftrapv -fno-signed-bitfields -fsingle-precision-constant -finstrument-functions -fsanitize=undefined,thread; do
   rm -f report
-  REDCC_REPORT=$PWD/report "$redcc_cc" gcc -v $option -c x.c 2>messages || fail "$case_name: $option"
+  REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" gcc -v $option -c x.c 2>messages || fail "$case_name: $option"
   expect_match messages 'an option that redcc cannot follow'
   expect_no_file report
 done
 for option in -ffast-math -Ofast -fassociative-math -mfpmath=387; do
   rm -f report
-  REDCC_REPORT=$PWD/report "$redcc_cc" gcc $option -c x.c || fail "$case_name: $option"
+  REDCC_BUILD_REPORT=$PWD/report "$redcc_cc" gcc $option -c x.c || fail "$case_name: $option"
   expect_match report '"slug":"inexact-option"'
 done
 end

@@ -38,7 +38,7 @@ expect_match depends 'libredcc-rt1 \(= '
 export PATH="$root/usr/bin:$PATH" LD_LIBRARY_PATH="${library%/*}"
 write_histogram count.c
 cc -O2 -ffp-contract=off count.c -o serial && ./serial >expected
-REDCC_REPORT=$PWD/report redcc-cc -O2 count.c -o parallel || fail "redcc-cc"
+REDCC_BUILD_REPORT=$PWD/report redcc-cc -O2 count.c -o parallel || fail "redcc-cc"
 expect_match report '"verdict":"transformed"'
 OMP_NUM_THREADS=2 ./parallel | expect_same expected /dev/stdin
 # by hand, with the shared library

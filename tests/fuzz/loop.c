@@ -150,6 +150,25 @@ static void put_pair(kernel *k, const char *counter, buffer *b) {
     add_name(&k->scope.positions, also);
 }
 
+/* The bound is set in the header; the counter's address may be known, and not used in the loop. */
+static void put_bound(kernel *k, const char *counter, buffer *b) {
+    const char *end = new_name(k, "a");
+    k->has_plain_header = k->may_continue = k->has_outer_counter = true;
+    k->counter_type = "int";
+    put(k, &k->locals, "    int %s%s, %s;\n", counter, k->without ? " = 0" : "", end);
+    if (chance(k, 50)) {
+        const char *at = new_name(k, "at");
+        put(k, &k->locals, "    int *const %s = &%s;\n", at, counter);
+        put(k, &k->after, "    live[%d] = (double)*%s;\n", k->live++ % 8, at);
+    }
+    if (chance(k, 50))
+        put(k, b, "for (%s = 0, %s = (int)%s; %s < %s; %s++) ", counter, end, k->trip, counter, end,
+            counter);
+    else
+        put(k, b, "for (%s = 0, %s = (int)%s - 1; %s >= %s; %s--) ", end, counter, k->trip, counter,
+            end, counter);
+}
+
 /* A while loop with its own counting. */
 static void put_while(kernel *k, const char *counter, buffer *b) {
     k->has_plain_header = true;
@@ -198,6 +217,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
         put_while(k, counter, &head);
     else if (k->is_wide && chance(k, 6))
         put_pair(k, counter, &head);
+    else if (k->is_wide && chance(k, 10))
+        put_bound(k, counter, &head);
     else
         put_header(k, counter, &head);
     put(k, &k->body, "%s{\n", head.data);

@@ -10,6 +10,7 @@ static double *kept;
 
 static void beyond(double *p, int i, double v) {
     p[i] += v;
+    p[2 * i] -= v;
 }
 void by_subscript(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates

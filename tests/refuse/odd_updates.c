@@ -150,7 +150,8 @@ void gwrite(int n, const int *k, double *h) {
 }
 
 static void upd(double *p, int i, double v) {
-    p[i] += v;
+    if (v > 0)
+        p[i] += v;
 }
 
 void by_callee(int n, const int *k, double *h) {

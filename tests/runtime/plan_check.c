@@ -10,10 +10,10 @@
 
 /* The owner of the byte at `offset` from the group's first element, by the map of its units. */
 static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t offset) {
-    const struct group_map *mapped = &plan->mapped[group];
+    const struct group_map *mapped = &plan->map.of[group];
     const ptrdiff_t unit = (offset - mapped->first) / (ptrdiff_t)mapped->bytes;
     assert_in_range(unit, 0, (ptrdiff_t)mapped->count - 1);
-    const uint32_t owner = plan->map[mapped->begin + (size_t)unit];
+    const uint32_t owner = plan->map.owner[mapped->begin + (size_t)unit];
     assert_in_range(owner, 0, plan->owners - 1);
     return owner;
 }
@@ -21,7 +21,7 @@ static uint32_t owner_in_map(const struct plan *plan, uint32_t group, ptrdiff_t 
 /* The one owner of the byte at `offset` from the array's first element. */
 static uint32_t owner_at(const struct plan *plan, uint32_t array, ptrdiff_t offset) {
     const uint32_t group = plan->group_of[array];
-    if (plan->map)
+    if (plan->map.owner)
         return owner_in_map(plan, group, offset + plan->shift[array]);
     const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1);
     uint32_t found = 0, count = 0;

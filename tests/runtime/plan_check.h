@@ -2,7 +2,7 @@
 #ifndef PLAN_CHECK_H
 #define PLAN_CHECK_H
 
-#include "plan.h"
+#include "plan/plan.h"
 #include "problem.h"
 
 /** Fails the test where the plan is not one for the problem: every iteration that updates something

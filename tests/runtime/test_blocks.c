@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Blocks of memory: none overlaps another, whichever thread took it; in a child as well. */
-#include "blocks.h"
+#include "base/blocks.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

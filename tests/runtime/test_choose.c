@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What `auto` chooses by, and its decision table in docs/methods.md. */
-#include "choose.h"
+#include "choose/choose.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One loop used by two user threads at once, and inside a parallel region: serial, and right; or,
  * by a method whose order is its own, by one thread in that order. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "problem.h"
 #include "settings.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Every operator and type: the loop by the method that REDCC_METHOD names against the loop itself,
  * with values for which any order of the contributions gives the same bits. */
-#include "elements.h"
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
+#include "plan/elements.h"
 #include "problem.h"
 
 #include <complex.h>

@@ -175,6 +175,12 @@ static void what_is_traced(void **unused) {
     assert_non_null(strstr(found.errors, "used again: localwrite, 3 threads"));
     assert_non_null(strstr(found.errors, "redcc: execution: springs.c:4 (springs): 6000 iter"));
     assert_null(strstr(found.errors, "choice"));
+    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=localwrite-steal", programs[0],
+                "2000 1"); /* the field's name for it */
+    assert_non_null(strstr(found.errors, "built: spare-localwrite"));
+    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=graph-localwrite-steal",
+                programs[0], "2000 1");
+    assert_non_null(strstr(found.errors, "built: spare-graph-localwrite"));
     snprintf(variables, sizeof variables, "OMP_NUM_THREADS=1 REDCC_TRACE=choice");
     found = run(variables, programs[0], "2000 2");
     assert_non_null(strstr(found.errors, "redcc: choice: springs.c:4 (springs): the original loop: "

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Fingerprints: no change of the bytes is missed. */
-#include "fingerprint.h"
+#include "reuse/fingerprint.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

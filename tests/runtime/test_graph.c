@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Ownership cut from the access graph, on shuffled meshes: with REDCC_METHOD=graph-localwrite, and
  * without it. */
-#include "budget.h"
-#include "graph/bisect.h"
+#include "base/memory.h"
+#include "choose/budget.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/graph/bisect.h"
 #include "plan_check.h"
 #include "problem.h"
 #include "settings.h"
@@ -115,9 +115,9 @@ static double replication(const struct mesh *mesh, int threads, double *most) {
     double executed = 1;
     *most = 1;
     if (threads > 1) {
-        const struct plan *plan = state->plans[0];
+        const struct plan *plan = state->cache.kept[0]->plan;
         check_plan(&problem, plan);
-        assert_non_null(plan->map);
+        assert_non_null(plan->map.owner);
         executed = (double)plan->executed / (double)problem.trip;
         *most = (double)plan->length * threads / (double)problem.trip;
     }
@@ -180,13 +180,13 @@ static void a_division_depends_on_the_loop_alone(void **unused) {
         long last;
         problem_describe(&problem, &described);
         assert_true(problem_run(&problem, &described, 7, &last));
-        const struct plan *plan = ((struct loop_state *)described.loop.state)->plans[0];
-        units = plan->mapped[0].count + plan->mapped[1].count;
+        const struct plan *plan = ((struct loop_state *)described.loop.state)->cache.kept[0]->plan;
+        units = plan->map.of[0].count + plan->map.of[1].count;
         if (round == 0) {
             map = malloc(units);
-            memcpy(map, plan->map, units);
+            memcpy(map, plan->map.owner, units);
         }
-        assert_memory_equal(map, plan->map, units);
+        assert_memory_equal(map, plan->map.owner, units);
         redcc_loop_forget(&described.loop);
     }
     free(map);
@@ -272,8 +272,8 @@ static void what_is_told_is_kept(void **unused) {
 static const struct method *method_with_map(const struct described *described) {
     const struct loop_state *state = described->loop.state;
     for (int p = 0; p < REDCC_PLANS; p++)
-        if (state->plans[p] && state->plans[p]->map)
-            return state->plans[p]->method;
+        if (state->cache.kept[p] && state->cache.kept[p]->plan->map.owner)
+            return state->cache.kept[p]->plan->method;
     return NULL;
 }
 

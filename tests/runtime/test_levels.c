@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Iterations in levels: against the definition, tried on every pair of iterations; and auto, which
  * takes them where no cut of owners serves. */
-#include "budget.h"
-#include "graph/levels.h"
+#include "base/memory.h"
+#include "choose/budget.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/graph/levels.h"
 #include "plan_check.h"
 #include "problem.h"
 
@@ -197,8 +197,8 @@ static int calls_by_levels(struct problem *problem, int threads, int calls) {
         const bool by_levels = state->reported.statistics.method == &redcc_method_wavefront;
         found += by_levels;
         for (int p = 0; by_levels && p < REDCC_PLANS; p++)
-            if (state->plans[p] && state->plans[p]->method->in_levels)
-                check_plan(problem, state->plans[p]);
+            if (state->cache.kept[p] && state->cache.kept[p]->plan->method->in_levels)
+                check_plan(problem, state->cache.kept[p]->plan);
     }
     redcc_loop_forget(&described.loop);
     free(expected);

@@ -8,8 +8,8 @@
  *
  * Iterations that are alike are told, and executed, all at once: the runtime hands them out in runs
  * and does not see the difference. With an argument they are told and executed one by one. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 
 #include <omp.h>
 #include <setjmp.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Memory fails at the first call, at the second, ... until it suffices: the loop is right each time
  * and nothing is lost. And the limit. Run with a method by name. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "problem.h"
 
 #include <setjmp.h>

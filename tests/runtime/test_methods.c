@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The method that REDCC_METHOD names, on every shape of loop and many thread counts, against the
  * sequential loop: bit for bit where the method promises it or the values are exact. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "plan_check.h"
 #include "problem.h"
 #include "settings.h"
@@ -61,7 +61,7 @@ static void try_problem(int number, bool exact, int threads) {
     if (plans(settings, threads) && problem.trip > 0) {
         assert_int_equal(statistics->plans_built, 1);
         assert_int_equal(statistics->plans_reused, 3);
-        check_plan(&problem, state->plans[0]);
+        check_plan(&problem, state->cache.kept[0]->plan);
     }
     redcc_loop_forget(&described.loop);
     problem_free(&problem);
@@ -107,7 +107,7 @@ static void auto_takes_copies_where_they_are_cheaper(void **unused) {
         problem_describe(&problem, &described);
         assert_true(problem_run(&problem, &described, 2, &last));
         const struct loop_state *state = described.loop.state;
-        assert_ptr_equal(state->plans[0]->method,
+        assert_ptr_equal(state->cache.kept[0]->plan->method,
                          number == 0 ? &redcc_method_localwrite : &redcc_method_expansion);
         redcc_loop_forget(&described.loop);
         problem_free(&problem);
@@ -137,8 +137,8 @@ static void copies_that_turn_out_too_large_are_not_taken(void **unused) {
     assert_true(problem_run(&problem, &described, 2, &last));
     assert_memory_equal(expected, problem.first, (size_t)problem.doubles * sizeof(double));
     const struct loop_state *state = described.loop.state;
-    assert_ptr_equal(state->plans[0]->method, &redcc_method_localwrite);
-    assert_int_equal(state->plans[0]->owners, 2);
+    assert_ptr_equal(state->cache.kept[0]->plan->method, &redcc_method_localwrite);
+    assert_int_equal(state->cache.kept[0]->plan->owners, 2);
     redcc_loop_forget(&described.loop);
     problem_free(&problem);
     free(expected);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The runtime's parts by themselves. */
-#include "barrier.h"
-#include "cuts.h"
-#include "length.h"
-#include "memory.h"
-#include "plan.h"
+#include "base/barrier.h"
+#include "base/memory.h"
+#include "ownership/cuts.h"
+#include "ownership/sample.h"
+#include "ownership/sweep.h"
+#include "plan/length.h"
+#include "plan/plan.h"
 #include "problem.h"
-#include "sample.h"
 #include "settings.h"
-#include "sweep.h"
 
 #include <omp.h>
 #include <setjmp.h>
@@ -217,7 +217,6 @@ static void more_iterations_than_32_bits_count(void **unused) {
     const redcc_loop loop = {.arrays = &array, .array_count = 1};
     double b[4];
     void *bases[] = {b};
-    const struct request request = {.loop = &loop, .trip = trip, .bases = bases};
     struct partition partition;
     struct summary summary[2];
     const struct summary *summaries[] = {&summary[0], &summary[1]};
@@ -249,7 +248,7 @@ static void more_iterations_than_32_bits_count(void **unused) {
     static const struct method *const methods[] = {&redcc_method_localwrite,
                                                    &redcc_method_expansion, &redcc_method_dwa_lip};
     for (int m = 0; m < 3; m++) {
-        struct plan *plan = redcc_plan_new(methods[m], 'b', 2, &request, &partition, touched, NULL);
+        struct plan *plan = redcc_plan_new(methods[m], 'b', 2, trip, &partition, touched, false);
         assert_non_null(plan);
         redcc_int visited = 0, highest = 0;
         for (int thread = 0; thread < 2; thread++) {
@@ -350,10 +349,9 @@ static void a_plan_is_as_long_as_its_waits_make_it(void **unused) {
     uint32_t stages = 1;
     struct plan plan = {.method = &redcc_method_dwa_lip_fixed,
                         .threads = 2,
-                        .teams = 1,
+                        .teams = {1, &stages, NULL},
                         .owners = 2,
                         .schedule = schedule,
-                        .stages = &stages,
                         .flags = redcc_flags_new(4)};
     for (uint32_t thread = 0; thread < 2; thread++)
         for (uint32_t task = 0; task < 2; task++) {

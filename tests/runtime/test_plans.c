@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* When a plan is used again, when not, and when the loop is refused; run with a method by name. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "problem.h"
 #include "settings.h"
 

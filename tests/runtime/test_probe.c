@@ -84,7 +84,8 @@ static void probe_and_tell(redcc_worker *worker) {
     }
 }
 
-static const struct plan *plan_of(redcc_loop *loop, void (*inspect)(redcc_worker *), int threads) {
+static const struct kept_plan *plan_of(redcc_loop *loop, void (*inspect)(redcc_worker *),
+                                       int threads) {
     void *const bases[] = {middle, d};
     const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)},
                                   {(const char *)x, 0}};
@@ -102,8 +103,8 @@ static const struct plan *plan_of(redcc_loop *loop, void (*inspect)(redcc_worker
     }
     assert_true(redcc_leave(&call));
     const struct loop_state *state = loop->state;
-    assert_non_null(state->plans[0]);
-    return state->plans[0];
+    assert_non_null(state->cache.kept[0]);
+    return state->cache.kept[0];
 }
 
 static void expect_same_schedule(const struct schedule *one, const struct schedule *two) {
@@ -128,14 +129,15 @@ static long expect_same_plans(void) {
     probed = 0;
     by_number = !by_number;
     for (int threads = 2; threads <= MOST_THREADS; threads++) {
-        const struct plan *told = plan_of(&loop_told, tell_all, threads);
-        const struct plan *plan = plan_of(&loop_probed, probe_and_tell, threads);
+        const struct kept_plan *kept_told = plan_of(&loop_told, tell_all, threads);
+        const struct kept_plan *kept = plan_of(&loop_probed, probe_and_tell, threads);
+        const struct plan *told = kept_told->plan, *plan = kept->plan;
         const size_t bounds = 2 * (size_t)(told->owners + 1);
         assert_int_equal(told->owners, plan->owners);
         assert_memory_equal(told->bound, plan->bound, bounds * sizeof *told->bound);
         assert_memory_equal(told->touched, plan->touched, 2 * sizeof *told->touched);
-        assert_int_equal(told->source[1].extent.first, plan->source[1].extent.first);
-        assert_int_equal(told->source[1].extent.end, plan->source[1].extent.end);
+        assert_int_equal(kept_told->source[1].extent.first, kept->source[1].extent.first);
+        assert_int_equal(kept_told->source[1].extent.end, kept->source[1].extent.end);
         for (int thread = 0; thread < threads; thread++)
             expect_same_schedule(&told->schedule[thread], &plan->schedule[thread]);
     }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* auto and a light loop of which every iteration has another owner than the last: what an
  * inspection takes is awaited before it is spent. */
-#include "budget.h"
+#include "base/memory.h"
+#include "choose/budget.h"
 #include "loop.h"
-#include "memory.h"
 #include "problem.h"
 
 #include <setjmp.h>

@@ -2,7 +2,7 @@
 /* Orders of rows, points and iterations (redcc/reorder.h). */
 #include "redcc/reorder.h"
 
-#include "memory.h"
+#include "base/memory.h"
 #include "problem.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* An array whose elements lie where pointers lead to (a base of 0): for (t) row[s[t]][t % WIDTH] +=
  * value[t], written as redcc writes it, with rows as far from each other as memory goes. */
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
 #include "problem.h"
 #include "settings.h"
 

@@ -4,11 +4,11 @@
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; }
  */
-#include "cuts.h"
-#include "estimate.h"
-#include "length.h"
+#include "base/memory.h"
 #include "loop.h"
-#include "memory.h"
+#include "ownership/cuts.h"
+#include "ownership/estimate.h"
+#include "plan/length.h"
 #include "settings.h"
 
 #include <omp.h>
@@ -174,8 +174,8 @@ static const struct method *method_by_auto(void) {
         assert_memory_equal(b, expected, sizeof b);
     }
     const struct loop_state *state = loop.state;
-    if (state->plans[0])
-        method = state->plans[0]->method;
+    if (state->cache.kept[0])
+        method = state->cache.kept[0]->plan->method;
     redcc_loop_forget(&loop);
     return method;
 }
@@ -253,7 +253,7 @@ static void spare_schedules_are_claimed_in_turn(void **unused) {
     struct schedule schedule[9] = {{0}};
     const struct plan plan = {.method = &redcc_method_spare_localwrite,
                               .threads = 3,
-                              .teams = 1,
+                              .teams = {.count = 1},
                               .schedule = schedule,
                               .schedules = 9};
     for (uint32_t claimed = 0; claimed < 7; claimed++)

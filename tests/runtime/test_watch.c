@@ -4,9 +4,9 @@
 #define _GNU_SOURCE /* sbrk, syscall */
 #include "watched.h"
 
-#include "vouch.h"
-#include "watch.h"
-#include "written_pages.h"
+#include "reuse/pages/watch.h"
+#include "reuse/pages/written_pages.h"
+#include "reuse/tracking.h"
 
 #include <fcntl.h>
 #include <linux/filter.h>
@@ -73,7 +73,7 @@ static void patience_grows(void **unused) {
             run_right(&fixture);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_in_range(state->setbacks, 2, 3);
+    assert_in_range(state->cache.backoff, 2, 3);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     fixture_end(&fixture);
 }
@@ -140,7 +140,7 @@ static void what_others_may_write_is_not_watched(void **unused) {
         assert_true(sources_watched(&fixture) < 2);
     }
     const struct loop_state *state = fixture.described.loop.state;
-    assert_int_equal(state->setbacks, 1); /* not tried again at each call */
+    assert_int_equal(state->cache.backoff, 1); /* not tried again at each call */
     const pid_t child = fork();
     if (child == 0) {
         by_a_store(&fixture);

@@ -3,8 +3,8 @@
 #define _GNU_SOURCE /* mremap, process_vm_writev */
 #include "watched.h"
 
-#include "watch.h"
-#include "written_pages.h"
+#include "reuse/pages/watch.h"
+#include "reuse/pages/written_pages.h"
 
 #include <fcntl.h>
 #include <pthread.h>

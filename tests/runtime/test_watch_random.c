@@ -3,7 +3,7 @@
  * registry calls untouched must hold what it held when its version began; a copy says what that
  * was. */
 #define _GNU_SOURCE /* mremap */
-#include "watch.h"
+#include "reuse/pages/watch.h"
 #include "watched.h"
 
 #include <setjmp.h>

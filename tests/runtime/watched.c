@@ -2,10 +2,10 @@
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 #include "watched.h"
 
-#include "memory.h"
-#include "vouch.h"
-#include "watch.h"
-#include "written_pages.h"
+#include "base/memory.h"
+#include "reuse/pages/watch.h"
+#include "reuse/pages/written_pages.h"
+#include "reuse/tracking.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -90,7 +90,7 @@ bool run_right(struct fixture *fixture) {
 /* Of `start` as well as of `row`; which of them a test changes, the other one stays watched. */
 uint32_t sources_watched(const struct fixture *fixture) {
     const struct loop_state *state = fixture->described.loop.state;
-    return redcc_vouched_sources(&state->execution);
+    return redcc_reuse_skipped_sources(&state->execution.reuse);
 }
 
 void run_until_watched(struct fixture *fixture) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/access.h"
 
+#include <string.h>
+
 #include "analysis/access_walk.h"
 #include "analysis/counted.h"
 #include "analysis/expression.h"
@@ -206,6 +208,20 @@ static bool is_part_of_value(const ir_node *node) {
     return node->kind == IR_CALL;
 }
 
+bool access_is_assertion(const ir_function *function) {
+    return function->is_noreturn && strncmp(function->name, "__assert", 8) == 0;
+}
+
+/* With gcc's extensions glibc's assert is a statement expression. */
+static bool holds_assertion(const ir_node *node) {
+    if (node->kind == IR_FUNCTION && access_is_assertion(node->function))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (holds_assertion(node->children[i]))
+            return true;
+    return false;
+}
+
 void access_walk_node(access_walk *w, const ir_node *node) {
     if (expression_is_floating_work(node))
         w->list->has_floating_work = true;
@@ -239,7 +255,10 @@ void access_walk_node(access_walk *w, const ir_node *node) {
         access_walk_call(w, node);
         return;
     case IR_OPAQUE:
-        access_problem_add(w, REASON_OPAQUE, node, node->text ? node->text : "?");
+        if (holds_assertion(node))
+            access_problem_add(w, REASON_NO_RETURN, node, "assert");
+        else
+            access_problem_add(w, REASON_OPAQUE, node, node->text ? node->text : "?");
         return;
     case IR_GOTO:
     case IR_LABEL:

@@ -18,6 +18,9 @@ void access_walk_node(access_walk *w, const ir_node *node);
 /** Appends what the call touches: its function's summary in the caller's terms. */
 void access_walk_call(access_walk *w, const ir_node *call);
 
+/** Is it the function that a C library's `assert` calls where it fails? Messages say `assert`. */
+bool access_is_assertion(const ir_function *function);
+
 void access_add(access_walk *w, access item);
 void access_problem_add(access_walk *w, reason_id why, const ir_node *node, const char *name);
 

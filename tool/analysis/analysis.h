@@ -41,8 +41,10 @@ typedef struct reason {
 typedef struct counted_loop {
     ir_variable *counter;
     bool counter_is_declared_in_header;
-    const ir_node *lower;   /* expression; NULL: the counter's value on entry (while loops) */
-    const ir_node *bound;   /* loop-invariant expression */
+    const ir_node *lower; /* expression; NULL: the counter's value on entry (while loops) */
+    const ir_node *bound; /* loop-invariant expression */
+    const ir_variable *bound_variable; /* that the header sets to `bound`, and that is mentioned
+                                          nowhere else in the loop; NULL: there is none */
     ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                as counter <comparison> bound */
     int64_t step;           /* non-zero constant; sign agrees with comparison */

@@ -147,17 +147,47 @@ static bool split_declaration(const ir_node *loop, const ir_node *declaration,
            !mentions_declared(counted->body, declaration, counter);
 }
 
-static bool split_initialisation(const ir_node *node, const ir_variable *counter,
-                                 const ir_node **lower) {
+/* The value that an assignment of the variable by = gives it; NULL: it is none. */
+static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
+    return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
+                   is_variable(node->children[0], variable)
+               ? node->children[1]
+               : NULL;
+}
+
+/* for (v = base, end = g->n; v < end; v++): with the value of `end`, where that is all the loop
+ * does with it, in its place. */
+static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *counted) {
+    const ir_variable *variable =
+        counted->bound->kind == IR_VARIABLE ? counted->bound->variable : NULL;
+    const ir_node *value = variable ? assigned_value(node, variable) : NULL;
+    if (!value || !variable_is_automatic(variable) || variable->address_taken ||
+        variable->type->is_volatile || variable->type->is_atomic ||
+        !ir_type_equal(variable->type, value->type) || !expression_is_plain(value))
+        return false;
+    if (expression_mentions(value, variable) || expression_mentions(value, counted->counter) ||
+        expression_mentions(counted->lower, variable) ||
+        expression_mentions(loop->children[2], variable) ||
+        expression_mentions(counted->body, variable))
+        return false;
+    counted->bound = value;
+    counted->bound_variable = variable;
+    return true;
+}
+
+static bool split_initialisation(const ir_node *loop, const ir_node *node, counted_loop *counted) {
     if (node->kind == IR_EXPRESSION)
         node = node->children[0];
     if (node->kind == IR_EMPTY)
         return true;
-    if (node->kind != IR_ASSIGN || node->op != IR_OP_NONE ||
-        !is_variable(node->children[0], counter))
-        return false;
-    *lower = node->children[1];
-    return true;
+    const ir_node *other = NULL;
+    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA) {
+        const bool is_left = assigned_value(node->children[0], counted->counter) != NULL;
+        other = node->children[is_left ? 1 : 0];
+        node = node->children[is_left ? 0 : 1];
+    }
+    counted->lower = assigned_value(node, counted->counter);
+    return counted->lower && (!other || split_bound(loop, other, counted));
 }
 
 /* ---- can the counter wrap around? ----------------------------------------------------------- */
@@ -257,6 +287,16 @@ static bool is_plain_integer(const ir_type *type) {
            !type->is_volatile && !type->is_atomic;
 }
 
+/* No assignment, increment or opaque node in it. */
+static bool is_plain_but_for_calls(const ir_node *node) {
+    if (node->kind == IR_OPAQUE || expression_written(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_plain_but_for_calls(node->children[i]))
+            return false;
+    return true;
+}
+
 /* What must hold of counter, bound and lower, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
@@ -265,7 +305,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
         return not_counted(REASON_COUNTER_TYPE, node, name);
     if (!is_plain_integer(loop->bound->type))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
-    if (!expression_is_plain(loop->bound))
+    if (!is_plain_but_for_calls(loop->bound))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_integer(loop->lower->type)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
@@ -279,8 +319,6 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
         if (part == loop->body)
             break;
     }
-    if (loop->counter->address_taken)
-        return not_counted(REASON_COUNTER_MODIFIED, node, name);
     if (written_by(loop->body, loop->bound, &written))
         return not_counted(REASON_BOUND_VARIES, loop->bound, written);
     if (!step_agrees(loop))
@@ -310,9 +348,8 @@ static counted_result recognise_for(const ir_node *loop) {
         return not_counted(REASON_STEP, increment, counted.counter->name);
     const ir_node *start = loop->children[0];
     if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
-        !(start->kind == IR_DECLARATION
-              ? split_declaration(loop, start, &counted)
-              : split_initialisation(start, counted.counter, &counted.lower)))
+        !(start->kind == IR_DECLARATION ? split_declaration(loop, start, &counted)
+                                        : split_initialisation(loop, start, &counted)))
         return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
     return check(&counted, loop, NULL);
 }
@@ -345,12 +382,26 @@ static counted_result recognise_while(const ir_node *loop) {
     return check(&counted, loop, last);
 }
 
-counted_result counted_recognise(ir_node *loop) {
+counted_result counted_recognise_judged(ir_node *loop) {
     if (loop->kind == IR_FOR)
         return recognise_for(loop);
     if (loop->kind == IR_WHILE)
         return recognise_while(loop);
     return not_counted(REASON_TRIP_COUNT, loop, "?");
+}
+
+static counted_result without_calls(counted_result result, const ir_node *loop) {
+    if (!result.is_counted)
+        return result;
+    if (result.loop.counter->address_taken)
+        return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
+    if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
+        return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
+    return result;
+}
+
+counted_result counted_recognise(ir_node *loop) {
+    return without_calls(counted_recognise_judged(loop), loop);
 }
 
 /* ---- constant loops and ranges -------------------------------------------------------------- */
@@ -359,7 +410,7 @@ bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t 
                       int64_t *last) {
     if (loop->kind != IR_FOR)
         return false;
-    counted_result r = recognise_for(loop);
+    counted_result r = without_calls(recognise_for(loop), loop);
     int64_t lower, bound;
     if (!r.is_counted || !r.loop.lower || !expression_constant(r.loop.lower, &lower) ||
         !expression_constant(r.loop.bound, &bound))

@@ -18,6 +18,11 @@ typedef struct counted_result {
  *  in the loop is not checked here, that its variables are not is. */
 counted_result counted_recognise(ir_node *loop);
 
+/** The same, with what is left to the caller: the bound may call functions, the counter's address
+ *  may be taken outside the loop, and the header may set a variable to the bound (bound_variable).
+ */
+counted_result counted_recognise_judged(ir_node *loop);
+
 /** Is this a for loop over constants, with at least one iteration? Then its counter takes values
  *  in [*first, *last] (first <= last, whichever way it runs) in the body. */
 bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,

@@ -442,7 +442,8 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     bool by_user = is_named_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
     if (function->is_noreturn) {
-        access_problem_add(w, REASON_NO_RETURN, call, function->name);
+        access_problem_add(w, REASON_NO_RETURN, call,
+                           access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && !function->is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)

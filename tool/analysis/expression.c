@@ -16,11 +16,25 @@ static bool same_text(const char *a, const char *b) {
     return a == b || (a && b && strcmp(a, b) == 0);
 }
 
+/* *p is p[0] */
+static const ir_node *first_element(const ir_node *node) {
+    int64_t subscript;
+    if (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE)
+        return node->children[0];
+    return node->kind == IR_INDEX && expression_constant(node->children[1], &subscript) &&
+                   subscript == 0
+               ? node->children[0]
+               : NULL;
+}
+
 bool expression_same(const ir_node *a, const ir_node *b) {
     if (a == b)
         return true;
     if (!a || !b)
         return false;
+    const ir_node *pointer = first_element(a), *other = first_element(b);
+    if (pointer && other)
+        return expression_same(pointer, other);
     int64_t x, y;
     if (expression_constant(a, &x) && expression_constant(b, &y))
         return x == y && a->type && b->type && ir_type_equal(a->type, b->type);

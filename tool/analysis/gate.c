@@ -208,8 +208,37 @@ static bool judge_lower(judgement *j) {
     return judgement_refuse(j, p->why, p->node, p->name);
 }
 
+/* A bound is computed once, where the sequential loop computes it before each iteration: with
+ * functions that only read, and of which no two calls could give other bits. That what they read
+ * stays as it is, is shown as for all that the loop reads. */
+static bool judge_bound(judgement *j) {
+    access_list list = {0};
+    access_collect(j->an->effects, j->counted.bound, &list);
+    bool is_repeatable = expression_is_plain(j->counted.bound) ||
+                         (!list.has_floating_work && !list.has_unrepeatable_work);
+    for (unsigned i = 0; i < list.items.count && !list.problems.count; i++)
+        is_repeatable &= list.items.items[i].kind == ACCESS_READ;
+    return is_repeatable ||
+           judgement_refuse(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
+}
+
+/* A counter of which a pointer may be kept somewhere: no access of the loop may be by that. */
+static bool judge_counter(judgement *j) {
+    const ir_variable *counter = j->counted.counter;
+    const location where = {.object = counter, .type = counter->type};
+    for (unsigned i = 0; counter->address_taken && i < j->access_count; i++) {
+        const judged_access *a = &j->accesses[i];
+        const bool is_by_name = a->access.kind == ACCESS_READ && !a->access.callee &&
+                                a->access.lvalue && a->access.lvalue->kind == IR_VARIABLE &&
+                                a->access.lvalue->variable == counter;
+        if (!is_by_name && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
+            return judgement_refuse(j, REASON_COUNTER_MODIFIED, a->access.node, counter->name);
+    }
+    return true;
+}
+
 bool judge_accesses(judgement *j) {
-    if (!judge_lower(j))
+    if (!judge_lower(j) || !judge_bound(j))
         return false;
     access_collect(j->an->effects, j->counted.bound, &j->found);
     access_collect(j->an->effects, j->counted.body, &j->found);
@@ -235,5 +264,5 @@ bool judge_accesses(judgement *j) {
         if (!a->where.type || a->access.callee)
             a->where.type = a->access.type;
     }
-    return true;
+    return judge_counter(j);
 }

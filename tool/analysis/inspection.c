@@ -16,14 +16,27 @@ static void add_touch(const judgement *j, touch_list *list, const ir_node *row,
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
+/* Of add(h + s[t], v) and add_at(h, s[t], v) the row is put together from copies of the arguments.
+ */
+static bool is_put_together(const reduction_update *update) {
+    return !ir_contains(update->statement, update->row);
+}
+
+static bool is_read_for_row(const reduction_update *update, const judged_access *read) {
+    if (is_put_together(update))
+        return read->access.lvalue && !read->access.callee &&
+               ir_contains(update->statement, read->access.node) &&
+               expression_occurrences(update->row, read->access.lvalue);
+    return read->access.node != update->row && ir_contains(update->row, read->access.node);
+}
+
 /* Does the inspector evaluate this access: in a statement of the slice, its control, or a row? */
 static bool is_in_slice(const judgement *j, const bool *keep, const judged_access *read) {
     const ir_node *place = slice_place(j, read->access.node);
     if (place && keep[place->id])
         return true;
     for (unsigned i = 0; i < j->updates.count; i++)
-        if (read->access.node != j->updates.items[i].row &&
-            ir_contains(j->updates.items[i].row, read->access.node))
+        if (is_read_for_row(&j->updates.items[i], read))
             return true;
     for (unsigned i = 0; i < j->access_count; i++) {
         const judged_access *other = &j->accesses[i];
@@ -163,9 +176,9 @@ static void add_loads_below(judgement *j, const ir_node *row) {
     for (unsigned i = 0; i < row->child_count; i++) {
         const ir_node *child = row->children[i];
         const judged_access *load = is_load(child) ? read_of(j, child) : NULL;
-        if (load)
+        if (load && load->class != CLASS_FORWARDED)
             add_read(j, load, true);
-        else if (is_load(child))
+        else if (is_load(child) && !load)
             j->is_verifiable = false;
         add_loads_below(j, child);
     }
@@ -204,6 +217,9 @@ static void add_sources(judgement *j, const bool *keep) {
         if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
     }
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (is_put_together(&j->updates.items[i]))
+            add_loads_below(j, j->updates.items[i].row);
 }
 
 static bool take_slice(judgement *j, const touch_list *touches, reason_id why, const char *name) {

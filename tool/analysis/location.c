@@ -155,6 +155,8 @@ static location pointed_location(const question *q, const ir_node *node, unsigne
             l = lvalue_location(q, node->children[0], depth);
             return l;
         }
+        if (node->op == IR_OP_DEREFERENCE) /* *p is p[0] */
+            return pointer_base(node);
         break;
     case IR_BINARY:
         if (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT) {

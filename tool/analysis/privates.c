@@ -108,6 +108,7 @@ bool judge_privates(judgement *j) {
     ir_walk((ir_node *)j->counted.body, capture, j);
     ir_walk((ir_node *)j->counted.bound, capture, j);
     j->counter_is_live_after = !j->counted.counter_is_declared_in_header &&
-                               variable_is_live_after(j->an->facts, j->loop, j->counted.counter);
+                               (j->counted.counter->address_taken ||
+                                variable_is_live_after(j->an->facts, j->loop, j->counted.counter));
     return j->why.id == REASON_NONE;
 }

@@ -109,12 +109,67 @@ static bool writes_within(const access_list *known, const ir_variable *parameter
     return true;
 }
 
+static bool is_of_parameters(const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return node->variable->storage == IR_PARAMETER && ir_type_is_scalar(node->type) &&
+               node->type->kind != IR_POINTER;
+    if (node->kind != IR_NUMBER && node->kind != IR_BINARY && node->kind != IR_CAST &&
+        node->kind != IR_UNARY)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_of_parameters(node->children[i]))
+            return false;
+    return true;
+}
+
+/* p[k], p[k][c]: an element of what the parameter points to, by subscripts that the caller can
+ * compute as well. */
+static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
+    const ir_node *node = lvalue;
+    while (node->kind == IR_INDEX && is_of_parameters(node->children[1])) {
+        node = node->children[0];
+        if (is_parameter(node, parameter))
+            return node->type->kind == IR_POINTER && ir_type_is_scalar(lvalue->type);
+        if (!node->type || node->type->kind != IR_ARRAY)
+            return false;
+    }
+    return false;
+}
+
+/* add_at(h, k, v): the one element that the call writes, each time, in the function's terms; NULL:
+ * it writes more, or elsewhere. */
+static const ir_node *written_element(const access_list *known, const ir_variable *parameter) {
+    const ir_node *element = NULL;
+    for (unsigned i = 0; i < known->items.count; i++) {
+        const access *item = &known->items.items[i];
+        if (item->kind == ACCESS_READ)
+            continue;
+        if (item->is_conditional || (element && !expression_same(element, item->lvalue)))
+            return NULL;
+        element = item->lvalue;
+    }
+    return element && is_plain_element(element, parameter) ? element : NULL;
+}
+
 static const ir_node *argument_for(const ir_node *call, const ir_variable *parameter) {
     const ir_function *function = call->children[0]->function;
     for (unsigned i = 0; i < function->parameter_count && i + 1 < call->child_count; i++)
         if (function->parameters[i] == parameter)
             return call->children[i + 1];
     return NULL;
+}
+
+/* What a call writes, in its function's terms: one element, or all within the first bytes that a
+ * parameter points to. */
+typedef struct written_part {
+    const ir_variable *parameter;
+    const ir_node *element; /* NULL: by size */
+    int64_t size;
+} written_part;
+
+static bool is_in_part(const ir_node *lvalue, const written_part *part) {
+    return part->element ? expression_same(lvalue, part->element)
+                         : lies_within(lvalue, part->parameter, part->size);
 }
 
 /* Is a sum of such values the same in any order, but for the rounding of floating ones? */
@@ -126,13 +181,12 @@ static bool keeps_type(const update_form *form) {
 }
 
 /* *d += e, by one operator, and no other read of the element. */
-static void find_operator(const access_list *known, const ir_variable *parameter, int64_t size,
-                          update_call *found) {
+static void find_operator(const access_list *known, const written_part *part, update_call *found) {
     unsigned writes = 0;
     for (unsigned i = 0; i < known->items.count; i++) {
         const access *item = &known->items.items[i];
         if (item->kind == ACCESS_READ) {
-            if (item->lvalue && lies_within(item->lvalue, parameter, size))
+            if (item->lvalue && is_in_part(item->lvalue, part))
                 return;
             continue;
         }
@@ -152,19 +206,52 @@ static const access_list *summary_of(const judgement *j, const ir_node *call) {
     return known && !known->problems.count ? known : NULL;
 }
 
+/* By the address of an element or row. */
+static const ir_node *target_by_address(const judgement *j, const ir_node *call,
+                                        const access_list *known, written_part *part) {
+    const ir_variable *parameter = part->parameter;
+    const ir_node *target = pointed_element(j, argument_for(call, parameter));
+    if (!target || !target->type || !points_to(parameter->type, target->type) ||
+        !writes_within(known, parameter, target->type->size))
+        return NULL;
+    part->size = target->type->size;
+    return target;
+}
+
+/* By an array and subscripts apart. */
+static const ir_node *target_by_subscript(const judgement *j, const ir_node *call,
+                                          const access_list *known, written_part *part) {
+    /* Of &s.x only the one object is certain to be there. */
+    const ir_node *array = argument_for(call, part->parameter);
+    part->element = written_element(known, part->parameter);
+    if (!part->element || (array->kind == IR_UNARY && array->op == IR_OP_ADDRESS))
+        return NULL;
+    const ir_node *target = ir_substitute(j->an->memory, part->element, call->children[0]->function,
+                                          &call->children[1]);
+    return expression_is_plain(target) ? target : NULL;
+}
+
+/* The element or row in the caller's terms; NULL: the call is no update of either form. */
+static const ir_node *target_of(const judgement *j, const ir_node *call, const access_list *known,
+                                written_part *part) {
+    *part = (written_part){.parameter = written_parameter(known)};
+    if (!part->parameter || !argument_for(call, part->parameter))
+        return NULL;
+    const ir_node *target = target_by_address(j, call, known, part);
+    return target ? target : target_by_subscript(j, call, known, part);
+}
+
 update_call update_call_of(const judgement *j, const ir_node *call) {
     update_call none = {0};
     const access_list *known = summary_of(j, call);
     if (!known || !call->parent || call->parent->kind != IR_EXPRESSION)
         return none;
-    const ir_variable *parameter = written_parameter(known);
-    const ir_node *argument = parameter ? argument_for(call, parameter) : NULL;
-    const ir_node *target = argument ? pointed_element(j, argument) : NULL;
-    if (!target || !target->type || !points_to(parameter->type, target->type) ||
-        !writes_within(known, parameter, target->type->size))
+    written_part part;
+    const ir_node *target = target_of(j, call, known, &part);
+    if (!target)
         return none;
     update_call found = {.statement = call->parent, .target = target};
-    find_operator(known, parameter, target->type->size, &found);
+    find_operator(known, &part, &found);
     return found;
 }
 
@@ -173,15 +260,16 @@ update_call update_call_of(const judgement *j, const ir_node *call) {
 void update_call_mark_reads(judgement *j, const update_call *update) {
     const ir_node *call = update->statement->children[0];
     const access_list *known = summary_of(j, call);
-    const ir_variable *parameter = known ? written_parameter(known) : NULL;
+    written_part part;
     unsigned number = 0;
-    for (unsigned i = 0; parameter && i < j->access_count && number < known->items.count; i++) {
+    if (!known || !target_of(j, call, known, &part))
+        return;
+    for (unsigned i = 0; i < j->access_count && number < known->items.count; i++) {
         judged_access *read = &j->accesses[i];
         if (read->access.node != call || !read->access.callee)
             continue;
         const access *item = &known->items.items[number++];
-        if (item->kind == ACCESS_READ && item->lvalue &&
-            lies_within(item->lvalue, parameter, update->target->type->size))
+        if (item->kind == ACCESS_READ && item->lvalue && is_in_part(item->lvalue, &part))
             read->class = CLASS_SELF;
     }
 }

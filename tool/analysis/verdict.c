@@ -3,6 +3,7 @@
 #include "analysis/analyser.h"
 #include "analysis/candidate.h"
 #include "analysis/expression.h"
+#include "analysis/live.h"
 #include "analysis/reason.h"
 #include "analysis/scalars.h"
 #include "analysis/variation.h"
@@ -209,10 +210,13 @@ static loop_facts *finish_facts(judgement *j) {
 }
 
 static bool judge_header(judgement *j) {
-    counted_result counted = counted_recognise(j->loop);
+    counted_result counted = counted_recognise_judged(j->loop);
     if (!counted.is_counted)
         return judgement_refuse(j, counted.why, counted.node, counted.name);
     j->counted = counted.loop;
+    const ir_variable *bound = j->counted.bound_variable;
+    if (bound && variable_is_live_after(j->an->facts, j->loop, bound))
+        return judgement_refuse(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
     return true;
 }
 

@@ -221,9 +221,10 @@ static bool address_is_safe(const loop_facts *facts, const ir_node *node) {
                                               : value_is_safe(facts, first)) &&
                value_is_safe(facts, ir_child(node, 1));
     case IR_UNARY:
-        return node->op == IR_OP_DEREFERENCE && first->type->kind == IR_POINTER
-                   ? value_is_safe(facts, first)
-                   : value_is_safe(facts, node);
+        if (node->op == IR_OP_DEREFERENCE && first->type->kind == IR_ARRAY)
+            return address_is_safe(facts, first);
+        return value_is_safe(
+            facts, node->op == IR_OP_DEREFERENCE && first->type->kind == IR_POINTER ? first : node);
     default:
         return value_is_safe(facts, node);
     }

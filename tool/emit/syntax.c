@@ -30,6 +30,16 @@ static bool same_members(const ir_node *left, const ir_node *right) {
     return !left_pointer && !right_pointer && syntax_same(ir_child(left, 0), ir_child(right, 0));
 }
 
+/** The pointer of *p and of p[0]; NULL for all else. */
+static const ir_node *pointer_of_first(const ir_node *node) {
+    if (is_dereference(node))
+        return ir_child(node, 0);
+    const ir_node *subscript = node->kind == IR_INDEX ? ir_child(node, 1) : NULL;
+    return subscript && (subscript->flags & IR_HAS_VALUE) && subscript->value == 0
+               ? ir_child(node, 0)
+               : NULL;
+}
+
 static bool same_text(const char *left, const char *right) {
     return left == right || (left && right && strcmp(left, right) == 0);
 }
@@ -37,6 +47,9 @@ static bool same_text(const char *left, const char *right) {
 bool syntax_same(const ir_node *left, const ir_node *right) {
     if (!left || !right)
         return left == right;
+    const ir_node *left_pointer = pointer_of_first(left), *right_pointer = pointer_of_first(right);
+    if (left_pointer && right_pointer)
+        return syntax_same(left_pointer, right_pointer);
     if (left->kind != right->kind || left->op != right->op)
         return false;
     switch (left->kind) {

@@ -60,6 +60,17 @@ static json_t *rejections_of(const simulation *sim) {
     return list;
 }
 
+/** What the run went on in spite of. */
+static json_t *faults_of(const simulation *sim) {
+    const run_faults f = simulation_faults(sim);
+    return json_pack("{s:{s:I, s:I, s:I, s:I}, s:f, s:f, s:{s:I, s:f}, s:I}", "let_pass",
+                     "not solved", (json_int_t)f.not_solved, "strain", (json_int_t)f.strain,
+                     "penetration", (json_int_t)f.penetration, "passing", (json_int_t)f.passing,
+                     "greatest_strain", f.greatest_strain, "deepest", f.deepest, "starts_inside",
+                     "vertices", (json_int_t)f.start_inside, "deepest", f.start_depth,
+                     "solved_directly", (json_int_t)f.solved_directly);
+}
+
 /** That the process has held at any time, bytes. */
 static json_int_t most_memory(void) {
     struct rusage used;
@@ -71,7 +82,7 @@ static json_t *summary_of(const run_account *run) {
     const mesh *m = run->cloth;
     return json_pack(
         "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, s:I, "
-        "s:o, s:o, s:o, s:o}",
+        "s:o, s:o, s:o, s:o, s:o}",
         "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
         run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
         m->edge_count, "hinges", m->hinge_count, "simulated_seconds", simulation_time(run->sim),
@@ -81,7 +92,8 @@ static json_t *summary_of(const run_account *run) {
         (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
         "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "most_memory_bytes",
         most_memory(), "phases", phases_of(run->sim), "effects", effects_of(run->sim, 1),
-        "inactive_effects", effects_of(run->sim, 0), "rejections", rejections_of(run->sim));
+        "inactive_effects", effects_of(run->sim, 0), "rejections", rejections_of(run->sim),
+        "faults", faults_of(run->sim));
 }
 
 int summary_write(const run_account *run, const char *path) {
@@ -100,6 +112,33 @@ int summary_write(const run_account *run, const char *path) {
     return status;
 }
 
+static void print_count(long count, const char *what) {
+    if (count > 0)
+        printf("  %ld %s\n", count, what);
+}
+
+static void print_faults(const simulation *sim) {
+    const run_faults f = simulation_faults(sim);
+    if (f.start_inside > 0)
+        printf("  the cloth starts with %ld vertices inside a collider, %g m deep\n",
+               f.start_inside, f.start_depth);
+    print_count(
+        f.solved_directly,
+        "systems on which the conjugate gradients did not converge, or the ones after such, "
+        "were solved directly");
+    print_count(f.not_solved, "of the shortest steps were taken without a converged solution");
+    print_count(f.strain, "of the shortest steps were taken though the strain grew too much");
+    print_count(f.penetration, "of the shortest steps were taken though vertices went into a "
+                               "collider");
+    print_count(f.passing,
+                "of the shortest steps were taken though cloth passed through itself or a "
+                "collider");
+    if (f.greatest_strain >= f.strain_limit)
+        printf("  the cloth was stretched to %.3g times its length\n", 1 + f.greatest_strain);
+    if (f.deepest > f.start_depth && f.penetration > 0)
+        printf("  the deepest vertex was %g m inside a collider\n", f.deepest);
+}
+
 void summary_print(const run_account *run) {
     const simulation *sim = run->sim;
     const phase *phases = simulation_phases(sim);
@@ -114,6 +153,7 @@ void summary_print(const run_account *run) {
         printf("  a step of %g s at %g s was taken again in halves: %s %g, limit %g%s\n",
                rejected[k].h, rejected[k].time, rejected[k].reason, rejected[k].value,
                rejected[k].limit, k == 4 && count > 5 ? " (and others)" : "");
+    print_faults(sim);
     for (int k = 0; k < PHASE_COUNT; k++)
         printf("  %-12s %9.3f s %8ld calls\n", summary_phase_name(k), phases[k].seconds,
                phases[k].calls);

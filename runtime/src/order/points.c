@@ -3,7 +3,7 @@
  * Programming the Hilbert curve, AIP Conference Proceedings 707, 2004. */
 #include "redcc/reorder.h"
 
-#include "memory.h"
+#include "base/memory.h"
 
 #include <float.h>
 #include <stdint.h>

@@ -2,7 +2,7 @@
 /* Iterations by their rows, and records by an order. */
 #include "redcc/reorder.h"
 
-#include "memory.h"
+#include "base/memory.h"
 
 #include <limits.h>
 #include <stdint.h>

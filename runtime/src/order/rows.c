@@ -3,7 +3,7 @@
  * systems, 1981, chapter 4) of the rows that iterations update together. */
 #include "redcc/reorder.h"
 
-#include "memory.h"
+#include "base/memory.h"
 
 #include <stdbool.h>
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crossings.h"
 #include "self_collision.h"
 #include "vector.h"
 
@@ -12,24 +13,6 @@ static void random_points(double size, unsigned *seed, double x[4][3]) {
     for (int k = 0; k < 4; k++)
         for (int a = 0; a < 3; a++)
             x[k][a] = size * random_number(seed);
-}
-
-/* Does the segment p q meet the triangle a b c? By signs of volumes, not as the code does it. */
-static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
-    double ab[3], ac[3], ad[3], cross[3];
-    vector_subtract(b, a, ab);
-    vector_subtract(c, a, ac);
-    vector_subtract(d, a, ad);
-    vector_cross(ab, ac, cross);
-    return vector_dot(cross, ad);
-}
-
-static int crosses(const double p[3], const double q[3], const double a[3], const double b[3],
-                   const double c[3]) {
-    if ((volume(a, b, c, p) < 0) == (volume(a, b, c, q) < 0))
-        return 0;
-    const int s = volume(p, q, a, b) < 0;
-    return (volume(p, q, b, c) < 0) == s && (volume(p, q, c, a) < 0) == s;
 }
 
 /* A vertex moves past a triangle that stays: it passes exactly if its way crosses the triangle. */
@@ -44,7 +27,7 @@ static void test_vertex_through_triangle(void **state) {
         memcpy(y, x, sizeof y);
         for (int a = 0; a < 3; a++)
             y[0][a] = random_number(&seed);
-        const int expected = crosses(x[0], y[0], x[1], x[2], x[3]);
+        const int expected = segment_crosses(x[0], y[0], x[1], x[2], x[3]);
         assert_int_equal(self_pair_passes(0, (const double(*)[3])x, (const double(*)[3])y, &found),
                          expected);
         passed += expected;
@@ -67,8 +50,8 @@ static void test_edge_through_edge(void **state) {
             shift[a] = random_number(&seed);
         for (int k = 0; k < 2; k++)
             vector_add_scaled(x[k], 1, shift, y[k]);
-        const int expected =
-            crosses(x[2], x[3], x[0], x[1], y[1]) || crosses(x[2], x[3], x[0], y[1], y[0]);
+        const int expected = segment_crosses(x[2], x[3], x[0], x[1], y[1]) ||
+                             segment_crosses(x[2], x[3], x[0], y[1], y[0]);
         assert_int_equal(self_pair_passes(1, (const double(*)[3])x, (const double(*)[3])y, &found),
                          expected);
         passed += expected;
@@ -125,24 +108,6 @@ static void test_not_finite_is_refused(void **state) {
     free(v);
     self_collision_free(&s);
     cloth_free(&m);
-}
-
-/* Edges of the cloth that cross one of its triangles: none may, ever. */
-static int crossings(const stage *on) {
-    const mesh *m = &on->m;
-    const double(*x)[3] = simulation_positions(on->sim);
-    int count = 0;
-    for (int t = 0; t < m->triangle_count; t++)
-        for (int u = 0; u < m->triangle_count; u++)
-            for (int p = 0; p < 3; p++) {
-                const int *b = m->triangle[u], i = m->triangle[t][p];
-                const int j = m->triangle[t][(p + 1) % 3];
-                int shared = 0;
-                for (int q = 0; q < 3; q++)
-                    shared += b[q] == i || b[q] == j;
-                count += shared == 0 && crosses(x[i], x[j], x[b[0]], x[b[1]], x[b[2]]);
-            }
-    return count;
 }
 
 /* A cloth held by one edge hangs down to the ground; let go, it falls on itself. */
@@ -237,7 +202,7 @@ static void test_flat_cloth_has_its_bits(void **state) {
     assert_memory_equal(with.sim->x, without.sim->x, sizeof(double[3]) * 49);
     assert_true(with.sim->effects[EFFECT_SELF_COLLISION].visited > 0);
     assert_int_equal(without.sim->effects[EFFECT_SELF_COLLISION].visited, 0);
-    assert_null(without.sim->inverse_mass);
+    assert_null(without.sim->self_collision.grid.box);
     stage_end(&with);
     stage_end(&without);
 }

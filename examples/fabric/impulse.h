@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Impulses that keep features of the cloth - a vertex, a point of an edge or of a triangle - from
+ *  meeting each other or a body. What a pin holds is as heavy as the ground, and so is what lies on
+ * a body for an impulse into it. */
+#ifndef FABRIC_IMPULSE_H
+#define FABRIC_IMPULSE_H
+
+struct collisions;
+
+/** What may move, and how easily. By reference. */
+typedef struct movable {
+    const double *mass;              /* [vertices] kg */
+    const struct collisions *bodies; /* with the step's pins and contacts */
+} movable;
+
+/** Is the vertex pinned, or does it lie on a body? */
+int movable_is_held(const movable *of, int vertex);
+
+/** What of an impulse or velocity d moves vertex i: none of it if that is pinned, nothing into a
+ * body that it lies on. */
+void movable_part(const movable *of, int i, const double d[3], double part[3]);
+
+/** A weighted sum of vertices, whose velocity is to be changed. */
+typedef struct feature {
+    int count; /* 1 to 4 */
+    int vertex[4];
+    double weight[4];
+} feature;
+
+/** The feature's velocity, m/s. */
+void feature_velocity(const feature *f, const double (*v)[3], double speed[3]);
+
+/** Can it be moved along the unit normal? Not by its vertices that are not held alone if the point
+ *  is far from them: they would have to be many times as fast. */
+int impulse_is_possible(const movable *of, const feature *f, const double normal[3]);
+
+/** Changes the feature's velocity along the unit normal by `change` m/s, with Coulomb's friction
+ *  against what moves with `base` m/s (NULL: 0): equal and opposite where weights have two signs.
+ *  Adds the energy that this gives (below 0: takes) to *work, J. 0: it is not possible. */
+int impulse_give(const movable *of, const feature *f, const double normal[3], double change,
+                 double friction, const double *base, double (*v)[3], double *work);
+
+#endif

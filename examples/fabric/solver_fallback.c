@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "solver_fallback.h"
+
+#include "solver_direct.h"
+
+enum { solved_directly_at_once = 50 };
+
+static solver_status solve_directly(solver_fallback *f, solver *s, const linear_system *system,
+                                    const constraints *c, double (*dv)[3], long *iterations) {
+    char error[256];
+    if (!f->direct && !f->failed)
+        f->direct = direct_solver_new(&system->A, error);
+    f->failed = !f->direct;
+    if (f->failed)
+        return SOLVER_TOO_MANY_ITERATIONS;
+    const solver_status status = direct_solver_solve(f->direct, s, system, c, dv, iterations);
+    if (status != SOLVER_CONVERGED)
+        return status == SOLVER_NOT_FINITE ? status : SOLVER_TOO_MANY_ITERATIONS;
+    solver_impulses(s, system, (const double(*)[3])dv);
+    f->solved++;
+    return status;
+}
+
+solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_system *system,
+                                    const constraints *c, const solver_limits *limits,
+                                    double (*dv)[3], long *iterations) {
+    if (f->next > 0) {
+        f->next--;
+        return solve_directly(f, s, system, c, dv, iterations);
+    }
+    const solver_status status = solver_solve(s, system, c, limits, dv, iterations);
+    if (status != SOLVER_TOO_MANY_ITERATIONS || s->direct)
+        return status;
+    const solver_status directly = solve_directly(f, s, system, c, dv, iterations);
+    if (directly == SOLVER_CONVERGED)
+        f->next = solved_directly_at_once;
+    return directly;
+}
+
+void solver_fallback_free(solver_fallback *f) {
+    direct_solver_free(f->direct);
+    *f = (solver_fallback){0};
+}

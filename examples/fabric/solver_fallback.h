@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What to do where the conjugate gradients do not converge: solve directly (solver_direct.h), for
+ *  slivers and the like make a system that takes them millions of iterations. */
+#ifndef FABRIC_SOLVER_FALLBACK_H
+#define FABRIC_SOLVER_FALLBACK_H
+
+#include "solver.h"
+
+/** Empty at first; what it needs is made at the first solution that does not converge. */
+typedef struct solver_fallback {
+    struct direct_solver *direct;
+    int failed;  /* there is no direct solution to be had: not built in, or no memory */
+    int next;    /* this many systems are solved directly before the iteration is tried again */
+    long solved; /* systems solved directly, in all */
+} solver_fallback;
+
+/** As solver_solve; what does not converge within the limits is solved directly, and so are the
+ * next systems, which are much like it. */
+solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_system *system,
+                                    const constraints *c, const solver_limits *limits,
+                                    double (*dv)[3], long *iterations);
+void solver_fallback_free(solver_fallback *f);
+
+#endif

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Sizes come in classes, four to each power of two, so that a block that is given back serves
+ * others. Small ones are cut from pieces of memory that are kept for good; large ones are mappings
+ * of their own, of which some are kept: pages need not be made again then. Where the lock cannot be
+ * had, as in a handler of a signal that found its own thread at it, a block is a mapping of its
+ * own.
+ */
+#include "base/blocks.h"
+
+#include "base/spin.h"
+
+enum {
+    LINE = 64,
+    PER_DOUBLING = 4,
+    CLASSES = 34 * PER_DOUBLING, /* larger blocks are mapped and unmapped */
+    SMALL_MOST = 64 * 1024,      /* bytes */
+    PIECE = 1024 * 1024,
+    LARGE_KEPT = 64 * 1024 * 1024
+};
+
+/* A block that is free. */
+struct free_block {
+    struct free_block *next;
+};
+
+static struct spin lock;
+static struct free_block *free_blocks[CLASSES];
+static char *piece; /* of which small blocks are cut: what is left of it */
+static size_t piece_left;
+static size_t kept; /* bytes of large blocks that are free */
+
+/* The class that `bytes` > 0 bytes fall in; *size is that of its blocks. */
+static unsigned class_of(size_t bytes, size_t *size) {
+    const size_t lines = (bytes + LINE - 1) / LINE;
+    unsigned doublings = 0;
+    while (lines > (size_t)2 * PER_DOUBLING << doublings)
+        doublings++;
+    const size_t step = (size_t)1 << doublings;
+    const size_t steps = (lines + step - 1) / step; /* up to 2 * PER_DOUBLING */
+    *size = steps * step * LINE;
+    return doublings * PER_DOUBLING + (unsigned)steps - 1;
+}
+
+static size_t whole_pages(size_t bytes) {
+    const size_t page = redcc_page_size();
+    return (bytes + page - 1) / page * page;
+}
+
+/* What is left of the piece before is lost: less than one small block in sixteen. */
+static void *cut(size_t bytes) {
+    if (piece_left < bytes) {
+        char *more = redcc_system_map(PIECE);
+        if (!more)
+            return NULL;
+        piece = more;
+        piece_left = PIECE;
+    }
+    void *block = piece;
+    piece += bytes;
+    piece_left -= bytes;
+    return block;
+}
+
+static void *take_free(unsigned class, size_t bytes) {
+    struct free_block *block = free_blocks[class];
+    if (!block)
+        return NULL;
+    free_blocks[class] = block->next;
+    kept -= bytes > SMALL_MOST ? bytes : 0;
+    return block;
+}
+
+void *redcc_block_take(size_t *bytes, bool keep) {
+    size_t size;
+    const unsigned class = class_of(*bytes, &size);
+    const bool small = size <= SMALL_MOST;
+    if (!small && (!keep || class >= CLASSES)) {
+        *bytes = whole_pages(*bytes);
+        return redcc_system_map(*bytes);
+    }
+    *bytes = small ? size : whole_pages(size);
+    if (!redcc_spin_hope(&lock))
+        return redcc_system_map(whole_pages(*bytes));
+    void *block = take_free(class, *bytes);
+    if (!block && small)
+        block = cut(size);
+    redcc_spin_unlock(&lock);
+    return block || small ? block : redcc_system_map(*bytes);
+}
+
+/* Puts it to those that are free. False: it does not stay. */
+static bool put(void *block, size_t bytes, bool keep) {
+    size_t size;
+    const unsigned class = class_of(bytes, &size);
+    const bool small = bytes <= SMALL_MOST;
+    if (!small && (!keep || class >= CLASSES || size != bytes))
+        return false;
+    if (!redcc_spin_hope(&lock))
+        return small; /* which is lost */
+    const bool stays = small || kept + bytes <= LARGE_KEPT;
+    if (stays) {
+        struct free_block *free_block = block;
+        free_block->next = free_blocks[class];
+        free_blocks[class] = free_block;
+        kept += small ? 0 : bytes;
+    }
+    redcc_spin_unlock(&lock);
+    return stays;
+}
+
+void redcc_block_give(void *block, size_t bytes, bool keep) {
+    if (!put(block, bytes, keep))
+        redcc_system_unmap(block, bytes);
+}
+
+void redcc_blocks_forked(void) {
+    for (int class = 0; class < CLASSES; class ++)
+        free_blocks[class] = NULL;
+    piece_left = kept = 0;
+    redcc_spin_unlock(&lock);
+}

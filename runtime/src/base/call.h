@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What one call of a loop brings; constant for the stages of the pipeline. */
+#ifndef REDCC_CALL_H
+#define REDCC_CALL_H
+
+#include "base/float_control.h"
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct method;
+
+/** The arguments of redcc_enter; what the pointers lead to is owned by the loop's state. */
+struct request {
+    const redcc_loop *loop;
+    redcc_int trip;
+    void **bases;        /* [array_count] */
+    redcc_extent *known; /* [source_count] */
+    redcc_word *key;     /* [key_count] */
+};
+
+struct call {
+    struct request request;
+    /* The settings in force. */
+    const struct method *method; /* named; NULL: auto */
+    int parameter;               /* the method's */
+    redcc_order order;
+    bool compensated;
+    bool validate;
+    bool tracks;         /* writes to subscripts, where that can be done (REDCC_WATCH) */
+    size_t memory_limit; /* bytes; 0: none */
+    /* The threads. */
+    bool always_planned; /* one thread executes by the plan as well */
+    int asked;
+    int threads;                        /* that came */
+    struct float_control float_control; /* of the thread that entered */
+    double entered;                     /* seconds */
+    int error_before;                   /* errno of that thread */
+};
+
+#endif

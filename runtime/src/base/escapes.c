@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Most programs have nothing that leaves a handler but its end; for their loops to hold back
+ * signals would be in vain, and takes a tenth of a short loop's time. What objects refer to is in
+ * their dynamic symbol tables. A program that is linked statically has none, and counts as one that
+ * may.
+ */
+#include "base/escapes.h"
+
+#include "base/system.h"
+
+#include <stdatomic.h>
+
+#if defined(__linux__) && defined(__GLIBC__) && defined(__LP64__)
+
+#include <elf.h>
+#include <link.h>
+#include <string.h>
+
+extern struct r_debug _r_debug __attribute__((__weak__));
+
+struct object {
+    const Elf64_Sym *symbol;
+    const char *text;
+    size_t text_bytes;
+};
+
+static bool is_one_of(const char *name, const char *const *list) {
+    for (; *list; list++)
+        if (strcmp(name, *list) == 0)
+            return true;
+    return false;
+}
+
+static bool leaves(const char *name) {
+    static const char *const names[] = {"longjmp",
+                                        "_longjmp",
+                                        "siglongjmp",
+                                        "__longjmp_chk",
+                                        "__libc_longjmp",
+                                        "__libc_siglongjmp",
+                                        "setcontext",
+                                        "swapcontext",
+                                        "pthread_cancel",
+                                        "pthread_exit",
+                                        "thrd_exit",
+                                        "__cxa_throw",
+                                        "_Unwind_RaiseException",
+                                        "_Unwind_ForcedUnwind",
+                                        "fork",
+                                        "_Fork",
+                                        "vfork",
+                                        "clone",
+                                        "dlopen",
+                                        "dlmopen",
+                                        "dlsym",
+                                        "dlvsym",
+                                        NULL};
+    return is_one_of(name, names);
+}
+
+/* OpenMP's libraries, which refer to some of them for what is none of the program's. */
+static bool is_openmp(const char *name) {
+    static const char *const names[] = {"GOMP_parallel", "__kmpc_fork_call", NULL};
+    return is_one_of(name, names);
+}
+
+/* Most addresses there are those in memory by now; of objects that cannot be written, as the
+ * kernel's own, they are relative still. */
+static struct object object_of(const struct link_map *map) {
+    struct object object = {0};
+    for (const Elf64_Dyn *entry = map->l_ld; entry && entry->d_tag != DT_NULL; entry++) {
+        const uintptr_t value = (uintptr_t)entry->d_un.d_ptr;
+        const void *const place =
+            (const void *)(value < (uintptr_t)map->l_addr ? value + (uintptr_t)map->l_addr : value);
+        if (entry->d_tag == DT_SYMTAB)
+            object.symbol = place;
+        if (entry->d_tag == DT_STRTAB)
+            object.text = place;
+        if (entry->d_tag == DT_STRSZ)
+            object.text_bytes = (size_t)entry->d_un.d_val;
+    }
+    return object;
+}
+
+/* How many symbols there are is not said simply; linkers put the texts behind them. */
+static bool object_may_escape(const struct link_map *map) {
+    const struct object object = object_of(map);
+    if (!object.symbol || !object.text || (uintptr_t)object.text < (uintptr_t)object.symbol)
+        return true;
+    const Elf64_Sym *const end =
+        object.symbol + ((uintptr_t)object.text - (uintptr_t)object.symbol) / sizeof *object.symbol;
+    bool may = false, openmp = false;
+    for (const Elf64_Sym *symbol = object.symbol; symbol < end; symbol++) {
+        if (symbol->st_name >= object.text_bytes)
+            continue;
+        const char *const name = object.text + symbol->st_name;
+        if (symbol->st_shndx == SHN_UNDEF)
+            may = may || leaves(name);
+        else
+            openmp = openmp || is_openmp(name);
+    }
+    return may && !openmp;
+}
+
+static bool look(void) {
+    if (!&_r_debug || !_r_debug.r_map)
+        return true;
+    for (const struct link_map *map = _r_debug.r_map; map; map = map->l_next)
+        if (object_may_escape(map))
+            return true;
+    return false;
+}
+
+#else
+
+static bool look(void) {
+    return true;
+}
+
+#endif
+
+bool redcc_may_escape(void) {
+    enum { UNKNOWN, MAY, CANNOT };
+    static atomic_int known;
+    int answer = atomic_load_explicit(&known, memory_order_relaxed);
+    if (answer == UNKNOWN) {
+        answer = look() ? MAY : CANNOT;
+        atomic_store_explicit(&known, answer, memory_order_relaxed);
+    }
+    return answer == MAY;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/flags.h"
+
+#include "base/memory.h"
+#include "base/wait.h"
+
+struct flags *redcc_flags_new(uint32_t count) {
+    return redcc_memory_take_zeroed(1, sizeof(struct flags) + count * sizeof(atomic_uint));
+}
+
+void redcc_flag_raise(struct flags *flags, uint32_t flag, unsigned round) {
+    atomic_store(&flags->flag[flag], round);
+    redcc_wake(&flags->flag[flag], &flags->asleep);
+}
+
+void redcc_flag_await(struct flags *flags, uint32_t flag, unsigned round, int threads) {
+    atomic_uint *word = &flags->flag[flag];
+    unsigned value;
+    while ((value = atomic_load_explicit(word, memory_order_acquire)) != round)
+        redcc_wait_while(word, value, &flags->asleep, threads);
+}

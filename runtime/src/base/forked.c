@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * fork tells us, by handlers of the library's; _Fork and clone do not. A page that the system wipes
+ * in a child shows those as well.
+ */
+#define _GNU_SOURCE /* struct statx, MADV_WIPEONFORK */
+#include "base/forked.h"
+
+#include "base/memory.h"
+#include "base/system.h"
+
+#include <fcntl.h>
+#include <stdatomic.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+static bool had_threads;       /* of the thread that forks, from before fork to the child */
+atomic_bool redcc_had_threads; /* written where there is one thread only */
+atomic_char *redcc_process_mark;
+static long process; /* where there is no mark: the one that has been seen */
+
+#if defined(__linux__)
+
+/* A folder has a link for itself, one for its parent's entry, and one for each folder in it. Where
+ * there is no /proc threads are assumed. */
+static bool has_threads(void) {
+    struct statx tasks;
+    return redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0 ||
+           tasks.stx_nlink > 3;
+}
+
+void *redcc_wiped_page(void) {
+    const size_t bytes = redcc_page_size();
+    void *page = redcc_system_map(bytes);
+    if (page && redcc_system(SYS_madvise, page, bytes, MADV_WIPEONFORK) != 0) {
+        redcc_system_unmap(page, bytes);
+        return NULL;
+    }
+    return page;
+}
+
+#else
+
+static bool has_threads(void) {
+    return true;
+}
+
+void *redcc_wiped_page(void) {
+    return NULL;
+}
+
+#endif
+
+/* The calling process is a new one. */
+static void begin_process(bool with_threads) {
+    if (with_threads)
+        atomic_store(&redcc_had_threads, true);
+    redcc_memory_forked();
+    if (redcc_process_mark)
+        atomic_store(redcc_process_mark, 1);
+    process = redcc_process_mark ? 0 : redcc_system_process();
+}
+
+static void before(void) {
+    had_threads = has_threads();
+}
+
+static void in_child(void) {
+    begin_process(had_threads);
+}
+
+#if defined(__GLIBC__) /* what the library's pthread_atfork calls, under its reserved name */
+extern int __register_atfork(void (*)(void), void (*)(void), void (*)(void), void *);
+extern void *__dso_handle __attribute__((__visibility__("hidden")));
+
+static bool register_handlers(void) {
+    return __register_atfork(before, NULL, in_child, &__dso_handle) == 0;
+}
+#else
+#include <pthread.h>
+
+static bool register_handlers(void) {
+    return pthread_atfork(before, NULL, in_child) == 0;
+}
+#endif
+
+/* From the beginning, for the program may have parallel regions of its own. */
+__attribute__((constructor)) static void watch(void) {
+    redcc_process_mark = redcc_wiped_page();
+    begin_process(!register_handlers());
+}
+
+/* The program has forked by other means, and nobody looked whether it had threads. */
+void redcc_see_process(void) {
+    if (redcc_process_mark ? atomic_load(redcc_process_mark) == 0
+                           : redcc_system_process() != process)
+        begin_process(true);
+}

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* O_DIRECTORY */
+#include "base/mappings.h"
+
+#include "base/system.h"
+
+#if defined(__linux__)
+
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST = 512 };
+
+/* A text file of /proc, line by line. */
+struct lines {
+    int descriptor;
+    char buffer[4096];
+    size_t at;
+    size_t held;
+    char line[LONGEST]; /* the one read last; what does not fit is left out */
+};
+
+static bool lines_open(struct lines *lines, const char *name) {
+    lines->descriptor = redcc_system_open(name);
+    lines->at = lines->held = 0;
+    return lines->descriptor >= 0;
+}
+
+static bool refill(struct lines *lines) {
+    const long got = redcc_system_read(lines->descriptor, lines->buffer, sizeof lines->buffer);
+    lines->at = 0;
+    lines->held = got > 0 ? (size_t)got : 0;
+    return got > 0;
+}
+
+static bool next_line(struct lines *lines) {
+    size_t length = 0;
+    bool some = false;
+    while (lines->at < lines->held || refill(lines)) {
+        const char letter = lines->buffer[lines->at++];
+        some = true;
+        if (letter == '\n')
+            break;
+        if (length + 1 < LONGEST)
+            lines->line[length++] = letter;
+    }
+    lines->line[length] = '\0';
+    return some;
+}
+
+static bool begins(const char *text, const char *with) {
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* The number that /proc/thread-self/status gives for `key`; `otherwise` where it gives none. */
+static long status_of(const char *key, long otherwise) {
+    struct lines lines;
+    long value = otherwise;
+    if (!lines_open(&lines, "/proc/thread-self/status"))
+        return value;
+    while (next_line(&lines))
+        if (begins(lines.line, key)) {
+            value = strtol(lines.line + strlen(key), NULL, 10);
+            break;
+        }
+    redcc_system_close(lines.descriptor);
+    return value;
+}
+
+bool redcc_is_confined(void) {
+    return status_of("Seccomp:", -1) != 0;
+}
+
+bool redcc_has_accelerator(void) {
+    static const char *const places[] = {"/dev/dri", "/dev/kfd", "/dev/nvidia-uvm",
+                                         "/dev/nvidiactl", "/dev/accel"};
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        if (redcc_system(SYS_faccessat, AT_FDCWD, places[i], 0) == 0)
+            return true;
+    return false;
+}
+
+static bool is_listed(const char *name, const char *const *list) {
+    for (; *list; list++)
+        if (begins(name, *list))
+            return true;
+    return false;
+}
+
+/* Devices that write to memory by the processor alone. */
+static bool is_plain_device(const char *name) {
+    static const char *const plain[] = {"/dev/null",       "/dev/zero", "/dev/full", "/dev/random",
+                                        "/dev/urandom",    "/dev/tty",  "/dev/pts/", "/dev/ptmx",
+                                        "/dev/console",    "/dev/shm/", "/dev/fuse", "/dev/kmsg",
+                                        "/dev/hugepages/", "/dev/log",  NULL};
+    return is_listed(name, plain);
+}
+
+/* May a mapping of that name stand beside what is watched? None, the system's own names, or a file
+ * that is no device. Where a library to confine the process is loaded it may come to that later. */
+static bool is_harmless(const char *name) {
+    if (name[0] == '\0' || name[0] == '[')
+        return true;
+    if (name[0] != '/' || begins(name, "/dmabuf") || strstr(name, "/libseccomp"))
+        return false;
+    return !begins(name, "/dev/") || is_plain_device(name);
+}
+
+struct mapping {
+    struct range place;
+    bool is_own; /* private, and no file behind it */
+    const char *name;
+};
+
+/* A line of /proc/self/maps: proc_pid_maps(5). */
+static bool parse(const char *line, struct mapping *mapping) {
+    char access_to[8];
+    unsigned long long number;
+    int name = 0;
+    if (sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %7s %*s %*s %llu %n", &mapping->place.first,
+               &mapping->place.end, access_to, &number, &name) != 4)
+        return false;
+    mapping->name = name ? line + name : "";
+    const bool unnamed = mapping->name[0] == '\0' || strcmp(mapping->name, "[heap]") == 0 ||
+                         begins(mapping->name, "[anon:");
+    mapping->is_own = strlen(access_to) == 4 && access_to[3] == 'p' && number == 0 && unnamed;
+    return true;
+}
+
+struct range redcc_mapping_of(uintptr_t address) {
+    struct lines lines;
+    struct mapping mapping = {.place = redcc_nowhere};
+    bool found = false;
+    if (!lines_open(&lines, "/proc/self/maps"))
+        return redcc_nowhere;
+    while (!found && next_line(&lines) && parse(lines.line, &mapping))
+        found = mapping.place.first <= address && address < mapping.place.end;
+    redcc_system_close(lines.descriptor);
+    return found ? mapping.place : redcc_nowhere;
+}
+
+/* False: the mapping forbids it. *covered: the pages are mapped up to here. */
+static bool consider(const struct mapping *mapping, struct range pages, struct mappings *found,
+                     uintptr_t *covered) {
+    if (!is_harmless(mapping->name))
+        return false;
+    if (!redcc_ranges_overlap(mapping->place, pages))
+        return true;
+    if (!mapping->is_own || mapping->place.first > *covered || found->count == REDCC_MAPPINGS)
+        return false;
+    found->whole[found->count++] = mapping->place;
+    *covered = mapping->place.end;
+    return true;
+}
+
+static bool mappings_allow(struct mappings *found, struct range pages) {
+    struct lines lines;
+    struct mapping mapping;
+    uintptr_t covered = pages.first;
+    bool allowed = true;
+    found->count = 0;
+    if (!lines_open(&lines, "/proc/self/maps"))
+        return false;
+    while (allowed && next_line(&lines))
+        allowed = parse(lines.line, &mapping) && consider(&mapping, pages, found, &covered);
+    redcc_system_close(lines.descriptor);
+    return allowed && covered >= pages.end;
+}
+
+/* A descriptor through which memory may be written, or our marks be lost? */
+static bool is_harmless_descriptor(int folder, const char *number, int own) {
+    char name[LONGEST];
+    const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
+    if (length < 0 || atoi(number) == own)
+        return true; /* closed meanwhile */
+    name[length] = '\0';
+    if (begins(name, "anon_inode:"))
+        return !strstr(name, "userfault") && !strstr(name, "io_uring");
+    return !begins(name, "/dev/") || is_plain_device(name);
+}
+
+/* getdents64(2). */
+struct entry {
+    uint64_t inode;
+    int64_t next;
+    unsigned short bytes;
+    unsigned char type;
+    char name[];
+};
+
+static bool entries_allow(int folder, const char *entries, long bytes, int own) {
+    bool allowed = true;
+    for (long at = 0; allowed && at < bytes;) {
+        const struct entry *entry = (const void *)(entries + at);
+        allowed = entry->name[0] == '.' || is_harmless_descriptor(folder, entry->name, own);
+        at += entry->bytes;
+    }
+    return allowed;
+}
+
+static bool descriptors_allow(int own) {
+    _Alignas(struct entry) char entries[4096];
+    const int folder = redcc_system_open("/proc/self/fd");
+    if (folder < 0)
+        return false;
+    bool allowed = true;
+    long bytes = 0;
+    while (allowed && (bytes = redcc_system(SYS_getdents64, folder, entries, sizeof entries)) > 0)
+        allowed = entries_allow(folder, entries, bytes, own);
+    redcc_system_close(folder);
+    return allowed && bytes == 0;
+}
+
+bool redcc_may_watch(struct mappings *found, struct range pages, int own) {
+    return status_of("VmPin:", -1) == 0 && mappings_allow(found, pages) && descriptors_allow(own);
+}
+
+#else
+
+struct range redcc_mapping_of(uintptr_t address) {
+    (void)address;
+    return redcc_nowhere;
+}
+
+bool redcc_is_confined(void) {
+    return true;
+}
+
+bool redcc_has_accelerator(void) {
+    return false;
+}
+
+bool redcc_may_watch(struct mappings *found, struct range pages, int own) {
+    (void)pages;
+    (void)own;
+    found->count = 0;
+    return false;
+}
+
+#endif

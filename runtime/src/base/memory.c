@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/memory.h"
+
+#include "base/blocks.h"
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINE = 64 };
+
+/* Stands in the cache line before a block. */
+struct header {
+    size_t bytes; /* counted */
+    size_t held;  /* of the block that holds it all */
+    bool kept;    /* may be kept for others */
+};
+
+#if defined(__SANITIZE_ADDRESS__) /* sees where each of its own blocks ends */
+static void *block_take(size_t *bytes, bool keep) {
+    (void)keep;
+    return aligned_alloc(LINE, *bytes);
+}
+
+static void block_give(void *block, size_t bytes, bool keep) {
+    (void)bytes;
+    (void)keep;
+    free(block);
+}
+#else
+#define block_take redcc_block_take
+#define block_give redcc_block_give
+#endif
+
+static atomic_size_t in_use;
+static atomic_size_t limit; /* 0: none */
+static atomic_long live;
+static atomic_long until_failure = -1;
+
+static bool told_to_fail(void) {
+    if (atomic_load_explicit(&until_failure, memory_order_relaxed) < 0)
+        return false;
+    long left = atomic_load(&until_failure);
+    while (left > 0)
+        if (atomic_compare_exchange_weak(&until_failure, &left, left - 1))
+            return false;
+    return left == 0;
+}
+
+static bool account(size_t bytes) {
+    size_t most = atomic_load_explicit(&limit, memory_order_relaxed);
+    size_t before = atomic_fetch_add(&in_use, bytes);
+    if (most && before + bytes > most) {
+        atomic_fetch_sub(&in_use, bytes);
+        return false;
+    }
+    return true;
+}
+
+void *redcc_memory_take(size_t bytes) {
+    if (bytes > SIZE_MAX / 2 || told_to_fail())
+        return NULL;
+    const size_t whole = (bytes + LINE - 1) / LINE * LINE + LINE;
+    if (!account(whole))
+        return NULL;
+    const bool keep = atomic_load_explicit(&limit, memory_order_relaxed) == 0;
+    size_t held = whole;
+    char *memory = block_take(&held, keep);
+    if (!memory) {
+        atomic_fetch_sub(&in_use, whole);
+        return NULL;
+    }
+    *(struct header *)memory = (struct header){whole, held, keep};
+    atomic_fetch_add(&live, 1);
+    return memory + LINE;
+}
+
+void *redcc_memory_take_zeroed(size_t count, size_t size) {
+    if (size && count > SIZE_MAX / 2 / size)
+        return NULL;
+    void *block = redcc_memory_take(count * size);
+    if (block)
+        memset(block, 0, count * size);
+    return block;
+}
+
+static struct header *header_of(const void *block) {
+    return (struct header *)((uintptr_t)block - LINE);
+}
+
+void *redcc_memory_resize(void *block, size_t bytes) {
+    void *other = redcc_memory_take(bytes);
+    if (other && block) {
+        const size_t held = redcc_memory_size(block) - LINE;
+        memcpy(other, block, held < bytes ? held : bytes);
+        redcc_memory_give(block);
+    }
+    return other;
+}
+
+void redcc_memory_give(void *block) {
+    if (!block)
+        return;
+    atomic_fetch_sub(&in_use, header_of(block)->bytes);
+    atomic_fetch_sub(&live, 1);
+    const struct header header = *header_of(block);
+    block_give(header_of(block), header.held, header.kept);
+}
+
+void redcc_memory_forked(void) {
+    redcc_blocks_forked();
+}
+
+size_t redcc_memory_size(const void *block) {
+    return block ? header_of(block)->bytes : 0;
+}
+
+void redcc_memory_limit(size_t bytes) {
+    atomic_store(&limit, bytes);
+}
+
+void redcc_memory_fail_after(long calls_from_now) {
+    atomic_store(&until_failure, calls_from_now);
+}
+
+bool redcc_memory_is_exhausted(void) {
+    return atomic_load(&until_failure) == 0;
+}
+
+long redcc_memory_live(void) {
+    return atomic_load(&live);
+}
+
+size_t redcc_memory_in_use(void) {
+    return atomic_load(&in_use);
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Ranges of bytes, by address or by distance. */
+#ifndef REDCC_RANGE_H
+#define REDCC_RANGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Addresses [first, end); empty where end <= first. */
+struct range {
+    uintptr_t first;
+    uintptr_t end;
+};
+
+/** Bytes [first, end) relative to the base of a group (ownership/partition.h). */
+struct offsets {
+    ptrdiff_t first;
+    ptrdiff_t end;
+};
+
+static const struct range redcc_nowhere = {UINTPTR_MAX, 0};
+
+static inline bool redcc_range_empty(struct range range) {
+    return range.end <= range.first;
+}
+
+static inline bool redcc_ranges_overlap(struct range a, struct range b) {
+    return !redcc_range_empty(a) && !redcc_range_empty(b) && a.first < b.end && b.first < a.end;
+}
+
+/** The smallest range that holds both. */
+static inline struct range redcc_range_union(struct range a, struct range b) {
+    return (struct range){a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "base/signals.h"
+
+#include "base/mappings.h"
+#include "base/system.h"
+
+#include <signal.h>
+
+#if defined(__linux__)
+
+#define BIT(number) (UINT64_C(1) << ((number)-1))
+
+/* Raised by the thread itself; and the one, of glibc's own two, by which setuid reaches all
+ * threads and for whose effect another thread waits. */
+#define NEVER_HELD                                                                                 \
+    (BIT(SIGSEGV) | BIT(SIGBUS) | BIT(SIGFPE) | BIT(SIGILL) | BIT(SIGTRAP) | BIT(SIGSYS) | BIT(33))
+
+static void set_mask(int how, uint64_t mask, uint64_t *before) {
+    redcc_system(SYS_rt_sigprocmask, how, &mask, before, sizeof mask);
+}
+
+uint64_t redcc_signals_hold(void) {
+    uint64_t before = 0;
+    set_mask(SIG_BLOCK, ~NEVER_HELD, &before);
+    return before;
+}
+
+void redcc_signals_release(uint64_t before) {
+    set_mask(SIG_SETMASK, before, NULL);
+}
+
+/* As the kernel tells it; the rest is not looked at. */
+struct action {
+    uintptr_t handler;
+    uintptr_t flags;
+    uintptr_t restorer;
+    uintptr_t rest[13];
+};
+
+static bool is_handled(int number, struct action *action) {
+    return redcc_system(SYS_rt_sigaction, number, 0, action, sizeof(uint64_t)) == 0 &&
+           action->handler != (uintptr_t)SIG_DFL && action->handler != (uintptr_t)SIG_IGN;
+}
+
+static bool is_on_other_stack(void) {
+    stack_t now;
+    return redcc_system(SYS_sigaltstack, 0, &now) == 0 && (now.ss_flags & SS_ONSTACK) != 0;
+}
+
+#if defined(__x86_64__) && defined(__LP64__)
+
+/* It reads what lies between variables, too. */
+#define NOT_SANITIZED __attribute__((__no_sanitize_address__, __no_sanitize_thread__))
+
+/* A handler's return address, and above it what was interrupted: sigreturn(2), struct rt_sigframe.
+ * The stack pointer at that time lay above; the link is none, and of the processor's flags the
+ * second is always set and those from the 22nd on never. Old contents of the stack may hold the
+ * address. */
+NOT_SANITIZED static bool is_frame(const uintptr_t *at, const uintptr_t *end, uintptr_t restorer) {
+    enum { LINK = 2, STACK_POINTER = 1 + 5 + 15, FLAGS = STACK_POINTER + 2 };
+    return *at == restorer && end - at > FLAGS && at[LINK] == 0 &&
+           at[STACK_POINTER] > (uintptr_t)at && at[STACK_POINTER] <= (uintptr_t)end &&
+           at[FLAGS] >> 22 == 0 && (at[FLAGS] & 2) != 0;
+}
+
+NOT_SANITIZED static bool has_frame(uintptr_t restorer) {
+    const uintptr_t *at = __builtin_frame_address(0);
+    const struct range stack = redcc_mapping_of((uintptr_t)at);
+    const uintptr_t *const end = (const uintptr_t *)stack.end;
+    for (; at < end; at++)
+        if (is_frame(at, end, restorer))
+            return true;
+    return false;
+}
+
+#endif
+
+bool redcc_signals_in_handler(uint64_t before) {
+    uintptr_t restorer = 0;
+    bool some = false, blocked = false;
+    for (int number = 1; number <= 64; number++) {
+        struct action action;
+        if (!is_handled(number, &action))
+            continue;
+        some = true;
+        restorer = action.restorer ? action.restorer : restorer;
+        blocked = blocked || (before & BIT(number));
+    }
+    if (!some)
+        return false;
+#if defined(__x86_64__) && defined(__LP64__)
+    return is_on_other_stack() || has_frame(restorer);
+#else /* a handler's own signal is blocked */
+    (void)restorer;
+    return is_on_other_stack() || blocked;
+#endif
+}
+
+void redcc_signals_let_default(uint64_t before) {
+    uint64_t unhandled = 0;
+    for (int number = 1; number < 32; number++) {
+        struct action action;
+        if (redcc_system(SYS_rt_sigaction, number, 0, &action, sizeof unhandled) == 0 &&
+            action.handler == (uintptr_t)SIG_DFL)
+            unhandled |= BIT(number);
+    }
+    set_mask(SIG_UNBLOCK, unhandled & ~before, NULL);
+}
+
+#else
+
+bool redcc_signals_in_handler(uint64_t before) {
+    (void)before;
+    return false;
+}
+
+uint64_t redcc_signals_hold(void) {
+    return 0;
+}
+
+void redcc_signals_release(uint64_t before) {
+    (void)before;
+}
+
+void redcc_signals_let_default(uint64_t before) {
+    (void)before;
+}
+
+#endif

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* MAP_ANONYMOUS, cpu_set_t */
+#include "base/system.h"
+
+#include "base/vdso.h"
+
+#include <stdatomic.h>
+
+#if defined(__linux__)
+
+#include <elf.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/sysinfo.h>
+
+/* The library's word for what the kernel told the program at its start, under a reserved name. */
+extern unsigned long __getauxval(unsigned long) __attribute__((__weak__));
+
+static unsigned long told(unsigned long what) {
+    return __getauxval ? __getauxval(what) : 0;
+}
+
+int redcc_system_open(const char *name) {
+    return (int)redcc_system(SYS_openat, AT_FDCWD, name, O_RDONLY | O_CLOEXEC);
+}
+
+long redcc_system_read(int descriptor, void *into, size_t bytes) {
+    return redcc_system(SYS_read, descriptor, into, bytes);
+}
+
+void redcc_system_close(int descriptor) {
+    redcc_system(SYS_close, descriptor);
+}
+
+#ifdef SYS_mmap2 /* the place in the file is counted in pages there; ours have no file */
+#define MAP_CALL SYS_mmap2
+#else
+#define MAP_CALL SYS_mmap
+#endif
+
+void *redcc_system_map(size_t bytes) {
+    const long place = redcc_system(MAP_CALL, 0, bytes, PROT_READ | PROT_WRITE,
+                                    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return place < 0 && place > -4096 ? NULL : (void *)place;
+}
+
+void redcc_system_unmap(void *memory, size_t bytes) {
+    redcc_system(SYS_munmap, memory, bytes);
+}
+
+size_t redcc_page_size(void) {
+    const unsigned long page = told(AT_PAGESZ);
+    return page ? page : 4096;
+}
+
+typedef int clock_function(int clock, struct timespec *now);
+typedef int node_function(unsigned *processor, unsigned *node, void *unused);
+
+static int clock_by_call(int clock, struct timespec *now) {
+    return (int)redcc_system(SYS_clock_gettime, clock, now);
+}
+
+static int node_by_call(unsigned *processor, unsigned *node, void *unused) {
+    (void)unused;
+    return (int)redcc_system(SYS_getcpu, processor, node, 0);
+}
+
+static clock_function find_clock;
+static node_function find_node;
+static _Atomic(clock_function *) clock_of = find_clock;
+static _Atomic(node_function *) node_of = find_node;
+
+static int find_clock(int clock, struct timespec *now) {
+    clock_function *const found =
+        (clock_function *)redcc_vdso_find(told(AT_SYSINFO_EHDR), REDCC_VDSO_CLOCK);
+    atomic_store_explicit(&clock_of, found ? found : clock_by_call, memory_order_relaxed);
+    return (found ? found : clock_by_call)(clock, now);
+}
+
+static int find_node(unsigned *processor, unsigned *node, void *unused) {
+    node_function *const found =
+        (node_function *)redcc_vdso_find(told(AT_SYSINFO_EHDR), REDCC_VDSO_NODE);
+    atomic_store_explicit(&node_of, found ? found : node_by_call, memory_order_relaxed);
+    return (found ? found : node_by_call)(processor, node, unused);
+}
+
+struct timespec redcc_system_clock(int clock) {
+    struct timespec now = {0, 0};
+    atomic_load_explicit(&clock_of, memory_order_relaxed)(clock, &now);
+    return now;
+}
+
+int redcc_system_node(void) {
+    unsigned processor, node;
+    if (atomic_load_explicit(&node_of, memory_order_relaxed)(&processor, &node, NULL) == 0)
+        return (int)node;
+    return -1;
+}
+
+int redcc_system_processors(void) {
+    unsigned long allowed[8192 / (8 * sizeof(unsigned long))];
+    const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof allowed, allowed);
+    int count = 0;
+    for (long word = 0; word < bytes / (long)sizeof *allowed; word++)
+        count += __builtin_popcountl(allowed[word]);
+    return count > 0 ? count : 1;
+}
+
+uint64_t redcc_system_memory(void) {
+    struct sysinfo info;
+    if (redcc_system(SYS_sysinfo, &info) != 0)
+        return 0;
+    return (uint64_t)info.totalram * info.mem_unit;
+}
+
+void redcc_system_yield(void) {
+    redcc_system(SYS_sched_yield);
+}
+
+long redcc_system_process(void) {
+    return redcc_system(SYS_getpid);
+}
+
+bool redcc_system_is_privileged(void) {
+    return told(AT_SECURE) != 0;
+}
+
+void redcc_system_secret(uint64_t *word, size_t words) {
+    const size_t bytes = words * sizeof *word;
+    if (redcc_system(SYS_getrandom, word, bytes, 1 /* GRND_NONBLOCK */) == (long)bytes)
+        return;
+    const uint64_t *given = (const uint64_t *)told(AT_RANDOM); /* 16 bytes */
+    const struct timespec now = redcc_system_clock(CLOCK_REALTIME);
+    uint64_t state = (uint64_t)now.tv_nsec ^ (uint64_t)(uintptr_t)&state;
+    for (size_t i = 0; i < words; i++) { /* splitmix64 */
+        state += 0x9e3779b97f4a7c15u + (given ? given[i & 1] : 0);
+        uint64_t mixed = (state ^ state >> 30) * 0xbf58476d1ce4e5b9u;
+        mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111ebu;
+        word[i] = mixed ^ mixed >> 31;
+    }
+}
+
+#else /* another system: POSIX, under its public names */
+
+#include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+void *redcc_system_map(size_t bytes) {
+    void *place = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return place == MAP_FAILED ? NULL : place;
+}
+
+void redcc_system_unmap(void *memory, size_t bytes) {
+    munmap(memory, bytes);
+}
+
+size_t redcc_page_size(void) {
+    return (size_t)sysconf(_SC_PAGESIZE);
+}
+
+struct timespec redcc_system_clock(int clock) {
+    struct timespec now = {0, 0};
+    clock_gettime((clockid_t)clock, &now);
+    return now;
+}
+
+int redcc_system_node(void) {
+    return -1;
+}
+
+int redcc_system_processors(void) {
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 0 ? (int)count : 1;
+}
+
+uint64_t redcc_system_memory(void) {
+    return 0;
+}
+
+void redcc_system_yield(void) {
+    sched_yield();
+}
+
+long redcc_system_process(void) {
+    return (long)getpid();
+}
+
+bool redcc_system_is_privileged(void) {
+    return getuid() != geteuid() || getgid() != getegid();
+}
+
+void redcc_system_secret(uint64_t *word, size_t words) {
+    const struct timespec now = redcc_system_clock(CLOCK_REALTIME);
+    uint64_t state = (uint64_t)now.tv_nsec ^ (uint64_t)(uintptr_t)&state;
+    for (size_t i = 0; i < words; i++) {
+        state += 0x9e3779b97f4a7c15u;
+        word[i] = (state ^ state >> 29) * 0xbf58476d1ce4e5b9u;
+    }
+}
+
+#endif

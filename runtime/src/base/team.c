@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* pthread_setattr_default_np */
+#include "base/team.h"
+
+#include "base/memory.h"
+#include "base/signals.h"
+#include "base/system.h"
+#include "base/wait.h"
+
+#include <pthread.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+_Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
+
+#if defined(__linux__)
+
+#include <fcntl.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+/* What OpenMP's library is known by, and what it uses itself to make threads: where a program
+ * defines one of these its threads are its own affair. All weak: the library links without. */
+#define WEAK __attribute__((__weak__))
+extern void GOMP_parallel(void) WEAK;
+extern void __kmpc_fork_call(void) WEAK;
+extern void kmp_set_stacksize_s(size_t) WEAK;
+extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
+extern __typeof__(pthread_create) pthread_create WEAK;
+extern __typeof__(pthread_join) pthread_join WEAK;
+extern __typeof__(pthread_attr_destroy) pthread_attr_destroy WEAK;
+extern __typeof__(pthread_attr_getstacksize) pthread_attr_getstacksize WEAK;
+extern __typeof__(pthread_attr_setstacksize) pthread_attr_setstacksize WEAK;
+extern __typeof__(pthread_getattr_default_np) pthread_getattr_default_np WEAK;
+extern __typeof__(pthread_setattr_default_np) pthread_setattr_default_np WEAK;
+
+enum {
+    FEW = 8192, /* processes; limits above are not met by what a program adds to them */
+    SPARE = 4 * 1024 * 1024
+};
+
+struct team {
+    int threads;         /* of the thread's last region; 0: there was none */
+    int pinned;          /* nothing will be unloaded under its threads */
+    int rest;            /* calls that were refused when a handler was seen last, */
+    int rest_left;       /* and how many of them are left */
+    size_t stack_before; /* bytes, to become the usual size again; 0: it was not changed */
+};
+
+static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
+
+/* ---- what must stay loaded ---------------------------------------------------------------------
+ */
+
+static void nothing(void *unused) {
+    (void)unused;
+}
+
+/* An object is not unloaded while a thread has something to do in it at its end. */
+static void pin(void (*code)(void)) {
+    if (code)
+        __cxa_thread_atexit_impl(nothing, NULL, (void *)code);
+}
+
+static void pin_all(void) {
+    if (team.pinned || !__cxa_thread_atexit_impl)
+        return;
+    team.pinned = 1;
+    pin(GOMP_parallel);
+    pin(__kmpc_fork_call);
+    pin((void (*)(void))nothing);
+}
+
+/* ---- stacks ---------------------------------------------------------------------------------- */
+
+/* Could so much memory be had? */
+static bool fits(size_t bytes) {
+    void *place = redcc_system_map(bytes);
+    if (place)
+        redcc_system_unmap(place, bytes);
+    return place != NULL;
+}
+
+/* What the main thread's stack may grow to, as far as anybody uses it. */
+static size_t main_stack(void) {
+    struct rlimit limit;
+    const size_t unlimited = (size_t)256 << 20, most = (size_t)1 << 30;
+    if (redcc_system(SYS_prlimit64, 0, RLIMIT_STACK, 0, &limit) != 0)
+        return 0;
+    if (limit.rlim_cur == RLIM_INFINITY)
+        return unlimited;
+    return limit.rlim_cur < most ? (size_t)limit.rlim_cur : most;
+}
+
+static bool is_told_by_user(void) {
+    return getenv("OMP_STACKSIZE") || getenv("GOMP_STACKSIZE") || getenv("KMP_STACKSIZE");
+}
+
+/* Of the stacks that are made from now on; returns their size before. */
+static size_t set_stacks(size_t bytes) {
+    pthread_attr_t usual;
+    size_t before = 0;
+    if (!pthread_getattr_default_np || !pthread_setattr_default_np || !pthread_attr_destroy ||
+        !pthread_attr_getstacksize || !pthread_attr_setstacksize ||
+        pthread_getattr_default_np(&usual) != 0)
+        return 0;
+    if (pthread_attr_getstacksize(&usual, &before) == 0 && before != bytes &&
+        pthread_attr_setstacksize(&usual, bytes) == 0)
+        pthread_setattr_default_np(&usual);
+    pthread_attr_destroy(&usual);
+    return before;
+}
+
+static void enlarge_stacks(int more) {
+    static atomic_int tried;
+    size_t wanted = is_told_by_user() ? 0 : main_stack();
+    const size_t usual = (size_t)2 << 20;
+    while (wanted > usual && !fits(wanted / 4096 * 4096 * (size_t)more))
+        wanted /= 2;
+    if (wanted <= usual)
+        return;
+    if (kmp_set_stacksize_s && atomic_exchange(&tried, 1) == 0)
+        kmp_set_stacksize_s(wanted);
+    const size_t before = set_stacks(wanted);
+    team.stack_before = before && before != wanted ? before : 0;
+    if (before > wanted) /* the program has asked for more */
+        set_stacks(before);
+}
+
+/* ---- threads --------------------------------------------------------------------------------- */
+
+static bool is_low(const char *name) {
+    char text[32] = "";
+    const int file = redcc_system_open(name);
+    if (file < 0)
+        return false;
+    redcc_system_read(file, text, sizeof text - 1);
+    redcc_system_close(file);
+    return text[0] >= '0' && text[0] <= '9' && strtol(text, NULL, 10) < FEW;
+}
+
+static bool is_limited(void) {
+    struct rlimit processes = {RLIM_INFINITY, 0}, bytes = {RLIM_INFINITY, 0};
+    redcc_system(SYS_prlimit64, 0, RLIMIT_NPROC, 0, &processes);
+    redcc_system(SYS_prlimit64, 0, RLIMIT_AS, 0, &bytes);
+    return processes.rlim_cur < FEW || bytes.rlim_cur != RLIM_INFINITY ||
+           is_low("/sys/fs/cgroup/pids.max");
+}
+
+/* Threads that do nothing but be there. */
+struct trial {
+    atomic_uint over;
+    atomic_int asleep;
+};
+
+static void *be_there(void *argument) {
+    struct trial *trial = argument;
+    redcc_wait_while(&trial->over, 0, &trial->asleep, INT32_MAX);
+    return NULL;
+}
+
+static unsigned count_tasks(void) {
+    struct statx tasks;
+    if (redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0)
+        return 0;
+    return tasks.stx_nlink;
+}
+
+/* How many of `more` threads can be had at once. They are gone when it returns. */
+static int try_threads(int more) {
+    const unsigned before = count_tasks();
+    struct trial trial = {0};
+    int made = 0;
+    pthread_t *thread = redcc_memory_take((size_t)more * sizeof *thread);
+    if (!thread)
+        return 0;
+    while (made < more && pthread_create(&thread[made], NULL, be_there, &trial) == 0)
+        made++;
+    const int useful = fits(SPARE) || made == 0 ? made : made - 1; /* OpenMP takes memory, too */
+    atomic_store(&trial.over, 1);
+    redcc_wake(&trial.over, &trial.asleep);
+    for (int i = 0; i < made; i++)
+        pthread_join(thread[i], NULL);
+    redcc_memory_give(thread);
+    for (int wait = 0; wait < 10000 && count_tasks() > before; wait++)
+        redcc_system_yield(); /* they count until the system has cleared them away */
+    return useful;
+}
+
+static int threads_to_be_had(int threads) {
+    static atomic_int most; /* 0: more than were asked for so far */
+    const int known = atomic_load(&most), there = team.threads > 0 ? team.threads : 1;
+    if (known)
+        return threads < known ? threads : known;
+    if (!pthread_create || !pthread_join || !is_limited())
+        return threads;
+    const int can = there + try_threads(threads - there);
+    if (can < threads)
+        atomic_store(&most, can);
+    return can;
+}
+
+/* Looked at in fewer and fewer calls, where it has been so. */
+static bool is_in_handler(uint64_t before) {
+    enum { REST_MOST = 1024 };
+    if (team.rest_left > 0) {
+        team.rest_left--;
+        return true;
+    }
+    const bool is_so = redcc_signals_in_handler(before);
+    team.rest = is_so ? (team.rest < REST_MOST ? 2 * team.rest + 1 : REST_MOST) : 0;
+    team.rest_left = team.rest;
+    return is_so;
+}
+
+int redcc_team_prepare(int threads, uint64_t before) {
+    if (threads <= team.threads)
+        return threads;
+    if (is_in_handler(before))
+        return 0;
+    pin_all();
+    if (threads < 2)
+        return threads;
+    enlarge_stacks(threads - (team.threads > 0 ? team.threads : 1));
+    const int can = threads_to_be_had(threads);
+    if (can < 2)
+        redcc_team_came(team.threads);
+    return can;
+}
+
+bool redcc_team_grows(int threads) {
+    return threads > team.threads;
+}
+
+void redcc_team_came(int threads) {
+    team.threads = threads;
+    if (team.stack_before)
+        set_stacks(team.stack_before);
+    team.stack_before = 0;
+}
+
+#else
+
+int redcc_team_prepare(int threads, uint64_t before) {
+    (void)before;
+    return threads;
+}
+
+bool redcc_team_grows(int threads) {
+    (void)threads;
+    return false;
+}
+
+void redcc_team_came(int threads) {
+    (void)threads;
+}
+
+#endif

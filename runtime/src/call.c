@@ -1,0 +1,409 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The life of a loop: its state, and enter, join, leave. pipeline.h draws what lies between. */
+#include "loop.h"
+
+#include "base/clock.h"
+#include "base/forked.h"
+#include "base/memory.h"
+#include "base/node.h"
+#include "base/team.h"
+#include "base/trace.h"
+#include "settings.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <string.h>
+
+static char *copy_text(const char *text) {
+    const size_t bytes = strlen(text) + 1;
+    char *copy = redcc_memory_take(bytes);
+    return copy ? memcpy(copy, text, bytes) : NULL;
+}
+
+static void state_free(struct loop_state *state) {
+    if (!state)
+        return;
+    struct execution *execution = &state->execution;
+    struct request *request = &execution->call.request;
+    redcc_cache_drop_all(&state->cache);
+    redcc_threads_end(state);
+    redcc_memory_give(request->bases);
+    redcc_memory_give(request->known);
+    redcc_memory_give(request->key);
+    redcc_memory_give(execution->inspection.touched);
+    redcc_memory_give(execution->inspection.sources);
+    redcc_memory_give(state->reported.file);
+    redcc_memory_give(state->reported.function);
+    redcc_memory_give(state);
+}
+
+/* What the parts of an execution go by, the same for all of them. */
+static void join_parts(struct loop_state *state) {
+    struct execution *execution = &state->execution;
+    struct inspection *inspection = &execution->inspection;
+    execution->state = state;
+    inspection->call = execution->run.call = execution->reuse.call = &execution->call;
+    inspection->barrier = execution->run.barrier = execution->reuse.barrier = &execution->barrier;
+    execution->reuse.cache = &state->cache;
+    execution->reuse.sources = inspection->sources;
+    execution->reuse.written = inspection->touched;
+}
+
+static struct loop_state *state_new(redcc_loop *loop) {
+    struct loop_state *state = redcc_memory_take_zeroed(1, sizeof *state);
+    if (!state)
+        return NULL;
+    struct inspection *inspection = &state->execution.inspection;
+    struct request *request = &state->execution.call.request;
+    request->loop = loop;
+    request->bases = redcc_memory_take(loop->array_count * sizeof *request->bases);
+    request->known = redcc_memory_take(loop->source_count * sizeof *request->known);
+    request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
+    inspection->touched = redcc_memory_take(loop->array_count * sizeof *inspection->touched);
+    inspection->sources = redcc_memory_take(loop->source_count * sizeof *inspection->sources);
+    state->reported.file = copy_text(loop->file);
+    state->reported.function = copy_text(loop->function);
+    state->reported.line = loop->line;
+    join_parts(state);
+    if (!request->bases || !request->known || !request->key || !inspection->touched ||
+        !inspection->sources || !state->reported.file || !state->reported.function) {
+        state_free(state);
+        return NULL;
+    }
+    return state;
+}
+
+/* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
+static struct loop_state *state_of(redcc_loop *loop) {
+    void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
+    if (state)
+        return state;
+    struct loop_state *mine = state_new(loop);
+    if (!mine)
+        return NULL;
+    if (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
+                                     __ATOMIC_ACQUIRE)) {
+        state_free(mine);
+        return state;
+    }
+    redcc_report_add(&mine->reported);
+    return mine;
+}
+
+void redcc_loop_forget(redcc_loop *loop) {
+    struct loop_state *state = loop->state;
+    if (!state)
+        return;
+    redcc_report_remove(&state->reported);
+    state_free(state);
+    loop->state = NULL;
+}
+
+static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
+    return settings->order_given ? settings->order : loop->order;
+}
+
+/* An order asked for in so many words, and a method by name that does not keep it. */
+static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
+    const redcc_order order = order_of(loop, settings);
+    if (!settings->method || settings->method->keeps <= order ||
+        !(settings->order_given || loop->flags & REDCC_ORDER_EXPLICIT))
+        return;
+    redcc_stop("REDCC_METHOD=%s cannot keep order %s, which %s asks for (%s:%d); it gives order %s",
+               settings->method->name, redcc_order_name(order),
+               settings->order_given ? "REDCC_ORDER" : "the translated loop", loop->file,
+               loop->line, redcc_order_name(settings->method->keeps));
+}
+
+/* Does the sequential loop not have these bits: another order of the contributions, other sums?
+ * Then one thread executes the loop by a plan as well, also within a parallel region and beside
+ * other threads: the bits are to be the same everywhere. */
+static bool is_always_planned(const struct settings *settings) {
+    return settings->compensated ||
+           (settings->method && settings->method->keeps == REDCC_ORDER_FIXED);
+}
+
+/* Compensated sums are added up in the order of the loop, each element by one thread. */
+static const struct method *method_of(const struct settings *settings) {
+    if (!settings->method && settings->compensated)
+        return &redcc_method_localwrite;
+    return settings->method;
+}
+
+/* What forbids running in parallel without a look at the loop's data. */
+static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
+                                 int threads, int nested, bool forked) {
+    if (settings->method && loop->flags & REDCC_ORDER_NEEDED &&
+        settings->method->keeps != REDCC_ORDER_SERIAL)
+        return REASON_ORDER_NEEDED;
+    if (is_always_planned(settings))
+        return REASON_NONE;
+    if (forked)
+        return REASON_FORKED;
+    if (nested)
+        return REASON_NESTED;
+    return threads < 2 ? REASON_ONE_THREAD : REASON_NONE;
+}
+
+/* The state for this call: the loop's, which it acquires, or, where another thread holds that and
+ * must not be waited for (it may be waiting for this one), one of its own. NULL, with *reason:
+ * none. */
+static struct loop_state *acquire(struct loop_state *state, redcc_loop *loop, bool always,
+                                  enum reason *reason) {
+    int idle = 0;
+    if (atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
+                                                memory_order_relaxed))
+        return state;
+    *reason = REASON_CONCURRENT;
+    if (!always)
+        return NULL;
+    *reason = REASON_NO_MEMORY;
+    struct loop_state *other = state_new(loop);
+    if (other)
+        other->temporary = true;
+    return other;
+}
+
+static void release(struct loop_state *state) {
+    if (state->temporary)
+        state_free(state);
+    else {
+        assert(atomic_load(&state->busy) == 1);
+        atomic_store_explicit(&state->busy, 0, memory_order_release);
+    }
+}
+
+static int serially(struct loop_state *state, enum reason reason) {
+    redcc_count_fallback(state, reason);
+    return 0;
+}
+
+void redcc_note_no_memory(redcc_loop *loop) {
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    serially(state, REASON_NO_MEMORY);
+}
+
+/* Does an execution take long enough for somebody to wait for its end? Also where that is not
+ * known. */
+static bool is_long(const struct execution *execution) {
+    const struct statistics *statistics = &execution->state->reported.statistics;
+    return statistics->in_loops == 0 ||
+           statistics->execute_seconds * (double)execution->call.request.trip >
+               1e-3 * (double)statistics->in_loops;
+}
+
+/* The loop is let go: nothing of the execution's is touched any more. */
+static void end(struct loop_state *state) {
+    const struct within within = state->execution.within;
+    release(state);
+    redcc_within_end(within);
+}
+
+static void take_request(struct request *request, redcc_int trip, void *const *bases,
+                         const redcc_extent *known, const redcc_word *key) {
+    const redcc_loop *loop = request->loop;
+    request->trip = trip;
+    memcpy(request->bases, bases, loop->array_count * sizeof *bases);
+    if (loop->source_count)
+        memcpy(request->known, known, loop->source_count * sizeof *known);
+    if (loop->key_count)
+        memcpy(request->key, key, loop->key_count * sizeof *key);
+}
+
+static void take_settings(struct call *call, const struct settings *settings, int error_before) {
+    const redcc_loop *loop = call->request.loop;
+    call->method = method_of(settings);
+    call->parameter = settings->parameter;
+    call->order = order_of(loop, settings);
+    if (call->method && call->method->keeps > call->order)
+        call->order = call->method->keeps;
+    call->compensated = settings->compensated;
+    call->validate = settings->validate;
+    call->tracks = settings->watch;
+    call->memory_limit = settings->memory_limit;
+    call->always_planned = is_always_planned(settings);
+    call->entered = redcc_seconds();
+    call->float_control = redcc_float_control();
+    call->error_before = error_before;
+}
+
+/* What auto says of this call. */
+static struct advice advice_for(struct loop_state *state, const struct call *call, int threads) {
+    if (call->method)
+        return (struct advice){.mode = MODE_PARALLEL};
+    const struct advice advice = redcc_advise_entry(&state->chooser, call->request.trip, threads);
+    if (advice.drops_others) /* what there was before need not stay beside it */
+        redcc_cache_drop_others(&state->cache);
+    redcc_note_rule(&state->reported.statistics, advice.rule);
+    return advice;
+}
+
+/* The loop is acquired: begins an execution. False: to be run serially, for *reason. */
+static bool begin_execution(struct execution *execution, const redcc_loop *loop, int threads,
+                            enum reason *reason) {
+    struct loop_state *state = execution->state;
+    struct call *call = &execution->call;
+    execution->advice = advice_for(state, call, threads);
+    *reason = execution->advice.reason;
+    state->reported.statistics.order = call->order;
+    if (execution->advice.mode == MODE_SERIAL) {
+        redcc_note_serial(&state->reported.statistics);
+        return false;
+    }
+    threads = redcc_team_prepare(threads, execution->within.signals);
+    *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
+    if (threads < (call->always_planned ? 1 : 2))
+        return false;
+    *reason = REASON_NO_MEMORY;
+    if (!redcc_threads_ensure(state, loop, threads))
+        return false;
+    call->asked = call->threads = threads;
+    execution->inspection.inspector = state->inspector;
+    execution->inspection.route = ROUTE_SERIAL;
+    execution->inspected = false;
+    execution->reuse.hasher = state->hasher;
+    execution->reuse.skipped_calls = execution->advice.skipped_calls;
+    execution->reason = REASON_NONE;
+    redcc_run_begin(&execution->run, execution->advice.mode);
+    execution->run.validated =
+        call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
+    return true;
+}
+
+/* Is nothing to be decided in this call? Then it is not prepared for either. */
+static bool rests(struct loop_state *state, redcc_int trip, int threads, enum reason *reason) {
+    struct advice advice;
+    if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
+        return false;
+    redcc_note_rule(&state->reported.statistics, advice.rule);
+    redcc_note_serial(&state->reported.statistics);
+    *reason = advice.reason;
+    return true;
+}
+
+/* The bits of compensated sums are the same at any number of threads. */
+static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
+                              redcc_int trip, int threads) {
+    const struct statistics *statistics = &state->reported.statistics;
+    return settings->compensated && !settings->method
+               ? redcc_advise_threads(trip, threads, statistics->execute_seconds,
+                                      statistics->in_loops)
+               : threads;
+}
+
+int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
+                const redcc_extent *known, const redcc_word *key, int threads, int nested) {
+    const int error_before = errno;
+    *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
+    const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
+    const struct settings *settings = redcc_settings();
+    stop_at_contradiction(loop, settings);
+    struct loop_state *state = state_of(loop);
+    if (!state)
+        return 0;
+    atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
+    if (trip <= 0 || (settings->method && !settings->method->prepare))
+        return 0;
+    enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
+    if (reason != REASON_NONE && !settings->method)
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
+    if (reason != REASON_NONE)
+        return serially(state, reason);
+    const bool always = is_always_planned(settings);
+    if (redcc_within && !always)
+        return serially(state, REASON_NESTED);
+    struct loop_state *held = acquire(state, loop, always, &reason);
+    if (!held)
+        return serially(state, reason);
+    struct execution *execution = &held->execution;
+    const bool asks_auto = !always && !settings->method;
+    if (asks_auto && rests(held, trip, threads, &reason)) {
+        release(held);
+        return serially(state, reason);
+    }
+    take_settings(&execution->call, settings, error_before);
+    if (redcc_float_traps(execution->call.float_control)) {
+        release(held);
+        return serially(state, REASON_TRAPS);
+    }
+    threads = nested || threads < 1 || forked ? 1 : threads;
+    redcc_within_begin(&execution->within, always, threads);
+    threads = threads_to_ask_for(held, settings, trip, threads);
+    take_request(&execution->call.request, trip, bases, known, key);
+    if (!begin_execution(execution, loop, threads, &reason)) {
+        end(held);
+        return serially(state, reason);
+    }
+    threads = execution->call.asked;
+    redcc_find_plan(execution);
+    redcc_trace(TRACE_CHOICE, loop, "%lld iterations, %s%s%s, %d threads asked for", trip,
+                execution->run.mode == MODE_TIMED ? "by one thread, timed" : "in parallel",
+                execution->call.method ? " by " : "",
+                execution->call.method ? execution->call.method->name : "", threads);
+    call->threads = threads;
+    call->decided = 1;
+    call->execution = execution;
+    return 1;
+}
+
+static void note_node(struct thread_state *thread) {
+    const int node = redcc_node();
+    thread->moved = thread->node >= 0 && node != thread->node;
+    thread->node = node;
+}
+
+void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads) {
+    struct execution *execution = call->execution;
+    *worker = (redcc_worker){.call = call, .thread = number};
+    if (threads > execution->call.asked) {
+        if (number == 0)
+            execution->reason = REASON_TEAM;
+        return;
+    }
+    assert(0 <= number && number < threads && threads <= execution->state->thread_count);
+    if (number == 0) {
+        redcc_team_came(threads);
+        redcc_within_relax(&execution->within, execution->call.always_planned, is_long(execution));
+    }
+    struct thread_state *thread = execution->state->thread[number];
+    struct runner *runner = &thread->runner;
+    worker->execution = thread;
+    note_node(thread);
+    runner->float_control = redcc_float_control();
+    redcc_float_control_take(execution->call.float_control);
+    thread->threads = runner->threads = thread->inspector.threads = thread->hasher.threads =
+        threads;
+    thread->inspector.failed = false;
+    thread->telling = false;
+    runner->plan = NULL;
+    runner->step = STEP_BEGIN;
+    const bool as_asked = threads == execution->call.asked;
+    const bool too_few = threads == 1 && !execution->call.always_planned;
+    thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
+    if (number == 0 && !as_asked) {
+        execution->call.threads = threads;
+        execution->reason = too_few ? REASON_ONE_THREAD : REASON_NONE;
+    }
+}
+
+int redcc_leave(redcc_call *call) {
+    if (!call->decided)
+        return 0;
+    struct execution *execution = call->execution;
+    const bool done = redcc_account(execution);
+    struct plan *plan = execution->run.plan;
+    if (execution->inspected) {
+        redcc_inspection_end(&execution->inspection);
+        if (plan && !(redcc_is_reusable(&execution->call.request, execution->reuse.sources) &&
+                      redcc_reuse_keep(&execution->reuse, plan)))
+            redcc_plan_free(plan);
+    }
+    const int error = done ? redcc_error_of(&execution->run) : 0;
+    const int error_before = execution->call.error_before;
+    end(execution->state);
+    errno = error ? error : error_before;
+    return done;
+}

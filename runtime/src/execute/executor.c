@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Execution, the same for all methods: chunks, stages between barriers, copies and their merge.
+ *
+ *     STEP_BEGIN: redcc_next comes for the first time; it begins, and goes on to
+ *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
+ *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
+ *     STEP_ALONE: all iterations, by the first thread                         -> STEP_END
+ */
+#include "execute/run.h"
+
+#include "base/clock.h"
+#include "execute/compensate.h"
+
+#include <assert.h>
+#include <errno.h>
+
+static struct barrier *team_barrier(const struct plan *plan, int team) {
+    return &plan->teams.barrier[team];
+}
+
+static int team_size(const struct plan *plan, int team) {
+    return redcc_team_first(plan->threads, plan->teams.count, team + 1) -
+           redcc_team_first(plan->threads, plan->teams.count, team);
+}
+
+/* Where this thread writes: in place (number < 0), or where its copy would begin if it were the
+ * whole array. */
+static void place_bases(struct runner *runner, int number) {
+    const struct plan *plan = runner->plan;
+    void *const *bases = runner->run->call->request.bases;
+    const struct copy *copy = number < 0 ? NULL : &plan->copies.copy[number];
+    for (uint32_t array = 0; array < plan->array_count; array++) {
+        const uint32_t group = plan->group_of[array];
+        runner->base[array] = bases[array];
+        if (copy && copy->memory[group])
+            runner->base[array] =
+                (void *)((uintptr_t)copy->memory[group] +
+                         (uintptr_t)(plan->shift[array] - copy->held[group].first));
+    }
+}
+
+/* What a thread owns of an array whose units have a map. */
+static redcc_owner mapped_owner(const struct plan *plan, uint32_t group, const char *base,
+                                uint32_t owner) {
+    const struct group_map *it = &plan->map.of[group];
+    if (it->count == 0)
+        return (redcc_owner){.first = base};
+    return (redcc_owner){.first = base + it->first,
+                         .size = (redcc_size)it->count * it->bytes,
+                         .map = plan->map.owner + it->begin,
+                         .unit = it->bytes,
+                         .self = owner};
+}
+
+static void place_owners(struct runner *runner) {
+    const struct plan *plan = runner->plan;
+    assert(runner->schedule < plan->schedules);
+    const uint32_t owner = plan->owners == 1 ? 0 : runner->schedule;
+    for (uint32_t array = 0; array < plan->array_count; array++) {
+        const uint32_t group = plan->group_of[array];
+        const uintptr_t base = (uintptr_t)runner->run->call->request.bases[group];
+        runner->owner[array] = (redcc_owner){.first = (const char *)base};
+        if (owner >= plan->owners)
+            continue; /* a method with fewer owners than threads: nothing is guarded */
+        if (plan->map.owner) {
+            runner->owner[array] = mapped_owner(plan, group, (const char *)base, owner);
+            continue;
+        }
+        const ptrdiff_t *bound = plan->bound + (size_t)group * (plan->owners + 1) + owner;
+        runner->owner[array].first = (const char *)(base + (uintptr_t)bound[0]);
+        runner->owner[array].size = (redcc_size)(bound[1] - bound[0]);
+    }
+}
+
+void redcc_run_begin(struct run *run, enum mode mode) {
+    run->mode = mode;
+    run->plan = NULL;
+    run->validation = (struct validation){0};
+    atomic_store_explicit(&run->error, 0, memory_order_relaxed);
+    atomic_store_explicit(&run->last_claimed, 0, memory_order_relaxed);
+    atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
+}
+
+/* All threads are there, and none has written yet. */
+static void take_snapshot(struct runner *runner) {
+    struct run *run = runner->run;
+    if (!redcc_barrier_arrive(run->barrier, runner->threads))
+        return;
+    redcc_validation_begin(&run->validation, runner->plan, run->call->request.bases,
+                           run->validated);
+    redcc_barrier_release(run->barrier);
+}
+
+static bool is_hooked(const struct plan *plan) {
+    return plan->lost || plan->method->locks;
+}
+
+static void install_hooks(struct runner *runner) {
+    struct run *run = runner->run;
+    redcc_hooks_install(&runner->hooks, runner->plan, run->call->request.loop->arrays,
+                        run->call->request.bases, runner->owner);
+}
+
+static void begin_hooks(struct runner *runner) {
+    struct run *run = runner->run;
+    const struct plan *plan = runner->plan;
+    if (plan->lost) {
+        redcc_lost_clear(plan, runner->thread, run->call->request.bases);
+        redcc_barrier_wait(run->barrier, runner->threads);
+    }
+    install_hooks(runner);
+}
+
+/* Calibration: the first thread has its first stealable block before it; the others wait until that
+ * is done, or do not. */
+static void begin_calibration(struct runner *runner) {
+    struct run *run = runner->run;
+    if (runner->thread > 0 && run->mode == MODE_SOLO)
+        redcc_barrier_wait(run->barrier, runner->threads);
+    runner->began = redcc_seconds();
+}
+
+/* In a calibration nobody else claims that block. */
+static bool is_in_first_block(const struct runner *runner) {
+    return runner->thread == 0 && redcc_is_calibration(runner->run, runner->plan) &&
+           runner->schedule == redcc_spare_schedule(runner->plan, 0);
+}
+
+/* The first thread is done with it, and turns to what is its own. */
+static void end_first_block(struct runner *runner) {
+    struct run *run = runner->run;
+    run->block = redcc_seconds() - runner->began;
+    if (run->mode == MODE_SOLO)
+        redcc_barrier_wait(run->barrier, runner->threads);
+    runner->schedule = redcc_own_schedule(runner->plan, 0);
+}
+
+static void begin_running(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const struct plan *plan = runner->plan;
+    struct run *run = runner->run;
+    if (runner->thread == 0)
+        run->ready = redcc_seconds();
+    errno = 0; /* what the inspector left there is not the loop's */
+    runner->stage = 0;
+    runner->runs = (struct run_reader){0};
+    worker->position = 0;
+    worker->base = runner->base;
+    worker->owner = runner->owner;
+    if (run->mode == MODE_TIMED) {
+        runner->step = STEP_ALONE;
+        for (uint32_t array = 0; array < run->call->request.loop->array_count; array++)
+            runner->base[array] = run->call->request.bases[array];
+        return;
+    }
+    assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
+    runner->step = STEP_EXECUTE;
+    const bool calibrates = redcc_is_calibration(run, plan);
+    runner->schedule = calibrates && runner->thread == 0 ? redcc_spare_schedule(plan, 0)
+                                                         : redcc_own_schedule(plan, runner->thread);
+    place_owners(runner);
+    place_bases(runner, redcc_copy_of(plan, runner->thread));
+    if (run->validated)
+        take_snapshot(runner);
+    if (is_hooked(plan))
+        begin_hooks(runner);
+    redcc_copies_fill(plan, runner->thread);
+    if (plan->method->copies == COPY_TEAM) { /* several threads filled what each will write to */
+        const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
+        redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
+    }
+    if (calibrates)
+        begin_calibration(runner);
+}
+
+/* Hands out all iterations in order. False: there are none left. */
+static bool hand_out_in_order(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const redcc_int left = runner->run->call->request.trip - worker->position;
+    const redcc_int count = left < REDCC_RUN_MOST ? left : REDCC_RUN_MOST;
+    runner->whole = (redcc_run){0, 2 * (redcc_u32)count};
+    worker->origin = worker->position;
+    worker->run = &runner->whole;
+    worker->run_end = worker->run + 1;
+    worker->position += count;
+    return count > 0;
+}
+
+/* MODE_TIMED: the first thread executes all iterations in order. */
+static int next_alone(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct run *run = runner->run;
+    if (runner->thread == 0 && hand_out_in_order(worker))
+        return 1;
+    if (runner->thread == 0)
+        run->alone = redcc_seconds() - run->ready;
+    runner->step = STEP_END;
+    return 0;
+}
+
+/* The loop is executed; the first thread executes it once more, from what the arrays held
+ * before. */
+static int next_to_check(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    if (hand_out_in_order(worker))
+        return 1;
+    runner->step = STEP_END;
+    return 0;
+}
+
+/* All threads are done. */
+static void begin_checking(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct run *run = runner->run;
+    redcc_validation_swap(&run->validation, runner->plan, run->call->request.bases);
+    runner->step = STEP_CHECK;
+    worker->position = 0;
+    for (uint32_t array = 0; array < runner->plan->array_count; array++)
+        runner->base[array] = run->call->request.bases[array];
+}
+
+/* Goes on to `stage` together with the others of the team. */
+static void reach_stage(struct runner *runner, uint32_t stage) {
+    const struct plan *plan = runner->plan;
+    const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
+    assert(runner->stage <= stage && stage < plan->teams.stages[team]);
+    for (; runner->stage < stage; runner->stage++)
+        redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
+}
+
+static void finish(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const struct plan *plan = runner->plan;
+    struct run *run = runner->run;
+    if (redcc_is_calibration(run, plan))
+        runner->ended = redcc_seconds();
+    const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
+    if (plan->teams.stages[team] > 0)
+        reach_stage(runner, plan->teams.stages[team] - 1);
+    if (plan->copies.count > 0) {
+        redcc_barrier_wait(run->barrier, runner->threads);
+        redcc_copies_merge(plan, runner->thread, run->call->request.bases);
+    }
+    if (plan->lost) {
+        redcc_barrier_wait(run->barrier, runner->threads);
+        redcc_lost_bring(plan, runner->thread);
+    }
+    runner->step = STEP_END;
+    if (!run->validation.began)
+        return;
+    redcc_barrier_wait(run->barrier, runner->threads);
+    if (runner->thread == 0) {
+        run->executed = redcc_seconds();
+        begin_checking(worker);
+    }
+}
+
+/* The flag of the chunk that was executed goes up. */
+static void pass_on(const struct plan *plan, const struct chunk *chunk) {
+    if (chunk->flag)
+        redcc_flag_raise(plan->flags, chunk->flag - 1, plan->round);
+}
+
+/* Waits for what must be done before `chunk`, and turns to the copy that it writes to. */
+static void get_ready(struct runner *runner, const struct chunk *chunk) {
+    const struct plan *plan = runner->plan;
+    const uint32_t *wait = plan->schedule[runner->schedule].wait;
+    reach_stage(runner, chunk->stage);
+    for (uint32_t w = chunk->wait_begin; w < chunk->wait_end; w++)
+        redcc_flag_await(plan->flags, wait[w], plan->round, runner->threads);
+    if (plan->method->copies == COPY_SHARE)
+        place_bases(runner, (int)chunk->copy);
+}
+
+/* Runs of the chunk at hand: all that are left where they can be executed as they stand, else some
+ * of them. False: there are none left. */
+static bool hand_out_runs(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct run_reader *runs = &runner->runs;
+    const bool hooked = is_hooked(runner->plan);
+    if (runs->run != runs->run_end && !hooked) {
+        worker->run = runs->run;
+        worker->run_end = runs->run = runs->run_end;
+        return true;
+    }
+    const size_t count = redcc_runs_read(runs, runner->piece, REDCC_RUNS);
+    for (size_t r = 0; hooked && r < count; r++)
+        runner->piece[r].count_and_guard |= 1;
+    worker->run = runner->piece;
+    worker->run_end = runner->piece + count;
+    return count > 0;
+}
+
+/* Work stealing: the next stealable block, whichever it is. False: there is none left. */
+static bool steal(struct runner *runner) {
+    struct run *run = runner->run;
+    const unsigned claimed =
+        atomic_fetch_add_explicit(&run->blocks_claimed, 1, memory_order_relaxed);
+    const unsigned before = redcc_is_calibration(run, runner->plan) ? 1 : 0;
+    const uint32_t next = redcc_spare_schedule(runner->plan, before + claimed);
+    runner->schedule = next == UINT32_MAX ? runner->schedule : next;
+    return next != UINT32_MAX;
+}
+
+/* On to the next schedule of a plan with stealable blocks. False: there is none left. */
+static bool turn_to_schedule(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const struct plan *plan = runner->plan;
+    if (!plan->method->spares)
+        return false;
+    if (is_in_first_block(runner)) {
+        end_first_block(runner);
+    } else if (!steal(runner)) {
+        return false;
+    }
+    worker->position = 0;
+    place_owners(runner);
+    if (is_hooked(plan))
+        install_hooks(runner);
+    return true;
+}
+
+/* On to the next chunk. False: there is none left. */
+static bool turn_to_chunk(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    const struct schedule *schedule = &runner->plan->schedule[runner->schedule];
+    if (worker->position > 0)
+        pass_on(runner->plan, &schedule->chunk[worker->position - 1]);
+    if ((size_t)worker->position == schedule->chunk_count)
+        return turn_to_schedule(worker) && turn_to_chunk(worker);
+    assert(worker->position >= 0 && (size_t)worker->position < schedule->chunk_count);
+    const struct chunk *chunk = &schedule->chunk[worker->position++];
+    get_ready(runner, chunk);
+    worker->origin = chunk->origin;
+    runner->runs = redcc_runs_of(schedule, chunk);
+    return true;
+}
+
+static bool hand_out(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    if (is_hooked(runner->plan))
+        redcc_hooks_settle(&runner->hooks);
+    return hand_out_runs(worker) || (turn_to_chunk(worker) && hand_out_runs(worker));
+}
+
+static int next_chunk(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    if (runner->step == STEP_BEGIN)
+        begin_running(worker);
+    switch (runner->step) {
+    case STEP_EXECUTE:
+        if (hand_out(worker))
+            return 1;
+        finish(worker);
+        return runner->step == STEP_CHECK ? next_to_check(worker) : 0;
+    case STEP_ALONE:
+        return next_alone(worker);
+    case STEP_CHECK:
+        return next_to_check(worker);
+    case STEP_BEGIN:
+    case STEP_END:
+        break;
+    }
+    return 0;
+}
+
+/* Mathematical functions set errno to EDOM or ERANGE; it is the calling thread's. That of the last
+ * chunk in which one failed is kept, with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 :
+ * 0). Of iterations that fail in both ways, and are executed by several threads, another may be the
+ * last. */
+static void note_error(const redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    const int error = errno;
+    if ((error != EDOM && error != ERANGE) ||
+        (runner->step != STEP_EXECUTE && runner->step != STEP_ALONE))
+        return;
+    const redcc_run *last = worker->run_end - 1;
+    const redcc_int end = worker->origin + last->begin + last->count_and_guard / 2;
+    const unsigned long long noted = 2 * ((unsigned long long)end + 1) + (error == ERANGE ? 1 : 0);
+    atomic_ullong *latest = &runner->run->error;
+    unsigned long long before = atomic_load_explicit(latest, memory_order_relaxed);
+    while (before < noted &&
+           !atomic_compare_exchange_weak_explicit(latest, &before, noted, memory_order_relaxed,
+                                                  memory_order_relaxed))
+        ;
+    errno = 0;
+}
+
+int redcc_error_of(struct run *run) {
+    const unsigned long long noted = atomic_load_explicit(&run->error, memory_order_relaxed);
+    return noted == 0 ? 0 : noted % 2 ? ERANGE : EDOM;
+}
+
+int redcc_next(redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    if (!runner)
+        return 0;
+    if (errno)
+        note_error(worker);
+    if (next_chunk(worker))
+        return 1;
+    redcc_float_control_take(runner->float_control);
+    return 0;
+}
+
+int redcc_claims_last(redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    return atomic_exchange(&runner->run->last_claimed, 1) == 0;
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One execution of a loop, and one thread's part in it. */
+#ifndef REDCC_RUN_H
+#define REDCC_RUN_H
+
+#include "base/call.h"
+#include "base/route.h"
+#include "execute/hook.h"
+#include "execute/validate.h"
+#include "plan/plan.h"
+
+enum { REDCC_RUNS = 128 };
+
+/** What all threads share. */
+struct run {
+    const struct call *call;
+    struct plan *plan; /* NULL: none (yet); MODE_TIMED can do without */
+    enum mode mode;
+    struct barrier *barrier;
+    struct validated *validated; /* NULL: nothing is to be validated */
+    struct validation validation;
+    atomic_ullong error; /* what the loop leaves in errno: executor.c */
+    atomic_int last_claimed;
+    atomic_uint blocks_claimed; /* stealable ones */
+    /* Seconds. */
+    double ready;    /* when the plan was there */
+    double executed; /* with validation: when the loop was done */
+    double alone;    /* MODE_TIMED: what it took */
+    double block;    /* calibration: what the first stealable block took */
+};
+
+/** Where a thread stands. */
+enum step {
+    STEP_BEGIN,
+    STEP_EXECUTE, /* chunk by chunk */
+    STEP_ALONE,   /* MODE_TIMED: all iterations in order, by the first thread */
+    STEP_CHECK,   /* validation: once more, in order */
+    STEP_END
+};
+
+/** One thread's part. What only it writes; the times others read after the region. */
+struct runner {
+    struct run *run;
+    const struct plan *plan; /* to execute */
+    int thread;
+    int threads;
+    struct float_control float_control; /* the thread's own, while it has the caller's */
+    enum step step;
+    uint32_t schedule; /* the plan's that it executes */
+    uint32_t stage;    /* of execution */
+    struct hooks hooks;
+    struct run_reader runs;      /* of the chunk at hand, still to be handed out */
+    redcc_run piece[REDCC_RUNS]; /* handed out, of runs that are packed or to be guarded */
+    redcc_run whole;             /* handed out, in order, without a plan */
+    void **base;                 /* [array_count] where it writes */
+    redcc_owner *owner;          /* [array_count] what it owns */
+    double began, ended;         /* seconds; calibration */
+};
+
+/** Before the threads begin. */
+void redcc_run_begin(struct run *run, enum mode mode);
+
+/** What mathematical functions called in the loop left in errno; 0: nothing. */
+int redcc_error_of(struct run *run);
+
+/** Is the execution by this plan a calibration (MODE_SOLO, MODE_CONTENDED)? */
+static inline bool redcc_is_calibration(const struct run *run, const struct plan *plan) {
+    return run->mode >= MODE_SOLO && plan && plan->method->spares;
+}
+
+#endif

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * REDCC_VALIDATE=1: after each execution in parallel the first thread executes the loop once more,
+ * all iterations in order, into a copy of the arrays as they were before; then the two are
+ * compared.
+ *
+ * Where the sequential loop's bits are promised, an element with others breaks the promise, and so
+ * does an integer in whatever order; of floating sums in another order the largest difference is
+ * told. Numbers that are none count as equal, whatever their bits. Executions beside another one of
+ * the same loop are not compared, nor are those of a loop of whose arrays one is scattered: between
+ * its elements lies what must not be copied.
+ */
+#ifndef REDCC_VALIDATE_H
+#define REDCC_VALIDATE_H
+
+#include "redcc/runtime.h"
+
+#include <stdbool.h>
+
+struct plan;
+
+/** What REDCC_VALIDATE=1 found. */
+struct validated {
+    long executions;  /* compared with the sequential loop */
+    long passed_over; /* not compared: of a scattered array no copy can be made */
+    long broken;      /* of these, where the promise was not kept */
+    double largest;   /* difference, in ulps */
+    const char *array;
+    char name[64];     /* of the array where it was found */
+    redcc_int element; /* counted from the array's first one */
+};
+
+/** Of one execution. All zero: none. */
+struct validation {
+    bool began;
+    char **memory; /* [array_count] of group g: the bytes that are touched, before the loop; then
+                      its results */
+};
+
+/** Copies what the plan's groups hold, for arrays at `bases`; without memory for that there is no
+ *  validation, nor where an array is scattered, which is counted in *validated. One thread; nobody
+ *  may write meanwhile. */
+void redcc_validation_begin(struct validation *validation, const struct plan *plan,
+                            void *const *bases, struct validated *validated);
+
+/** The loop is executed: puts what the arrays held before back, and its results aside. */
+void redcc_validation_swap(struct validation *validation, const struct plan *plan,
+                           void *const *bases);
+
+/** The loop is executed once more: compares the arrays at `bases` with the results put aside, which
+ *  it then puts back, enters what it finds into *validated, and gives the memory back. */
+void redcc_validation_end(struct validation *validation, const struct plan *plan,
+                          const redcc_loop *loop, void *const *bases, struct validated *validated);
+
+#endif

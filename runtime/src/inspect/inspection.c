@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "inspect/inspection.h"
+
+#include "base/memory.h"
+#include "plan/method.h"
+
+#include <assert.h>
+
+enum { LEAST_TRIP_TO_STEAL = 4096 };
+
+void redcc_inspection_set_owners(struct inspection *inspection) {
+    const struct call *call = inspection->call;
+    const uint32_t each = 1 + inspection->stealable;
+    inspection->partition.spares = inspection->stealable;
+    inspection->partition.owners = call->method && call->method->owners
+                                       ? call->method->owners(call->threads, call->parameter)
+                                       : (uint32_t)call->threads * each;
+}
+
+/* auto may come to stealable blocks later than the cut. */
+static uint32_t most_owners(const struct call *call) {
+    const uint32_t threads = (uint32_t)call->threads;
+    if (!call->method)
+        return threads * (1 + REDCC_SPARES);
+    if (call->method->owners)
+        return call->method->owners(call->threads, call->parameter);
+    return threads * (call->method->spares ? 1 + REDCC_SPARES : 1);
+}
+
+bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
+    const struct call *call = inspection->call;
+    const struct request *request = &call->request;
+    const size_t threads = (size_t)call->threads;
+    const bool cuts_blocks =
+        call->method ? call->method->spares : steals && request->trip >= LEAST_TRIP_TO_STEAL;
+    inspection->stealable = cuts_blocks ? REDCC_SPARES : 0;
+    inspection->route = ROUTE_OWNERS;
+    inspection->no_copies = false;
+    inspection->samples = redcc_memory_take(threads * sizeof *inspection->samples);
+    inspection->summaries = redcc_memory_take(threads * sizeof *inspection->summaries);
+    inspection->seen = redcc_memory_take(threads * sizeof *inspection->seen);
+    if (!redcc_partition_begin(&inspection->partition, request->loop, request->bases,
+                               most_owners(call)))
+        return false;
+    redcc_inspection_set_owners(inspection);
+    assert(inspection->partition.owners <= inspection->partition.room);
+    return inspection->samples && inspection->summaries && inspection->seen;
+}
+
+void redcc_inspection_end(struct inspection *inspection) {
+    for (int thread = 0; thread < inspection->call->threads; thread++) {
+        struct inspector *inspector = inspection->inspector[thread];
+        redcc_sample_end(&inspector->sample);
+        redcc_sweep_end(&inspector->sweep);
+        redcc_memory_give(inspector->entries);
+        redcc_memory_give(inspector->seen);
+        redcc_memory_give(inspector->executed);
+        inspector->entries = NULL;
+        inspector->seen = NULL;
+        inspector->executed = NULL;
+    }
+    redcc_divide_end(&inspection->divide);
+    redcc_levels_end(&inspection->levels);
+    redcc_partition_end(&inspection->partition);
+    redcc_memory_give(inspection->samples);
+    redcc_memory_give(inspection->summaries);
+    redcc_memory_give(inspection->seen);
+    inspection->samples = NULL;
+    inspection->summaries = NULL;
+    inspection->seen = NULL;
+}
+
+bool redcc_inspection_failed(const struct inspection *inspection) {
+    for (int thread = 0; thread < inspection->call->threads; thread++)
+        if (inspection->inspector[thread]->failed)
+            return true;
+    return false;
+}
+
+redcc_int redcc_own_begin(const struct inspection *inspection, const struct inspector *inspector) {
+    return redcc_share(inspection->call->request.trip, inspector->threads, inspector->thread);
+}
+
+redcc_int redcc_own_end(const struct inspection *inspection, const struct inspector *inspector) {
+    return redcc_share(inspection->call->request.trip, inspector->threads, inspector->thread + 1);
+}
+
+void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int first,
+                    redcc_int last, redcc_int stride, const redcc_owner *window) {
+    assert(0 <= first && first < last && last <= worker->call->trip && stride > 0);
+    worker->first = first;
+    worker->last = last;
+    worker->stride = stride;
+    worker->sources = inspector->sources;
+    worker->window = window;
+    worker->inside = worker->outside = 0;
+    worker->alike = 0;
+    worker->entry = inspector->entries;
+    worker->entry_end = inspector->entries + REDCC_ENTRIES;
+}
+
+void redcc_gather_touched(struct inspection *inspection) {
+    for (uint32_t group = 0; group < inspection->partition.array_count; group++) {
+        struct range touched = redcc_nowhere;
+        for (int thread = 0; thread < inspection->call->threads; thread++)
+            touched = redcc_range_union(touched, inspection->inspector[thread]->seen[group]);
+        inspection->touched[group] = touched;
+    }
+}

@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * An inspection, in the threads of the region. Its steps, in this order:
+ *
+ *     sample     some iterations' addresses             -> partition: the arrays cut among owners
+ *     sweep      all iterations' addresses              -> access summaries, extents, overlap guard
+ *     log        all touches once more, kept            -> an access log
+ *     partition  owners cut from the access graph       -> divide: access summaries by these owners
+ *                or iterations in levels                -> levels
+ *
+ * Functions that take an inspector are called by each thread; the others by one thread, while the
+ * others wait. Nothing here chooses: choose/advice.h does, and pipeline.c goes by it.
+ */
+#ifndef REDCC_INSPECTION_H
+#define REDCC_INSPECTION_H
+
+#include "base/call.h"
+#include "base/reason.h"
+#include "base/route.h"
+#include "ownership/estimate.h"
+#include "ownership/graph/divide.h"
+#include "ownership/graph/levels.h"
+#include "ownership/overlap.h"
+#include "ownership/sample.h"
+#include "ownership/sweep.h"
+
+enum { REDCC_ENTRIES = 1024 };
+
+/** One thread's part. What only it writes; others look after the barrier. */
+struct inspector {
+    int thread;
+    int threads;
+    bool failed;          /* no memory */
+    bool told_all;        /* the program told as many iterations as asked for */
+    redcc_int next;       /* iterations handed out up to here */
+    redcc_int handed;     /* in the block at hand */
+    redcc_int block;      /* that many at most */
+    redcc_entry *entries; /* [REDCC_ENTRIES] */
+    struct range *seen;   /* [array_count] */
+    redcc_int *executed;  /* [owners] iterations of the own share, by owner */
+    struct sample sample;
+    struct sweep sweep;
+    redcc_extent *sources; /* [source_count] told by redcc_read */
+    redcc_owner *nowhere;  /* [array_count] a window that holds nothing: all touches are entered */
+};
+
+/** Freed as one. */
+struct inspection {
+    const struct call *call;
+    struct inspector *const *inspector; /* [threads] */
+    struct barrier *barrier;
+    struct range *touched;  /* [array_count] by all threads; the loop's */
+    struct range *sources;  /* [source_count] where they lie; the loop's */
+    uint32_t stealable;     /* blocks to be cut for each thread (partition.spares) */
+    enum route route;       /* as far as it is decided */
+    bool no_copies;         /* by all iterations they cannot be had */
+    double touches;         /* of an iteration, by the sample */
+    struct overlap overlap; /* REASON_OVERLAP: which */
+    struct partition partition;
+    const struct sample **samples;    /* [threads] */
+    const struct summary **summaries; /* [threads] */
+    const struct range **seen;        /* [threads] */
+    struct divide divide;
+    struct levels levels;
+};
+
+/** Begins; steals: auto, which may have the arrays cut for stealable blocks. False: no memory (end
+ *  it all the same). */
+bool redcc_inspection_begin(struct inspection *inspection, bool steals);
+
+/** As many owners as the sample is to cut the arrays for. */
+void redcc_inspection_set_owners(struct inspection *inspection);
+
+/** Frees what it and its inspectors hold. */
+void redcc_inspection_end(struct inspection *inspection);
+
+/** Has some thread run out of memory? */
+bool redcc_inspection_failed(const struct inspection *inspection);
+
+/** The iterations that a thread inspects: a consecutive share, [begin, end). */
+redcc_int redcc_own_begin(const struct inspection *inspection, const struct inspector *inspector);
+redcc_int redcc_own_end(const struct inspection *inspection, const struct inspector *inspector);
+
+/** Has the worker tell iterations first, first + stride, ... < last. A touch within `window`
+ *  [array_count] makes no entry. */
+void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int first,
+                    redcc_int last, redcc_int stride, const redcc_owner *window);
+
+/** What the threads touched, by group, into inspection->touched. */
+void redcc_gather_touched(struct inspection *inspection);
+
+/* ---- sample (sampling.c) --------------------------------------------------------------------- */
+
+/** Hands out the thread's iterations of the sample. False: there are none. */
+bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                           redcc_worker *worker);
+
+/** Takes what was told, up to `end`. */
+void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
+                       const redcc_entry *end);
+
+/** The sample is told: all threads' samples stand for as many touches each, and groups that overlap
+ *  by it are one. */
+enum reason redcc_sample_finish(struct inspection *inspection);
+
+/** Cuts the groups among the owners, by the sample; estimate: what it says of that, or NULL. False:
+ *  no memory. */
+bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
+
+/* ---- sweep (sweeping.c) ---------------------------------------------------------------------- */
+
+/** Begins; so many bytes of subscripts will be hashed meanwhile, block after block. */
+void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
+                       size_t hashed);
+
+/** Hands out the next block. False: there is none left. */
+bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                          redcc_worker *worker);
+
+/** The block is told. Returns how much of the thread's iterations is, where more blocks than one
+ *  are handed out; else 0. */
+double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector);
+
+/** All iterations are told: what is touched, where the sources lie, and the overlap guard. */
+enum reason redcc_sweep_finish(struct inspection *inspection);
+
+/* ---- log and partition (logging.c) ----------------------------------------------------------- */
+
+/** Begins the access log. */
+enum divide_result redcc_log_begin(struct inspection *inspection, bool in_levels);
+
+/** Begins the thread's part, and hands out all its iterations. False: there are none. */
+bool redcc_log_hand_out(struct inspection *inspection, struct inspector *inspector,
+                        redcc_worker *worker);
+
+/** All is told: was there memory, and was it not too much to be kept? */
+enum divide_result redcc_log_finish(const struct inspection *inspection);
+
+/** Cuts owners from the access graph; joined: without stealable blocks after all. */
+void redcc_partition_share(struct inspection *inspection, struct inspector *inspector, bool joined);
+
+/** Puts the iterations in levels. False: no memory. */
+bool redcc_partition_levels(struct inspection *inspection);
+
+/* ---- statistics of all iterations (statistics.c) --------------------------------------------- */
+
+/** How many iterations all owners execute, as the inspectors have counted them (executed). */
+redcc_int redcc_executed_in_all(const struct inspection *inspection);
+
+/** The same if the stealable blocks of the access graph's owners were joined to these. */
+redcc_int redcc_executed_joined(const struct inspection *inspection);
+
+/** What of the iterations the thread has that would execute most by LOCALWRITE. */
+double redcc_largest_share(const struct inspection *inspection);
+
+/** How often an iteration touches other owners than the one before it, in all threads' shares. */
+double redcc_count_runs(const struct inspection *inspection);
+
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The sample of the iterations, by which the arrays are cut among the owners. */
+#include "inspect/inspection.h"
+
+#include "base/memory.h"
+#include "ownership/cuts.h"
+#include "plan/method.h"
+
+enum {
+    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
+    SAMPLED_MOST = 8192,
+    SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
+    SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
+    SAMPLED_TOUCHES_MOST = 4 * SAMPLED_TOUCHES, /* up to this */
+    ROWS_OF_A_TOUCH = 64
+};
+
+/* Iterations 0, stride, 2 stride, ... are sampled, however many threads share them. The stride is
+ * odd, or it might meet the same corner of each element again and again. Sorting more touches than
+ * few owners need would cost more than the sweep of all iterations. */
+static redcc_int sample_stride(const struct inspection *inspection) {
+    const struct partition *partition = &inspection->partition;
+    const redcc_int shares = partition->owners / (1 + partition->spares);
+    const redcc_int wanted = shares * SAMPLED_FOR_AN_OWNER;
+    return inspection->call->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
+}
+
+/* How many of them lie before this thread's share. */
+static redcc_int sampled_before(const struct inspection *inspection,
+                                const struct inspector *inspector) {
+    const redcc_int stride = sample_stride(inspection);
+    return (redcc_own_begin(inspection, inspector) + stride - 1) / stride;
+}
+
+/* A part's cuts can be no more even than the touches from which they are chosen. (Where results
+ * must not depend on the number of threads each of them has room for all, so these are few.) */
+static size_t touches_to_keep(const struct inspection *inspection) {
+    if (inspection->call->method && inspection->call->method->keeps == REDCC_ORDER_FIXED)
+        return SAMPLED_TOUCHES;
+    const size_t wanted = (size_t)inspection->partition.owners * SAMPLED_TOUCHES_AN_OWNER;
+    const size_t most = wanted < SAMPLED_TOUCHES_MOST ? wanted : SAMPLED_TOUCHES_MOST;
+    return most < SAMPLED_TOUCHES ? SAMPLED_TOUCHES : most;
+}
+
+/* Where results must not depend on the number of threads, each has room for whatever of its share
+ * may stay in the end. */
+static size_t sample_room(const struct inspection *inspection, const struct inspector *inspector) {
+    const struct method *method = inspection->call->method;
+    const size_t all = touches_to_keep(inspection);
+    const size_t least = 1024, even = all / (size_t)inspector->threads;
+    if (method && method->keeps == REDCC_ORDER_FIXED)
+        return all;
+    return even > least ? even : least;
+}
+
+static bool begin_sample(const struct inspection *inspection, struct inspector *inspector) {
+    const struct partition *partition = &inspection->partition;
+    inspector->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *inspector->entries);
+    inspector->seen = redcc_memory_take(partition->array_count * sizeof *inspector->seen);
+    inspector->executed = redcc_memory_take_zeroed(partition->room, sizeof *inspector->executed);
+    if (!redcc_sample_begin(&inspector->sample, sample_room(inspection, inspector),
+                            (uint64_t)sampled_before(inspection, inspector)) ||
+        !inspector->entries || !inspector->seen || !inspector->executed)
+        return false;
+    for (uint32_t array = 0; array < partition->array_count; array++)
+        inspector->seen[array] = redcc_nowhere;
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
+        inspector->sources[s] = (redcc_extent){0, 0};
+    return true;
+}
+
+bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                           redcc_worker *worker) {
+    const redcc_int stride = sample_stride(inspection);
+    const redcc_int first = stride * sampled_before(inspection, inspector);
+    const redcc_int end = redcc_own_end(inspection, inspector);
+    inspector->failed = !begin_sample(inspection, inspector);
+    if (inspector->failed || first >= end)
+        return false;
+    redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
+    return true;
+}
+
+/* A touch of several rows weighs as much as they do, up to some: cuts lie between rows. */
+static void sample_rows(const struct inspection *inspection, struct inspector *inspector,
+                        const redcc_entry *entry) {
+    const uint32_t unit = inspection->partition.arrays[entry->array].unit;
+    const uint32_t rows = entry->bytes / unit > 0 ? entry->bytes / unit : 1;
+    const uint32_t step = (rows + ROWS_OF_A_TOUCH - 1) / ROWS_OF_A_TOUCH;
+    for (uint32_t row = 0; row < rows; row += step)
+        redcc_sample_add(&inspector->sample, (uintptr_t)entry->address + (uintptr_t)row * unit,
+                         entry->array);
+}
+
+void redcc_sample_take(const struct inspection *inspection, struct inspector *inspector,
+                       const redcc_entry *end) {
+    for (const redcc_entry *entry = inspector->entries; entry != end; entry++) {
+        if (entry->array == REDCC_END_OF_ITERATION) {
+            redcc_sample_next_iteration(&inspector->sample);
+            continue;
+        }
+        const uintptr_t first = (uintptr_t)entry->address;
+        if (entry->bytes == 0)
+            continue;
+        inspector->seen[entry->array] = redcc_range_union(
+            inspector->seen[entry->array], (struct range){first, first + entry->bytes});
+        sample_rows(inspection, inspector, entry);
+    }
+}
+
+/* Groups were put together: so is what each thread has seen of them. */
+static void regroup_seen(struct inspection *inspection) {
+    const struct partition *partition = &inspection->partition;
+    for (int thread = 0; thread < inspection->call->threads; thread++) {
+        struct range *seen = inspection->inspector[thread]->seen;
+        for (uint32_t array = 0; array < partition->array_count; array++) {
+            const uint32_t group = partition->group_of[array];
+            if (group == array)
+                continue;
+            seen[group] = redcc_range_union(seen[group], seen[array]);
+            seen[array] = redcc_nowhere;
+        }
+    }
+}
+
+/* Where the others lie the sweep tells. */
+static void place_known_sources(struct inspection *inspection) {
+    const struct request *request = &inspection->call->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        inspection->sources[s] = known.end
+                                     ? (struct range){(uintptr_t)known.first, (uintptr_t)known.end}
+                                     : redcc_nowhere;
+    }
+}
+
+bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
+    struct partition *partition = &inspection->partition;
+    const int threads = inspection->call->threads;
+    regroup_seen(inspection);
+    redcc_inspection_set_owners(inspection);
+    for (int thread = 0; thread < threads; thread++)
+        inspection->samples[thread] = &inspection->inspector[thread]->sample;
+    place_known_sources(inspection);
+    if (!redcc_choose_cuts(partition, inspection->samples, threads) ||
+        (estimate && !redcc_estimate(partition, inspection->samples, threads, estimate)))
+        return false;
+    inspection->touches = estimate ? estimate->touches : 0;
+    return true;
+}
+
+/* One item stands for as many touches in all samples, and all have touches_to_keep at most. */
+static void thin_samples(struct inspection *inspection) {
+    struct inspector *const *inspector = inspection->inspector;
+    uint64_t keep_each = 1;
+    size_t count = SIZE_MAX;
+    for (int thread = 0; thread < inspection->call->threads; thread++)
+        if (inspector[thread]->sample.keep_each > keep_each)
+            keep_each = inspector[thread]->sample.keep_each;
+    for (; count > touches_to_keep(inspection); keep_each *= 2) {
+        count = 0;
+        for (int thread = 0; thread < inspection->call->threads; thread++)
+            count += redcc_sample_count(&inspector[thread]->sample, keep_each);
+    }
+    for (int thread = 0; thread < inspection->call->threads; thread++)
+        redcc_sample_thin(&inspector[thread]->sample, keep_each / 2);
+}
+
+enum reason redcc_sample_finish(struct inspection *inspection) {
+    if (redcc_inspection_failed(inspection))
+        return REASON_NO_MEMORY;
+    thin_samples(inspection);
+    redcc_gather_touched(inspection);
+    return redcc_partition_merge(&inspection->partition, inspection->touched) == MERGE_REFUSED
+               ? REASON_OUT_OF_STEP
+               : REASON_NONE;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The sweep: all iterations tell their addresses, block after block, which gives the access
+ *  summaries, the exact extents and the overlap guard. */
+#include "inspect/inspection.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum { HASHED_AT_ONCE = 512 * 1024 /* bytes of subscripts, that the caches hold */ };
+
+/* As many iterations as read so much of the subscripts, which are then hashed. */
+static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
+    const redcc_int blocks = (redcc_int)(hashed / HASHED_AT_ONCE) + 1;
+    const redcc_int each = own / blocks + 1;
+    return each < REDCC_BLOCK ? each : REDCC_BLOCK;
+}
+
+void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
+                       size_t hashed) {
+    const struct partition *partition = &inspection->partition;
+    const redcc_int begin = redcc_own_begin(inspection, inspector);
+    redcc_sweep_end(&inspector->sweep); /* of the sweep before, where groups had to become one */
+    memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
+    inspector->failed = !redcc_sweep_begin(&inspector->sweep, partition, inspector->seen);
+    inspector->next = begin;
+    inspector->handed = 0;
+    inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
+    inspector->told_all = true;
+}
+
+bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                          redcc_worker *worker) {
+    const redcc_int end = redcc_own_end(inspection, inspector), first = inspector->next;
+    if (inspector->failed || !inspector->told_all || first == end)
+        return false;
+    inspector->handed = end - first < inspector->block ? end - first : inspector->block;
+    inspector->next = first + inspector->handed;
+    assert(inspector->handed > 0 && inspector->next <= end);
+    redcc_sweep_open_block(&inspector->sweep, first);
+    redcc_hand_out(inspector, worker, first, inspector->next, 1, inspector->sweep.window);
+    return true;
+}
+
+double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector) {
+    assert(inspector->handed > 0);
+    if (!redcc_sweep_close_block(&inspector->sweep, inspector->handed)) {
+        inspector->failed = inspector->sweep.failed;
+        inspector->told_all = false;
+    }
+    inspector->handed = 0;
+    const redcc_int begin = redcc_own_begin(inspection, inspector);
+    const redcc_int all = redcc_own_end(inspection, inspector) - begin;
+    return inspector->block < all ? (double)(inspector->next - begin) / (double)all : 0;
+}
+
+static void gather_sources(struct inspection *inspection) {
+    const struct request *request = &inspection->call->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        struct range *range = &inspection->sources[s];
+        if (request->known[s].end)
+            continue;
+        *range = redcc_nowhere;
+        for (int thread = 0; thread < inspection->call->threads; thread++) {
+            const redcc_extent told = inspection->inspector[thread]->sources[s];
+            if (told.end)
+                *range = redcc_range_union(
+                    *range, (struct range){(uintptr_t)told.first, (uintptr_t)told.end});
+        }
+    }
+}
+
+enum reason redcc_sweep_finish(struct inspection *inspection) {
+    if (redcc_inspection_failed(inspection))
+        return REASON_NO_MEMORY;
+    for (int thread = 0; thread < inspection->call->threads; thread++)
+        if (!inspection->inspector[thread]->told_all)
+            return REASON_INSPECTOR;
+    redcc_gather_touched(inspection);
+    gather_sources(inspection);
+    return redcc_ranges_are_apart(inspection->sources, inspection->call->request.loop->source_count,
+                                  inspection->touched, inspection->partition.array_count,
+                                  &inspection->overlap)
+               ? REASON_NONE
+               : REASON_OVERLAP;
+}

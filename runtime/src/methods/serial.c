@@ -1,5 +1,0 @@
-/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** serial: the sequential loop itself. */
-#include "method.h"
-
-const struct method redcc_method_serial = {.name = "serial", .keeps = REDCC_ORDER_SERIAL};

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/cuts.h"
+
+#include "base/memory.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* A touch of one group, and which iteration of all samples it belongs to. */
+struct point {
+    uintptr_t address;
+    uint32_t iteration;
+};
+
+/* The owners in the leading group that an iteration touches; low > high: none. */
+struct label {
+    uint32_t low;
+    uint32_t high;
+};
+
+/* The touches of a group, sorted by address. */
+struct points {
+    struct point *point;
+    size_t count;
+};
+
+struct work {
+    struct partition *partition;
+    const struct sample *const *sample;
+    int threads;
+    struct points *of;    /* [array_count] of each group */
+    struct point *point;  /* where they are, one group's after another's */
+    struct point *spare;  /* as long */
+    struct label *label;  /* of every sampled iteration */
+    struct label *beside; /* of the iterations of a group's points */
+};
+
+/* The group's touches, to `point` and behind it. */
+static struct points gather(const struct work *work, uint32_t group, struct point *point) {
+    struct points points = {point, 0};
+    uint32_t first_iteration = 0;
+    for (int thread = 0; thread < work->threads; thread++) {
+        const struct sample *sample = work->sample[thread];
+        for (size_t i = 0; i < sample->count; i++) {
+            const struct sampled *item = &sample->item[i];
+            if (work->partition->group_of[item->array] == group)
+                point[points.count++] =
+                    (struct point){item->address, first_iteration + item->iteration};
+        }
+        first_iteration += sample->iterations + 1;
+    }
+    return points;
+}
+
+enum { DIGIT = 11 };
+
+/* By the `bits` bits from `shift` on of their addresses; points that are alike in them keep their
+ * order. */
+static void sort_by_digit(const struct point *from, struct point *to, size_t count, unsigned shift,
+                          unsigned bits) {
+    const uintptr_t mask = ((uintptr_t)1 << bits) - 1;
+    size_t start[(1 << DIGIT) + 1];
+    memset(start, 0, (mask + 2) * sizeof *start);
+    for (size_t i = 0; i < count; i++)
+        start[(from[i].address >> shift & mask) + 1]++;
+    for (size_t bucket = 0; bucket < mask; bucket++)
+        start[bucket + 1] += start[bucket];
+    for (size_t i = 0; i < count; i++)
+        to[start[from[i].address >> shift & mask]++] = from[i];
+}
+
+/* Least significant digit first, in as few digits as there must be, of equal length, for the bits
+ * in which some differ. */
+static void sort_by_address(struct points points, struct point *spare) {
+    unsigned long long differ = 0;
+    for (size_t i = 1; i < points.count; i++)
+        differ |= points.point[i].address ^ points.point[0].address;
+    if (!differ)
+        return;
+    const unsigned low = (unsigned)__builtin_ctzll(differ);
+    const unsigned end = 64 - (unsigned)__builtin_clzll(differ);
+    const unsigned digits = (end - low + DIGIT - 1) / DIGIT;
+    const unsigned bits = (end - low + digits - 1) / digits;
+    struct point *from = points.point, *to = spare;
+    for (unsigned digit = 0; digit < digits; digit++) {
+        struct point *const sorted = to;
+        sort_by_digit(from, sorted, points.count, low + digit * bits, bits);
+        to = from;
+        from = sorted;
+    }
+    if (from != points.point)
+        memcpy(points.point, from, points.count * sizeof *from);
+}
+
+static void close_cuts(const struct partition *partition, uint32_t group) {
+    uintptr_t *cut = redcc_cuts(partition, group);
+    cut[0] = 0;
+    for (uint32_t owner = 1; owner < partition->owners; owner++)
+        if (cut[owner] < cut[owner - 1])
+            cut[owner] = cut[owner - 1];
+    cut[partition->owners] = UINTPTR_MAX;
+}
+
+/* Returns how many different cuts there are. */
+static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
+    const struct partition *partition = work->partition;
+    const struct points points = work->of[group];
+    uintptr_t *cut = redcc_cuts(partition, group);
+    uint32_t different = 0;
+    for (uint32_t owner = 1; owner < partition->owners; owner++) {
+        const size_t rank =
+            redcc_amount_below(partition->owners, partition->spares, owner, points.count);
+        cut[owner] =
+            points.count ? redcc_unit_begin(partition, group, points.point[rank].address) : 0;
+        different += cut[owner] != cut[owner - 1];
+    }
+    close_cuts(partition, group);
+    return different;
+}
+
+static void label_iterations(const struct work *work, uint32_t group, size_t iterations) {
+    const struct points points = work->of[group];
+    for (size_t i = 0; i < iterations; i++)
+        work->label[i] = (struct label){UINT32_MAX, 0};
+    for (size_t i = 0; i < points.count; i++) {
+        const uint32_t owner = redcc_owner_of(work->partition, group, points.point[i].address);
+        struct label *label = &work->label[points.point[i].iteration];
+        label->low = owner < label->low ? owner : label->low;
+        label->high = owner > label->high ? owner : label->high;
+    }
+}
+
+/* Where between the points does a cut part best the iterations wholly below owner `owner` from
+ * those wholly at or above it? Of equally good places, the middle one. */
+static uintptr_t best_cut(const struct work *work, uint32_t group, uint32_t owner) {
+    const struct points points = work->of[group];
+    long cost = 0;
+    for (size_t i = 0; i < points.count; i++) {
+        const struct label label = work->beside[i];
+        cost += label.low <= label.high && label.high < owner;
+    }
+    long least = cost;
+    size_t first = 0, last = 0;
+    for (size_t i = 0; i < points.count; i++) { /* the cut moves from before point i to after it */
+        const struct label label = work->beside[i];
+        if (label.low <= label.high)
+            cost += (label.low >= owner) - (label.high < owner);
+        if (cost < least) {
+            least = cost;
+            first = i + 1;
+        }
+        if (cost == least)
+            last = i + 1;
+    }
+    last = last < first ? first : last;
+    const size_t place = first + (last - first) / 2;
+    if (place == points.count) /* everything is below: nothing is left to the owners above */
+        return UINTPTR_MAX;
+    return redcc_unit_begin(work->partition, group, points.point[place].address);
+}
+
+static void cut_beside_leader(const struct work *work, uint32_t group) {
+    const struct points points = work->of[group];
+    const struct partition *partition = work->partition;
+    bool labelled = false;
+    for (size_t i = 0; i < points.count; i++) {
+        work->beside[i] = work->label[points.point[i].iteration];
+        labelled = labelled || work->beside[i].low <= work->beside[i].high;
+    }
+    if (!labelled)
+        return; /* never touched together with the leading group: its own quantiles stay */
+    uintptr_t *cut = redcc_cuts(partition, group);
+    for (uint32_t owner = 1; owner < partition->owners; owner++)
+        cut[owner] = best_cut(work, group, owner);
+    close_cuts(partition, group);
+}
+
+static void cut_all(const struct work *work, size_t iterations) {
+    struct partition *partition = work->partition;
+    struct point *point = work->point;
+    uint32_t leader = UINT32_MAX, most = 0, groups = 0;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        if (!redcc_leads_group(partition, group))
+            continue;
+        work->of[group] = gather(work, group, point);
+        point += work->of[group].count;
+        sort_by_address(work->of[group], work->spare);
+        const uint32_t different = cut_at_quantiles(work, group);
+        if (leader == UINT32_MAX || different > most) {
+            leader = group;
+            most = different;
+        }
+        groups++;
+    }
+    partition->leader = leader == UINT32_MAX ? 0 : leader;
+    if (groups < 2 || partition->owners < 2)
+        return;
+    label_iterations(work, leader, iterations);
+    for (uint32_t group = 0; group < partition->array_count; group++)
+        if (redcc_leads_group(partition, group) && group != leader)
+            cut_beside_leader(work, group);
+}
+
+#ifndef NDEBUG
+/* Does each owner begin where the one before ends, the first at 0, and the last end at the end? */
+static bool are_cut(const struct partition *partition) {
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const uintptr_t *cut = redcc_cuts(partition, group);
+        bool ascending = cut[0] == 0 && cut[partition->owners] == UINTPTR_MAX;
+        for (uint32_t owner = 0; owner < partition->owners; owner++)
+            ascending = ascending && cut[owner] <= cut[owner + 1];
+        if (redcc_leads_group(partition, group) && !ascending)
+            return false;
+    }
+    return true;
+}
+#endif
+
+bool redcc_choose_cuts(struct partition *partition, const struct sample *const *sample,
+                       int threads) {
+    size_t points = 1, iterations = 1;
+    for (int thread = 0; thread < threads; thread++) {
+        points += sample[thread]->count;
+        iterations += (size_t)sample[thread]->iterations + 1;
+    }
+    struct work work = {.partition = partition, .sample = sample, .threads = threads};
+    work.of = redcc_memory_take(partition->array_count * sizeof *work.of);
+    work.point = redcc_memory_take(points * sizeof *work.point);
+    work.spare = redcc_memory_take(points * sizeof *work.spare);
+    work.label = redcc_memory_take(iterations * sizeof *work.label);
+    work.beside = redcc_memory_take(points * sizeof *work.beside);
+    const bool enough = work.of && work.point && work.spare && work.label && work.beside;
+    if (enough)
+        cut_all(&work, iterations);
+    assert(!enough || are_cut(partition));
+    redcc_memory_give(work.of);
+    redcc_memory_give(work.point);
+    redcc_memory_give(work.spare);
+    redcc_memory_give(work.label);
+    redcc_memory_give(work.beside);
+    return enough;
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/estimate.h"
+
+#include "base/memory.h"
+
+/* Of each owner, and of each share, which is an owner and the spare ones behind it: iterations that
+ * it takes part in, and the last one of them, counted from 1. */
+struct part {
+    uint32_t iterations;
+    uint32_t last;
+};
+struct parts {
+    struct part *of_owner; /* [owners] */
+    struct part *of_share; /* [owners / (1 + spares)] */
+};
+
+static void take_part(struct part *part, uint32_t iteration) {
+    part->iterations += part->last != iteration;
+    part->last = iteration;
+}
+
+/* The owners that an iteration touches, as far as it matters here. */
+struct span_of_owners {
+    uint32_t low;
+    uint32_t high;
+};
+
+/* A thread's sample: who takes part, and how often one iteration differs from the one before. */
+static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
+                            uint32_t first, struct parts parts) {
+    const uint32_t each = 1 + partition->spares;
+    const struct span_of_owners none = {UINT32_MAX, 0};
+    struct span_of_owners before = none, now = none;
+    uint32_t changes = 0;
+    for (size_t i = 0; i < sample->count; i++) {
+        const struct sampled *item = &sample->item[i];
+        const uint32_t group = partition->group_of[item->array];
+        const uint32_t owner = redcc_owner_of(partition, group, item->address);
+        const uint32_t iteration = first + item->iteration;
+        if (i > 0 && item->iteration != sample->item[i - 1].iteration) {
+            changes +=
+                before.low <= before.high && (now.low != before.low || now.high != before.high);
+            before = now;
+            now = none;
+        }
+        now.low = owner < now.low ? owner : now.low;
+        now.high = owner > now.high ? owner : now.high;
+        take_part(&parts.of_owner[owner], iteration);
+        take_part(&parts.of_share[owner / each], iteration);
+    }
+    return changes;
+}
+
+bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
+                    int threads, struct estimate *estimate) {
+    const size_t owners = partition->owners, shares = owners / (1 + partition->spares);
+    struct part *part = redcc_memory_take_zeroed(owners + shares, sizeof *part);
+    if (!part)
+        return false;
+    const struct parts parts = {part, part + owners};
+    uint32_t iterations = 1, most = 0, changes = 0, spared = 0;
+    double touches = 0;
+    for (int thread = 0; thread < threads; thread++) {
+        changes += count_parts(partition, sample[thread], iterations, parts);
+        iterations += sample[thread]->iterations + 1;
+        touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
+    }
+    for (size_t owner = 0; owner < owners; owner++)
+        spared += parts.of_owner[owner].iterations;
+    for (size_t share = 0; share < shares; share++) {
+        const uint32_t taken = parts.of_share[share].iterations;
+        most = taken > most ? taken : most;
+        spared -= taken;
+    }
+    *estimate = (struct estimate){.share = (double)most / iterations,
+                                  .spared = (double)spared / iterations,
+                                  .touches = touches / iterations,
+                                  .changes = (double)changes / iterations};
+    redcc_memory_give(part);
+    return true;
+}

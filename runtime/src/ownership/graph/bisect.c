@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/graph/bisect.h"
+
+#include "base/memory.h"
+#include "ownership/partition.h"
+
+#include <string.h>
+
+struct division {
+    const struct graph *graph;
+    unsigned char *part;
+    uint32_t *node;  /* [count] all nodes, those of a part together */
+    uint32_t *order; /* [count] of a search */
+    uint32_t *seen;  /* [count] the search that met the node last */
+    uint32_t search;
+    uint32_t parts;
+    uint32_t spares;
+    uint64_t load[REDCC_PARTS_MOST];
+    uint64_t most[REDCC_PARTS_MOST];
+};
+
+static uint32_t strength_of(const struct graph *graph, uint32_t edge) {
+    return graph->strength ? graph->strength[edge] : 1;
+}
+
+/* How strongly a node is joined to each part of [low, high). */
+struct ties {
+    uint64_t to[REDCC_PARTS_MOST];
+    uint32_t count; /* of parts with any */
+    uint32_t part[REDCC_PARTS_MOST];
+};
+
+static void count_ties(const struct graph *graph, uint32_t node, const unsigned char *part,
+                       uint32_t low, uint32_t high, struct ties *ties) {
+    ties->count = 0;
+    for (uint32_t e = graph->start[node]; e < graph->start[node + 1]; e++) {
+        const uint32_t to = part[graph->neighbour[e]];
+        if (to < low || to >= high)
+            continue;
+        if (ties->to[to] == 0)
+            ties->part[ties->count++] = to;
+        ties->to[to] += strength_of(graph, e);
+    }
+}
+
+/* The part that the node should be in. */
+static uint32_t best_part(const struct ties *ties, uint32_t here, uint64_t weight,
+                          const uint64_t *load, const uint64_t *most) {
+    const bool too_heavy = load[here] > most[here];
+    uint32_t best = here;
+    uint64_t best_ties = too_heavy ? 0 : ties->to[here];
+    for (uint32_t i = 0; i < ties->count; i++) {
+        const uint32_t to = ties->part[i];
+        if (to == here || load[to] + weight > most[to])
+            continue;
+        const bool evens = load[to] + weight < (best == here ? load[here] : load[best] + weight);
+        if (ties->to[to] > best_ties || (ties->to[to] == best_ties && evens)) {
+            best = to;
+            best_ties = ties->to[to];
+        }
+    }
+    return best;
+}
+
+void redcc_refine(const struct graph *graph, const uint32_t *list, uint32_t count,
+                  unsigned char *part, uint32_t low, uint32_t high, uint64_t *load,
+                  const uint64_t *most, int rounds) {
+    struct ties ties = {.count = 0};
+    for (int round = 0; round < rounds; round++) {
+        uint32_t moved = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t node = list[i], here = part[node];
+            count_ties(graph, node, part, low, high, &ties);
+            const uint64_t weight = graph->weight[node];
+            const uint32_t best = best_part(&ties, here, weight, load, most);
+            for (uint32_t t = 0; t < ties.count; t++)
+                ties.to[ties.part[t]] = 0;
+            if (best == here)
+                continue;
+            load[here] -= weight;
+            load[best] += weight;
+            part[node] = (unsigned char)best;
+            moved++;
+        }
+        if (moved == 0)
+            break;
+    }
+}
+
+/* Searches breadth first from node[0], then from the first node not met, until all of
+ * node[0 .. count) are in the order; through nodes of part `within` only. Returns the last of the
+ * nodes met from node[0]: it lies farthest from there. */
+static uint32_t search_from(struct division *division, uint32_t first, const uint32_t *node,
+                            uint32_t count, uint32_t within) {
+    const struct graph *graph = division->graph;
+    uint32_t *order = division->order, *seen = division->seen;
+    const uint32_t search = ++division->search;
+    uint32_t met = 0, at = 0, farthest = first;
+    seen[first] = search;
+    order[met++] = first;
+    for (uint32_t next = 0; at < count;) {
+        for (; at < met; at++)
+            for (uint32_t e = graph->start[order[at]]; e < graph->start[order[at] + 1]; e++) {
+                const uint32_t other = graph->neighbour[e];
+                if (division->part[other] != within || seen[other] == search)
+                    continue;
+                seen[other] = search;
+                order[met++] = other;
+            }
+        if (next == 0)
+            farthest = order[met - 1];
+        for (; next < count && seen[node[next]] == search; next++)
+            ;
+        if (next == count)
+            break;
+        seen[node[next]] = search;
+        order[met++] = node[next++];
+    }
+    return farthest;
+}
+
+/* A node at the rim: farthest from the one that is farthest from any. */
+static void order_from_rim(struct division *division, const uint32_t *node, uint32_t count,
+                           uint32_t within) {
+    uint32_t rim = node[0];
+    for (int again = 0; again < 2; again++)
+        rim = search_from(division, rim, node, count, within);
+    search_from(division, rim, node, count, within);
+}
+
+/* Room above an equal share, so that refinement can move something. */
+static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
+    const uint64_t percent = share / 100;
+    return share + (percent > heaviest ? percent : heaviest);
+}
+
+/* Of `sum` for parts [low, high), what parts [low, middle) get. */
+static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t low,
+                         uint32_t middle, uint32_t high) {
+    const uint32_t parts = division->parts, spares = division->spares;
+    const uint64_t scale = 1000 * (uint64_t)parts;
+    const uint64_t below_low = redcc_amount_below(parts, spares, low, scale);
+    const uint64_t lower = redcc_amount_below(parts, spares, middle, scale) - below_low;
+    const uint64_t both = redcc_amount_below(parts, spares, high, scale) - below_low;
+    return sum / both * lower + sum % both * lower / both;
+}
+
+/* Divides node[0 .. count), all in part `low`, into parts [low, high). */
+static void bisect(struct division *division, uint32_t *node, uint32_t count, uint32_t low,
+                   uint32_t high) {
+    const struct graph *graph = division->graph;
+    if (high - low < 2 || count == 0)
+        return;
+    const uint32_t middle = low + (high - low) / 2;
+    uint64_t sum = 0, heaviest = 0, lower = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint64_t weight = graph->weight[node[i]];
+        sum += weight;
+        heaviest = weight > heaviest ? weight : heaviest;
+    }
+    order_from_rim(division, node, count, low);
+    memcpy(node, division->order, count * sizeof *node);
+    const uint64_t share = share_of(division, sum, low, middle, high);
+    uint32_t first = 0;
+    for (; first < count && lower + graph->weight[node[first]] / 2 <= share; first++)
+        lower += graph->weight[node[first]];
+    for (uint32_t i = first; i < count; i++)
+        division->part[node[i]] = (unsigned char)middle;
+    division->load[low] = lower;
+    division->load[middle] = sum - lower;
+    division->most[low] = slightly_more(share, heaviest);
+    division->most[middle] = slightly_more(sum - share, heaviest);
+    for (uint32_t part = low; part < high; part++)
+        if (part != low && part != middle)
+            division->load[part] = division->most[part] = 0;
+    redcc_refine(graph, node, count, division->part, low, high, division->load, division->most, 8);
+    uint32_t kept = 0; /* those of the lower part first again */
+    for (uint32_t i = 0; i < count; i++)
+        if (division->part[node[i]] == low)
+            division->order[kept++] = node[i];
+    first = kept;
+    for (uint32_t i = 0; i < count; i++)
+        if (division->part[node[i]] == middle)
+            division->order[kept++] = node[i];
+    memcpy(node, division->order, count * sizeof *node);
+    bisect(division, node, first, low, middle);
+    bisect(division, node + first, count - first, middle, high);
+}
+
+bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t spares,
+                        unsigned char *part) {
+    const size_t count = graph->count;
+    struct division division = {.graph = graph, .part = part, .parts = parts, .spares = spares};
+    division.node = redcc_memory_take(count * sizeof *division.node);
+    division.order = redcc_memory_take(count * sizeof *division.order);
+    division.seen = redcc_memory_take_zeroed(count, sizeof *division.seen);
+    const bool enough = division.node && division.order && division.seen;
+    if (enough) {
+        memset(part, 0, count);
+        for (uint32_t node = 0; node < graph->count; node++)
+            division.node[node] = node;
+        bisect(&division, division.node, graph->count, 0, parts);
+    }
+    redcc_memory_give(division.node);
+    redcc_memory_give(division.order);
+    redcc_memory_give(division.seen);
+    return enough;
+}

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The units (rows) of all groups of a partition, numbered from 0: those of the leading group first.
+ */
+#ifndef REDCC_UNITS_H
+#define REDCC_UNITS_H
+
+#include "ownership/partition.h"
+
+/** The units of one group that are touched, or lie between such. */
+struct group_units {
+    uintptr_t first; /* address of the first one */
+    uint32_t begin;  /* its number */
+    uint32_t count;
+    uint32_t bytes; /* of each */
+    uint64_t reciprocal;
+};
+
+struct units {
+    uint32_t leading; /* how many belong to the leading group */
+    uint32_t count;   /* of all groups */
+    uint32_t array_count;
+    struct group_units *of; /* [array_count] of each group; of other arrays: none */
+};
+
+/** The largest count. */
+#define REDCC_UNITS_MOST 0x7ffffffeu
+
+/** Numbers the units of the groups, group g being touched in touched[g]. False: no memory (end it
+ *  all the same). Where there are more than REDCC_UNITS_MOST, count is 0. */
+bool redcc_units_begin(struct units *units, const struct partition *partition,
+                       const struct range *touched);
+
+/** Gives back its memory. */
+void redcc_units_end(struct units *units);
+
+/** Bytes from a group's first unit on, in units: offset / bytes, without a division where there is
+ *  a wider multiplication. With m = floor((2^64 - 1) / bytes) + 1, m * bytes exceeds 2^64 by less
+ *  than `bytes`, so that the high half of offset * m is the quotient while offset * bytes < 2^64.
+ */
+static inline uint64_t redcc_units_in(const struct group_units *group, uint64_t offset) {
+#ifdef __SIZEOF_INT128__
+    __extension__ typedef unsigned __int128 wide;
+    if (group->reciprocal)
+        return (uint64_t)((wide)offset * group->reciprocal >> 64);
+#endif
+    return offset / group->bytes;
+}
+
+#endif

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/partition.h"
+
+#include "base/memory.h"
+
+#include <assert.h>
+
+bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, void *const *bases,
+                           uint32_t owners) {
+    const uint32_t count = loop->array_count;
+    *partition = (struct partition){
+        .arrays = loop->arrays, .array_count = count, .room = owners, .owners = owners};
+    partition->base = redcc_memory_take(count * sizeof *partition->base);
+    partition->group_of = redcc_memory_take(count * sizeof *partition->group_of);
+    partition->cut = redcc_memory_take_zeroed((size_t)count * (owners + 1), sizeof(uintptr_t));
+    if (!partition->base || !partition->group_of || !partition->cut)
+        return false;
+    for (uint32_t array = 0; array < count; array++) {
+        partition->base[array] = (uintptr_t)bases[array];
+        partition->group_of[array] = array;
+    }
+    return true;
+}
+
+void redcc_partition_in_one(struct partition *partition) {
+    partition->owners = 1;
+    partition->spares = 0;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        redcc_cuts(partition, group)[0] = 0;
+        redcc_cuts(partition, group)[1] = UINTPTR_MAX;
+    }
+}
+
+void redcc_partition_join_spares(struct partition *partition) {
+    assert(partition->owners % (1 + partition->spares) == 0);
+    const uint32_t each = 1 + partition->spares, joined = partition->owners / each;
+    uintptr_t *to = partition->cut;
+    for (uint32_t group = 0; group < partition->array_count; group++) {
+        const uintptr_t *cut = redcc_cuts(partition, group);
+        for (uint32_t owner = 0; owner <= joined; owner++)
+            *to++ = cut[(size_t)owner * each]; /* never behind where it is read */
+    }
+    partition->owners = joined;
+    partition->spares = 0;
+}
+
+void redcc_partition_add_spares(struct partition *partition) {
+    assert(partition->spares == 0 && partition->owners * (1 + REDCC_SPARES) <= partition->room);
+    const uint32_t shares = partition->owners, each = 1 + REDCC_SPARES;
+    for (uint32_t group = partition->array_count; group-- > 0;) {
+        const uintptr_t *from = redcc_cuts(partition, group);
+        uintptr_t *to = partition->cut + (size_t)group * (shares * each + 1);
+        uintptr_t next = to[(size_t)shares * each] = from[shares];
+        for (uint32_t share = shares; share-- > 0;) { /* never before where it is still read */
+            const uintptr_t first = from[share];
+            for (uint32_t spare = 1; spare < each; spare++)
+                to[(size_t)share * each + spare] = next;
+            next = to[(size_t)share * each] = first;
+        }
+    }
+    partition->owners = shares * each;
+    partition->spares = REDCC_SPARES;
+}
+
+void redcc_partition_end(struct partition *partition) {
+    redcc_memory_give(partition->base);
+    redcc_memory_give(partition->group_of);
+    redcc_memory_give(partition->cut);
+    *partition = (struct partition){0};
+}
+
+/* Does every cut at a unit of `large` fall between two units of `small`? */
+static bool in_step(const struct partition *partition, uint32_t large, uint32_t small) {
+    const uintptr_t from = partition->base[large], to = partition->base[small];
+    const uintptr_t apart = from > to ? from - to : to - from;
+    const uint32_t unit = partition->arrays[small].unit;
+    return partition->arrays[large].unit % unit == 0 && apart % unit == 0;
+}
+
+static bool put_together(struct partition *partition, uint32_t a, uint32_t b) {
+    const redcc_array *arrays = partition->arrays;
+    const uint32_t lead = arrays[b].unit > arrays[a].unit ? b : a;
+    for (uint32_t array = 0; array < partition->array_count; array++) {
+        const uint32_t group = partition->group_of[array];
+        if (group != a && group != b)
+            continue;
+        if (!in_step(partition, lead, array))
+            return false;
+        partition->group_of[array] = lead;
+    }
+    if (arrays[a].type != arrays[b].type || arrays[a].operation != arrays[b].operation ||
+        arrays[a].element != arrays[b].element)
+        partition->mixed = true;
+    return true;
+}
+
+enum merge_result redcc_partition_merge(struct partition *partition, struct range *touched) {
+    enum merge_result result = MERGE_NOTHING;
+    const uint32_t count = partition->array_count;
+    for (uint32_t a = 0; a < count; a++)
+        for (uint32_t b = a + 1; b < count; b++) {
+            if (!redcc_leads_group(partition, a) || !redcc_leads_group(partition, b) ||
+                !redcc_ranges_overlap(touched[a], touched[b]))
+                continue;
+            const struct range both = redcc_range_union(touched[a], touched[b]);
+            if (!put_together(partition, a, b))
+                return MERGE_REFUSED;
+            touched[a] = touched[b] = redcc_nowhere;
+            touched[partition->group_of[a]] = both;
+            result = MERGE_DONE;
+            a = 0; /* the union may overlap others: begin again */
+            b = 0;
+        }
+    return result;
+}

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ownership/sample.h"
+
+#include "base/memory.h"
+
+bool redcc_sample_begin(struct sample *sample, size_t capacity, uint64_t first) {
+    *sample = (struct sample){.capacity = capacity, .keep_each = 1, .first = first};
+    sample->item = redcc_memory_take(capacity * sizeof *sample->item);
+    return sample->item != NULL;
+}
+
+void redcc_sample_end(struct sample *sample) {
+    redcc_memory_give(sample->item);
+    *sample = (struct sample){0};
+}
+
+/* True of one touch in `in` on average (a power of two); true of fewer where `in` is larger. The
+ * fractions i a1 + t a2 mod 1, with a1 = 1/g, a2 = 1/g^2, g^3 = g + 1, lie evenly in every stretch
+ * of iterations and of touches (Roberts, The unreasonable effectiveness of quasirandom sequences,
+ * 2018); here in units of 2^-64. */
+static bool chosen(uint64_t iteration, uint32_t touch, uint64_t in) {
+    const uint64_t fraction = iteration * 0xc13fa9a902a6328fu + touch * 0x91e10da5c79e7b1du;
+    return fraction <= UINT64_MAX / in;
+}
+
+static bool stays(const struct sample *sample, const struct sampled *item, uint64_t keep_each) {
+    return chosen(sample->first + item->iteration, item->touch, keep_each);
+}
+
+size_t redcc_sample_count(const struct sample *sample, uint64_t keep_each) {
+    size_t count = 0;
+    if (keep_each == sample->keep_each)
+        return sample->count;
+    for (size_t i = 0; i < sample->count; i++)
+        count += stays(sample, &sample->item[i], keep_each);
+    return count;
+}
+
+void redcc_sample_thin(struct sample *sample, uint64_t keep_each) {
+    size_t kept = 0;
+    if (keep_each == sample->keep_each)
+        return; /* they were chosen so */
+    for (size_t i = 0; i < sample->count; i++)
+        if (stays(sample, &sample->item[i], keep_each))
+            sample->item[kept++] = sample->item[i];
+    sample->count = kept;
+    sample->keep_each = keep_each;
+}
+
+void redcc_sample_add(struct sample *sample, uintptr_t address, uint32_t array) {
+    const struct sampled item = {address, array, sample->iterations, sample->touches++};
+    if (!stays(sample, &item, sample->keep_each))
+        return;
+    while (sample->count == sample->capacity) {
+        redcc_sample_thin(sample, 2 * sample->keep_each);
+        if (!stays(sample, &item, sample->keep_each))
+            return;
+    }
+    sample->item[sample->count++] = item;
+}

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The access summary: for the iterations that one thread inspected, in order, spans of consecutive
+ * iterations that touch the same set of owners. All that a method needs to know of a loop.
+ */
+#ifndef REDCC_SUMMARY_H
+#define REDCC_SUMMARY_H
+
+#include "ownership/partition.h"
+#include "ownership/sets.h"
+
+/** Iterations from `begin` (relative to the block's origin) to the next span's. */
+struct span {
+    uint32_t begin;
+    uint32_t set;
+};
+
+/** At most 2^30 consecutive iterations. */
+struct block {
+    redcc_int origin;
+    redcc_int count;
+    size_t span_begin;
+    size_t span_end;
+};
+
+enum { REDCC_BLOCK = 1 << 30 };
+
+struct summary {
+    struct sets sets;
+    struct span *span;
+    size_t span_count;
+    size_t span_capacity;
+    struct block *block;
+    size_t block_count;
+    size_t block_capacity;
+};
+
+/** An empty one over `owners` owners. False: no memory (end it all the same). */
+bool redcc_summary_begin(struct summary *summary, uint32_t owners);
+
+/** Gives back its memory. */
+void redcc_summary_end(struct summary *summary);
+
+/** What follows lies in iterations origin, origin + 1, ... False: no memory. */
+bool redcc_summary_open_block(struct summary *summary, redcc_int origin);
+
+/** The block's next `count` >= 1 iterations touch `set`. False: no memory. */
+bool redcc_summary_add(struct summary *summary, uint32_t set, redcc_int count);
+
+static inline redcc_int redcc_span_count(const struct summary *summary, const struct block *block,
+                                         size_t span) {
+    const redcc_int end = span + 1 < block->span_end ? summary->span[span + 1].begin : block->count;
+    return end - summary->span[span].begin;
+}
+
+#endif

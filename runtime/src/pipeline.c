@@ -1,0 +1,411 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The stages of the pipeline, which pipeline.h draws. */
+#include "pipeline.h"
+
+#include "loop.h"
+#include "plan/check.h"
+
+#include <assert.h>
+
+static enum stage refuse(struct execution *execution, enum reason reason) {
+    assert(reason != REASON_NONE);
+    execution->reason = reason;
+    execution->inspection.route = ROUTE_SERIAL;
+    return STAGE_OVER;
+}
+
+/* ---- verify ---------------------------------------------------------------------------------- */
+
+static enum plan_kind kind_wanted(const struct execution *execution) {
+    if (execution->call.method)
+        return PLAN_ANY;
+    return execution->advice.by_graph ? PLAN_BY_GRAPH : PLAN_BY_ADDRESS;
+}
+
+void redcc_find_plan(struct execution *execution) {
+    redcc_reuse_find(&execution->reuse, execution->call.threads, kind_wanted(execution));
+}
+
+static enum progress come_together(struct thread_state *thread, redcc_worker *worker) {
+    (void)thread;
+    (void)worker;
+    return PROGRESS_MEET;
+}
+
+static enum stage recount(struct execution *execution) {
+    redcc_find_plan(execution);
+    return STAGE_VERIFY;
+}
+
+static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
+    (void)worker;
+    struct execution *execution = thread->execution;
+    struct reuse *reuse = &execution->reuse;
+    if (!reuse->found || !redcc_reuse_verify(reuse, &thread->hasher))
+        return PROGRESS_MEET;
+    thread->runner.plan = reuse->found->plan;
+    if (thread->thread == 0)
+        execution->run.plan = reuse->found->plan;
+    return PROGRESS_PASS;
+}
+
+static enum stage begin_inspection(struct execution *execution) {
+    const struct advice *advice = &execution->advice;
+    redcc_reuse_drop_found(&execution->reuse);
+    execution->inspected = true;
+    return redcc_inspection_begin(&execution->inspection,
+                                  advice->mode != MODE_TIMED && !advice->by_graph)
+               ? STAGE_SAMPLE
+               : refuse(execution, REASON_NO_MEMORY);
+}
+
+/* ---- sample ---------------------------------------------------------------------------------- */
+
+static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
+    if (thread->telling)
+        redcc_flush(worker);
+    else if (redcc_sample_hand_out(&thread->execution->inspection, &thread->inspector, worker))
+        return PROGRESS_TELL;
+    return PROGRESS_MEET;
+}
+
+/* To a sweep with groups that do not overlap, as far as is known, newly cut; or, as auto sees by
+ * the sample, to nothing. */
+static enum stage cut(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    struct estimate estimate = {0};
+    enum reason reason = REASON_NONE;
+    if (!redcc_cut(inspection, redcc_wants_estimate(inspection) ? &estimate : NULL))
+        return refuse(execution, REASON_NO_MEMORY);
+    inspection->route = redcc_advise_sampled(&execution->state->chooser, &execution->advice,
+                                             inspection, &estimate, &reason);
+    return inspection->route == ROUTE_SERIAL ? refuse(execution, reason) : STAGE_SWEEP;
+}
+
+static enum stage after_sample(struct execution *execution) {
+    const enum reason reason = redcc_sample_finish(&execution->inspection);
+    return reason == REASON_NONE ? cut(execution) : refuse(execution, reason);
+}
+
+/* ---- sweep ----------------------------------------------------------------------------------- */
+
+static void begin_sweep(struct thread_state *thread) {
+    const struct inspection *inspection = &thread->execution->inspection;
+    const size_t hashed = redcc_hash_begin(&thread->hasher, &inspection->call->request,
+                                           inspection->sources, inspection->route != ROUTE_TIMED);
+    redcc_sweep_start(inspection, &thread->inspector, hashed);
+}
+
+static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
+    const struct inspection *inspection = &thread->execution->inspection;
+    struct inspector *inspector = &thread->inspector;
+    if (!thread->telling) {
+        begin_sweep(thread);
+    } else {
+        redcc_flush(worker);
+        const double told = redcc_sweep_close(inspection, inspector);
+        redcc_hash_some(&thread->hasher, inspection->call->request.loop, told);
+    }
+    if (redcc_sweep_hand_out(inspection, inspector, worker))
+        return PROGRESS_TELL;
+    if (!inspector->failed)
+        redcc_sweep_count(&inspector->sweep, inspector->executed);
+    return PROGRESS_MEET;
+}
+
+/* The last question before a plan is made: may this method have this loop? */
+static enum reason objection(const struct inspection *inspection, const struct method *method) {
+    if (inspection->partition.mixed && method->keeps != REDCC_ORDER_SERIAL)
+        return REASON_MIXED;
+    if (method->copies != COPY_NONE &&
+        !redcc_copies_possible(&inspection->partition, inspection->touched))
+        return REASON_NO_COPIES;
+    return REASON_NONE;
+}
+
+/* Nothing but the original loop is left, or nothing is known of it: one thread executes it, so that
+ * it is known how long that takes. Even that wants the guard: what the body reads once, as where an
+ * array lies, must not be among what it updates. */
+static enum stage go_timed(struct execution *execution) {
+    const bool put_off = execution->inspection.route == ROUTE_TIMED;
+    execution->reason = put_off ? REASON_COSTLY : REASON_REPLICATION;
+    execution->inspection.route = ROUTE_TIMED;
+    execution->run.mode = MODE_TIMED;
+    return STAGE_RUN;
+}
+
+static enum route route_of(const struct method *method) {
+    if (method->in_levels)
+        return ROUTE_LEVELS;
+    if (method->by_graph)
+        return ROUTE_GRAPH;
+    return method->copies == COPY_NONE ? ROUTE_OWNERS : ROUTE_COPIES;
+}
+
+static void summarise(struct inspection *inspection) {
+    for (int thread = 0; thread < inspection->call->threads; thread++) {
+        const struct inspector *inspector = inspection->inspector[thread];
+        const bool divided = inspection->route == ROUTE_GRAPH;
+        inspection->summaries[thread] =
+            divided ? &inspection->divide.sweep[thread].summary : &inspector->sweep.summary;
+        inspection->seen[thread] = inspector->seen;
+    }
+}
+
+/* An empty plan by the method, for all to fill. */
+static enum stage begin_plan(struct execution *execution, const struct method *method) {
+    struct inspection *inspection = &execution->inspection;
+    const struct call *call = &execution->call;
+    const int parameter = call->method ? call->parameter : method->usual;
+    struct plan *plan =
+        redcc_plan_new(method, parameter, call->threads, call->request.trip, &inspection->partition,
+                       inspection->touched, call->compensated);
+    execution->run.plan = plan;
+    summarise(inspection);
+    if (plan && inspection->route == ROUTE_GRAPH &&
+        !redcc_plan_take_map(plan, &inspection->partition, &inspection->divide)) {
+        redcc_plan_free(plan);
+        execution->run.plan = NULL;
+    }
+    return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
+}
+
+static enum stage begin_log(struct execution *execution, const struct method *method);
+
+/* All iterations are told: by the method named, or by what auto sees now. */
+static enum stage choose_method(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    if (inspection->route == ROUTE_COPIES && !redcc_copies_allowed(inspection)) {
+        inspection->no_copies = true; /* the sample had not seen all that is touched */
+        return cut(execution);
+    }
+    const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
+    const struct method *method =
+        redcc_advise_swept(&execution->state->chooser, &execution->advice, inspection, reusable);
+    if (!method)
+        return go_timed(execution);
+    const enum reason reason = objection(inspection, method);
+    if (reason != REASON_NONE)
+        return refuse(execution, reason);
+    inspection->route = route_of(method);
+    return method->by_graph ? begin_log(execution, method) : begin_plan(execution, method);
+}
+
+static enum stage after_sweep(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    const enum reason reason = redcc_sweep_finish(inspection);
+    if (reason != REASON_NONE)
+        return refuse(execution, reason);
+    switch (redcc_partition_merge(&inspection->partition, inspection->touched)) {
+    case MERGE_REFUSED:
+        return refuse(execution, REASON_OUT_OF_STEP);
+    case MERGE_DONE:
+        return cut(execution);
+    case MERGE_NOTHING:
+        break;
+    }
+    return choose_method(execution);
+}
+
+/* ---- log ------------------------------------------------------------------------------------- */
+
+/* The access graph cannot be had: owners by address will do, or what is chosen without it. */
+static enum stage fall_back(struct execution *execution) {
+    const struct method *named = execution->call.method;
+    if (named && named->in_levels)
+        return refuse(execution, REASON_LEVELS);
+    execution->inspection.route = ROUTE_OWNERS;
+    if (named)
+        return begin_plan(execution, named->spares ? &redcc_method_spare_localwrite
+                                                   : &redcc_method_localwrite);
+    redcc_tell_no_graph(&execution->state->chooser, &execution->advice,
+                        execution->call.request.trip);
+    return choose_method(execution);
+}
+
+static enum stage begin_log(struct execution *execution, const struct method *method) {
+    execution->method = method;
+    switch (redcc_log_begin(&execution->inspection, method->in_levels)) {
+    case DIVIDE_NO_MEMORY:
+        return refuse(execution, REASON_NO_MEMORY);
+    case DIVIDE_UNSUITABLE:
+        return fall_back(execution);
+    case DIVIDE_DONE:
+        break;
+    }
+    return STAGE_LOG;
+}
+
+static enum progress log_touches(struct thread_state *thread, redcc_worker *worker) {
+    if (thread->telling)
+        redcc_flush(worker);
+    else if (redcc_log_hand_out(&thread->execution->inspection, &thread->inspector, worker))
+        return PROGRESS_TELL;
+    return PROGRESS_MEET;
+}
+
+static enum stage after_log(struct execution *execution) {
+    switch (redcc_log_finish(&execution->inspection)) {
+    case DIVIDE_NO_MEMORY:
+        return refuse(execution, REASON_NO_MEMORY);
+    case DIVIDE_UNSUITABLE:
+        return fall_back(execution);
+    case DIVIDE_DONE:
+        break;
+    }
+    execution->method =
+        redcc_advise_logged(&execution->state->chooser, &execution->inspection, execution->method);
+    return STAGE_PARTITION;
+}
+
+/* ---- partition ------------------------------------------------------------------------------- */
+
+static enum progress partition(struct thread_state *thread, redcc_worker *worker) {
+    (void)worker;
+    struct inspection *inspection = &thread->execution->inspection;
+    if (inspection->route != ROUTE_LEVELS) /* which one thread makes */
+        redcc_partition_share(inspection, &thread->inspector, false);
+    return PROGRESS_MEET;
+}
+
+static enum stage after_partition(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    const bool done = inspection->route == ROUTE_LEVELS ? redcc_partition_levels(inspection)
+                                                        : inspection->divide.going;
+    if (!done)
+        return refuse(execution, REASON_NO_MEMORY);
+    if (inspection->route != ROUTE_LEVELS)
+        switch (
+            redcc_advise_partitioned(&execution->state->chooser, inspection, &execution->method)) {
+        case PARTITIONED_JOIN:
+            return STAGE_JOIN;
+        case PARTITIONED_LEVELS:
+            inspection->route = ROUTE_LEVELS;
+            break;
+        case PARTITIONED_KEEP:
+            break;
+        }
+    redcc_divide_tidy(&inspection->divide);
+    return begin_plan(execution, execution->method);
+}
+
+static enum progress join(struct thread_state *thread, redcc_worker *worker) {
+    (void)worker;
+    redcc_partition_share(&thread->execution->inspection, &thread->inspector, true);
+    return PROGRESS_MEET;
+}
+
+/* ---- plan ------------------------------------------------------------------------------------ */
+
+static struct evidence evidence_of(const struct inspection *inspection) {
+    const struct request *request = &inspection->call->request;
+    return (struct evidence){.partition = &inspection->partition,
+                             .summary = inspection->summaries,
+                             .seen = inspection->seen,
+                             .threads = inspection->call->threads,
+                             .trip = request->trip,
+                             .levels = &inspection->levels,
+                             .every_iteration = request->loop->flags & REDCC_EVERY_ITERATION};
+}
+
+static enum progress prepare(struct thread_state *thread, redcc_worker *worker) {
+    (void)worker;
+    const struct inspection *inspection = &thread->execution->inspection;
+    const struct request *request = &inspection->call->request;
+    const struct evidence evidence = evidence_of(inspection);
+    struct inspector *inspector = &thread->inspector;
+    struct plan *plan = thread->execution->run.plan;
+    inspector->failed =
+        !plan->method->prepare(plan, &evidence, thread->thread) ||
+        !redcc_copies_take(plan, thread->thread, inspector->seen, inspection->partition.base);
+    if (redcc_is_reusable(request, inspection->sources))
+        redcc_hash_rest(&thread->hasher, request, inspection->sources);
+    return PROGRESS_MEET;
+}
+
+static enum stage after_prepare(struct execution *execution) {
+    struct plan *plan = execution->run.plan;
+    if (redcc_inspection_failed(&execution->inspection)) {
+        redcc_plan_free(plan);
+        execution->run.plan = NULL;
+        return refuse(execution, REASON_NO_MEMORY);
+    }
+    redcc_plan_finish(plan);
+#ifndef NDEBUG
+    const struct evidence evidence = evidence_of(&execution->inspection);
+    assert(redcc_plan_is_right(plan, &evidence));
+#endif
+    return STAGE_RUN;
+}
+
+/* ---- all of them ----------------------------------------------------------------------------- */
+
+_Static_assert(STAGE_OVER + 1 == STAGES, "the last stage");
+static const struct stage_entry {
+    enum progress (*each)(struct thread_state *, redcc_worker *);
+    enum stage (*then)(struct execution *);
+    enum stage passed; /* where PROGRESS_PASS goes on */
+} stages[STAGES] = {
+    [STAGE_RECOUNT] = {come_together, recount, STAGE_OVER},
+    [STAGE_VERIFY] = {verify, begin_inspection, STAGE_RUN},
+    [STAGE_SAMPLE] = {sample, after_sample, STAGE_OVER},
+    [STAGE_SWEEP] = {sweep, after_sweep, STAGE_OVER},
+    [STAGE_LOG] = {log_touches, after_log, STAGE_OVER},
+    [STAGE_PARTITION] = {partition, after_partition, STAGE_OVER},
+    [STAGE_JOIN] = {join, after_partition, STAGE_OVER},
+    [STAGE_PLAN] = {prepare, after_prepare, STAGE_OVER},
+    [STAGE_RUN] = {0},  /* redcc_next (execute/executor.c) */
+    [STAGE_OVER] = {0}, /* redcc_leave */
+};
+
+/* All threads meet; the last one does what is done once, and all get the stage that follows. */
+static enum stage meet(struct thread_state *thread, enum stage (*then)(struct execution *)) {
+    struct execution *execution = thread->execution;
+    if (redcc_barrier_arrive(&execution->barrier, thread->threads)) {
+        execution->stage = then(execution);
+        assert(execution->stage < STAGES && (execution->stage != STAGE_OVER || execution->reason));
+        redcc_barrier_release(&execution->barrier);
+    }
+    return execution->stage;
+}
+
+int redcc_inspect(redcc_worker *worker) {
+    struct thread_state *thread = worker->execution;
+    if (!thread)
+        return 0;
+    while (stages[thread->stage].each) {
+        const struct stage_entry *stage = &stages[thread->stage];
+        const enum progress progress = stage->each(thread, worker);
+        assert(progress != PROGRESS_PASS || stage->passed != STAGE_OVER);
+        thread->telling = progress == PROGRESS_TELL;
+        if (thread->telling)
+            return 1;
+        thread->stage = progress == PROGRESS_PASS ? stage->passed : meet(thread, stage->then);
+    }
+    if (thread->stage == STAGE_OVER) {
+        thread->runner.step = STEP_END;
+        return 0;
+    }
+    if (!thread->runner.plan)
+        thread->runner.plan = thread->execution->run.plan;
+    assert(thread->runner.plan || thread->execution->run.mode == MODE_TIMED);
+    return 0;
+}
+
+void redcc_flush(redcc_worker *worker) {
+    struct thread_state *thread = worker->execution;
+    struct inspection *inspection = &thread->execution->inspection;
+    struct inspector *inspector = &thread->inspector;
+    if (thread->stage == STAGE_SWEEP) {
+        redcc_sweep_take_window(&inspector->sweep, worker->alike, worker->inside);
+        redcc_sweep_take(&inspector->sweep, inspector->entries, worker->entry);
+    } else if (thread->stage == STAGE_SAMPLE) {
+        redcc_sample_take(inspection, inspector, worker->entry);
+    } else {
+        redcc_told_take(&inspection->divide.told[thread->thread], inspector->entries,
+                        worker->entry);
+    }
+    worker->alike = 0;
+    worker->inside = 0;
+    worker->entry = inspector->entries;
+}

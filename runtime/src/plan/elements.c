@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/elements.h"
+
+#include <complex.h>
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/* NAME, type stored, neutral element, is `x` the neutral element?, `b` with `x` brought in */
+#define INTEGER_RULES(X, T, S, U, LOWEST, HIGHEST)                                                 \
+    X(T##_SUM, U, 0, x == 0, (U)((uintmax_t)b + x))                                                \
+    X(T##_PRODUCT, U, 1, x == 1, (U)((uintmax_t)b * x))                                            \
+    X(T##_MINIMUM, S, HIGHEST, x == HIGHEST, x < b ? x : b)                                        \
+    X(T##_MAXIMUM, S, LOWEST, x == LOWEST, x > b ? x : b)                                          \
+    X(T##_AND, U, (U)UINTMAX_MAX, x == (U)UINTMAX_MAX, (U)(b & x))                                 \
+    X(T##_OR, U, 0, x == 0, (U)(b | x))                                                            \
+    X(T##_XOR, U, 0, x == 0, (U)(b ^ x))
+
+/* The neutral element of a floating sum is -0.0: 0.0 + -0.0 is 0.0, -0.0 + -0.0 is -0.0. */
+#define REAL_RULES(X, T, S)                                                                        \
+    X(T##_SUM, S, (S)-0.0, x == 0 && signbit(x), b + x)                                            \
+    X(T##_PRODUCT, S, 1, x == 1, b * x)                                                            \
+    X(T##_MINIMUM, S, (S)INFINITY, x == (S)INFINITY, x < b ? x : b)                                \
+    X(T##_MAXIMUM, S, -(S)INFINITY, x == -(S)INFINITY, x > b ? x : b)
+
+#define COMPLEX_RULES(X, T, S, ZERO)                                                               \
+    X(T##_SUM, S, __builtin_complex(ZERO, ZERO),                                                   \
+      creal(x) == 0 && signbit(creal(x)) && cimag(x) == 0 && signbit(cimag(x)), b + x)             \
+    X(T##_PRODUCT, S, 1, creal(x) == 1 && cimag(x) == 0, b * x)
+
+#define ALL_RULES(X)                                                                               \
+    INTEGER_RULES(X, INT8, int8_t, uint8_t, INT8_MIN, INT8_MAX)                                    \
+    INTEGER_RULES(X, UINT8, uint8_t, uint8_t, 0, UINT8_MAX)                                        \
+    INTEGER_RULES(X, INT16, int16_t, uint16_t, INT16_MIN, INT16_MAX)                               \
+    INTEGER_RULES(X, UINT16, uint16_t, uint16_t, 0, UINT16_MAX)                                    \
+    INTEGER_RULES(X, INT32, int32_t, uint32_t, INT32_MIN, INT32_MAX)                               \
+    INTEGER_RULES(X, UINT32, uint32_t, uint32_t, 0, UINT32_MAX)                                    \
+    INTEGER_RULES(X, INT64, int64_t, uint64_t, INT64_MIN, INT64_MAX)                               \
+    INTEGER_RULES(X, UINT64, uint64_t, uint64_t, 0, UINT64_MAX)                                    \
+    REAL_RULES(X, FLOAT, float)                                                                    \
+    REAL_RULES(X, DOUBLE, double)                                                                  \
+    REAL_RULES(X, LONG_DOUBLE, long double)                                                        \
+    COMPLEX_RULES(X, FLOAT_COMPLEX, float complex, -0.0f)                                          \
+    COMPLEX_RULES(X, DOUBLE_COMPLEX, double complex, -0.0)
+
+#define DEFINE(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                          \
+    static void fill_##NAME(void *to, size_t count) {                                              \
+        TYPE *element = to;                                                                        \
+        const TYPE neutral = NEUTRAL;                                                              \
+        for (size_t i = 0; i < count; i++)                                                         \
+            element[i] = neutral;                                                                  \
+    }                                                                                              \
+    static inline void bring_##NAME(TYPE *to, TYPE x) {                                            \
+        if (!(IS_NEUTRAL)) {                                                                       \
+            const TYPE b = *to;                                                                    \
+            *to = COMBINED;                                                                        \
+        }                                                                                          \
+    }                                                                                              \
+    static void merge_##NAME(void *to, const void *from, size_t count) {                           \
+        TYPE *element = to;                                                                        \
+        const TYPE *other = from;                                                                  \
+        for (size_t i = 0; i < count; i++)                                                         \
+            bring_##NAME(&element[i], other[i]);                                                   \
+    }                                                                                              \
+    static void merge_all_##NAME(void *to, const void *const *from, size_t copies, size_t count) { \
+        TYPE *element = to;                                                                        \
+        for (size_t i = 0; i < count; i++)                                                         \
+            for (size_t copy = 0; copy < copies; copy++)                                           \
+                bring_##NAME(&element[i], ((const TYPE *)from[copy])[i]);                          \
+    }
+ALL_RULES(DEFINE)
+
+enum { OPERATORS = REDCC_XOR + 1, NUMBERED = OPERATORS * (REDCC_OTHER_TYPE + 1) };
+
+/* REDCC_DOUBLE and REDCC_SUM from DOUBLE_SUM: one enumerator for each pair. */
+#define PAIRS(T)                                                                                   \
+    PAIR_##T##_SUM = REDCC_##T * OPERATORS + REDCC_SUM,                                            \
+    PAIR_##T##_PRODUCT = REDCC_##T * OPERATORS + REDCC_PRODUCT,                                    \
+    PAIR_##T##_MINIMUM = REDCC_##T * OPERATORS + REDCC_MINIMUM,                                    \
+    PAIR_##T##_MAXIMUM = REDCC_##T * OPERATORS + REDCC_MAXIMUM,                                    \
+    PAIR_##T##_AND = REDCC_##T * OPERATORS + REDCC_AND,                                            \
+    PAIR_##T##_OR = REDCC_##T * OPERATORS + REDCC_OR,                                              \
+    PAIR_##T##_XOR = REDCC_##T * OPERATORS + REDCC_XOR
+enum {
+    PAIRS(INT8),
+    PAIRS(UINT8),
+    PAIRS(INT16),
+    PAIRS(UINT16),
+    PAIRS(INT32),
+    PAIRS(UINT32),
+    PAIRS(INT64),
+    PAIRS(UINT64),
+    PAIRS(FLOAT),
+    PAIRS(DOUBLE),
+    PAIRS(LONG_DOUBLE),
+    PAIRS(FLOAT_COMPLEX),
+    PAIRS(DOUBLE_COMPLEX)
+};
+
+#define ENTRY(NAME, TYPE, NEUTRAL, IS_NEUTRAL, COMBINED)                                           \
+    [PAIR_##NAME] = {sizeof(TYPE), fill_##NAME, merge_##NAME, merge_all_##NAME},
+static const struct element_rule rules[NUMBERED] = {ALL_RULES(ENTRY)};
+
+const struct element_rule *redcc_element_rule(redcc_operator operation, redcc_type type) {
+    if ((unsigned)type >= REDCC_OTHER_TYPE || (unsigned)operation >= OPERATORS)
+        return NULL;
+    const struct element_rule *rule = &rules[(int)type * OPERATORS + (int)operation];
+    return rule->size ? rule : NULL;
+}

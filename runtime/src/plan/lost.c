@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/lost.h"
+
+#include "base/memory.h"
+#include "plan/plan.h"
+
+/* Is array `array` one that can be a group's, or lie in it, in step? */
+static bool fits(const struct plan *plan, const redcc_array *arrays, uint32_t group,
+                 uint32_t array) {
+    const redcc_array *it = &arrays[array], *lead = &arrays[group];
+    const size_t size = redcc_lost_element(lead->type);
+    return it->operation == REDCC_SUM && it->type == lead->type && it->element == size &&
+           it->unit % size == 0 && plan->shift[array] % (ptrdiff_t)size == 0;
+}
+
+static bool is_compensated(const struct plan *plan, const redcc_array *arrays, uint32_t group) {
+    const struct offsets touched = plan->touched[group];
+    const redcc_type type = arrays[group].type;
+    if (plan->group_of[group] != group || touched.first >= touched.end ||
+        (type != REDCC_FLOAT && type != REDCC_DOUBLE))
+        return false;
+    const ptrdiff_t size = (ptrdiff_t)redcc_lost_element(type);
+    bool all_fit = touched.first % size == 0 && touched.end % size == 0;
+    for (uint32_t array = 0; array < plan->array_count; array++)
+        if (plan->group_of[array] == group)
+            all_fit = all_fit && fits(plan, arrays, group, array);
+    return all_fit;
+}
+
+bool redcc_lost_new(struct plan *plan, const redcc_array *arrays) {
+    plan->lost = redcc_memory_take_zeroed(plan->array_count, sizeof *plan->lost);
+    if (!plan->lost)
+        return false;
+    for (uint32_t group = 0; group < plan->array_count; group++) {
+        if (!is_compensated(plan, arrays, group))
+            continue;
+        struct lost *lost = &plan->lost[group];
+        const struct offsets touched = plan->touched[group];
+        *lost = (struct lost){.type = arrays[group].type, .offset = touched.first};
+        lost->count = (size_t)(touched.end - touched.first) / redcc_lost_element(lost->type);
+        lost->value = redcc_memory_take(lost->count * sizeof *lost->value);
+        lost->before = redcc_memory_take(lost->count * sizeof *lost->before);
+        if (!lost->value || !lost->before)
+            return false;
+    }
+    return true;
+}
+
+void redcc_lost_free(struct plan *plan) {
+    for (uint32_t group = 0; plan->lost && group < plan->array_count; group++) {
+        redcc_memory_give(plan->lost[group].value);
+        redcc_memory_give(plan->lost[group].before);
+    }
+    redcc_memory_give(plan->lost);
+    plan->lost = NULL;
+}
+
+size_t redcc_lost_bytes(const struct plan *plan) {
+    size_t bytes = 0;
+    for (uint32_t group = 0; plan->lost && group < plan->array_count; group++)
+        bytes += redcc_memory_size(plan->lost[group].value) +
+                 redcc_memory_size(plan->lost[group].before);
+    return bytes;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef REDCC_DWA_LIP_H
+#define REDCC_DWA_LIP_H
+
+#include "plan/plan.h"
+
+/**
+ * Fills the schedule of `thread` for DWA-LIP within its team: of the iterations that the team's
+ * threads inspected, those whose lowest block this thread is in charge of, in the stages of figure
+ * 10 of the paper. False: no memory.
+ */
+bool redcc_dwa_lip_prepare(struct plan *plan, const struct evidence *evidence, int thread);
+
+/** Takes iterations [begin, begin + count), which write the blocks from `lowest` to `lowest` +
+ *  `delta`. False: no memory. */
+typedef bool redcc_pair_taker(void *context, uint32_t lowest, uint32_t delta, redcc_int begin,
+                              redcc_int count);
+
+/** Tells `take` the iterations of a summary in order, by the pair (Bmin, deltaB) of the blocks that
+ *  they write; those that write none are left out. False: `take` returned false. */
+bool redcc_sort_pairs(const struct summary *summary, redcc_pair_taker *take, void *context);
+
+#endif

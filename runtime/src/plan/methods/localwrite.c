@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * LOCALWRITE: each thread owns a part of the arrays and executes, in ascending order, every
+ * iteration that writes to its part; those that write to others' parts too (each of those owners
+ * executes them as well) in the guarded form, in which only what the thread owns is written.
+ *
+ * Each element gets its contributions in the order of the loop: the bits of the sequential loop.
+ */
+#include "plan/methods/localwrite.h"
+
+#include "base/memory.h"
+
+enum { SKIP, PLAIN, GUARDED };
+
+/* What `owner` does with the iterations of each set: [sets->count]. NULL: no memory. */
+static unsigned char *parts_in(const struct sets *sets, uint32_t owner) {
+    unsigned char *part = redcc_memory_take_zeroed(sets->count, 1);
+    if (!part)
+        return NULL;
+    for (uint32_t set = 1; set < sets->count; set++)
+        for (size_t m = sets->start[set]; m < sets->start[set + 1]; m++)
+            if (sets->member[m] == owner)
+                part[set] = redcc_set_size(sets, set) == 1 ? PLAIN : GUARDED;
+    return part;
+}
+
+/* Adds up the iterations that the owner does in each way. */
+static void count_parts(const struct summary *summary, const unsigned char *part,
+                        redcc_int *amount) {
+    for (size_t b = 0; b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; s < block->span_end; s++)
+            amount[part[summary->span[s].set]] += redcc_span_count(summary, block, s);
+    }
+}
+
+/* Where most of what the owner executes is guarded, the rest may as well be: it is the same to do,
+ * and runs do not end where one kind follows the other. */
+static void guard_most(const struct summary *summary, unsigned char *part) {
+    redcc_int amount[GUARDED + 1] = {0};
+    count_parts(summary, part, amount);
+    for (uint32_t set = 0; amount[GUARDED] > amount[PLAIN] && set < summary->sets.count; set++)
+        if (part[set] == PLAIN)
+            part[set] = GUARDED;
+}
+
+static bool select_from(struct schedule *schedule, const struct summary *summary, uint32_t owner,
+                        bool takes_idle) {
+    unsigned char *part = parts_in(&summary->sets, owner);
+    bool enough = part != NULL;
+    if (enough && takes_idle)
+        part[0] = PLAIN; /* what touches nothing is executed by who inspected it */
+    if (enough)
+        guard_most(summary, part);
+    for (size_t b = 0; enough && b < summary->block_count; b++) {
+        const struct block *block = &summary->block[b];
+        for (size_t s = block->span_begin; enough && s < block->span_end; s++) {
+            const struct span span = summary->span[s];
+            if (part[span.set] != SKIP)
+                enough =
+                    redcc_schedule_add(schedule, 0, block->origin + span.begin,
+                                       redcc_span_count(summary, block, s), part[span.set] - PLAIN);
+        }
+    }
+    redcc_memory_give(part);
+    return enough;
+}
+
+bool redcc_localwrite_select(struct plan *plan, const struct evidence *evidence, uint32_t owner,
+                             int idle_of) {
+    struct schedule *schedule = &plan->schedule[owner];
+    for (int from = 0; from < evidence->threads; from++)
+        if (!select_from(schedule, evidence->summary[from], owner,
+                         evidence->every_iteration && from == idle_of))
+            return false;
+    if (!evidence->every_iteration && idle_of == evidence->threads - 1 &&
+        redcc_last_touches_nothing(evidence) &&
+        !redcc_schedule_add(schedule, 0, evidence->trip - 1, 1, false))
+        return false;
+    redcc_schedule_finish(schedule);
+    return true;
+}
+
+bool redcc_localwrite_prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    return redcc_localwrite_select(plan, evidence, (uint32_t)thread, thread);
+}
+
+const struct method redcc_method_localwrite = {
+    .name = "localwrite", .keeps = REDCC_ORDER_SERIAL, .prepare = redcc_localwrite_prepare};

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Pseudo-expansion: as array expansion, but a thread's copy is of the range that its own iterations
+ * touch, which the inspector found out.
+ */
+#include "plan/methods/shares.h"
+
+const struct method redcc_method_pseudo_expansion = {.name = "pseudo-expansion",
+                                                     .keeps = REDCC_ORDER_ANY,
+                                                     .copies = COPY_TOUCHED,
+                                                     .owners = redcc_one_owner,
+                                                     .prepare = redcc_shares_prepare};

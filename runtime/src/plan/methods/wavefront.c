@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Order-preserving wavefronts: the iterations in levels (ownership/graph/levels.h), one level after
+ * the other, those of a level shared out evenly. Nothing is guarded and nothing executed twice: of
+ * two iterations that touch a common element the first is in an earlier level, or both are executed
+ * by one thread in the order of the loop. So each element gets its contributions in that order.
+ */
+#include "ownership/graph/levels.h"
+#include "plan/methods/shares.h"
+
+static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    const struct levels *levels = evidence->levels;
+    struct schedule *schedule = &plan->schedule[thread];
+    for (uint32_t stage = 0; stage < levels->stages; stage++) {
+        uint32_t first, end;
+        redcc_levels_share(levels, stage, plan->threads, thread, &first, &end);
+        for (uint32_t i = first; i < end; i++)
+            if (!redcc_schedule_add(schedule, stage, levels->iteration[i], 1, false))
+                return false;
+    }
+    redcc_schedule_finish(schedule);
+    return true;
+}
+
+const struct method redcc_method_wavefront = {.name = "wavefront",
+                                              .keeps = REDCC_ORDER_SERIAL,
+                                              .by_graph = true,
+                                              .in_levels = true,
+                                              .owners = redcc_one_owner,
+                                              .prepare = prepare};

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The runs of a schedule, packed and read. */
+#include "plan/schedule.h"
+
+#include "base/memory.h"
+
+#include <string.h>
+
+/* A packed run is a word of 16 bits,
+ *
+ *     gap << 6 | count_and_guard      gap < 2^10, 2 <= count_and_guard < 2^6
+ *
+ * where gap is how many iterations lie between the run before (or the chunk's origin) and this one;
+ * else a word 0, then gap and count_and_guard in two words each, the lower one first. Gaps are
+ * modulo 2^32: tasks of one chunk may go back. */
+enum { GAP_SHIFT = 6, GAPS = 1 << 10, COUNTS = 1 << GAP_SHIFT, LONG_RUN = 5, PACK_LEAST = 256 };
+
+static bool is_short(redcc_u32 gap, redcc_run run) {
+    return gap < GAPS && run.count_and_guard < COUNTS;
+}
+
+/* Packs the chunk's runs at `to`, or, where that is NULL, only reckons; returns the words. */
+static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
+    size_t words = 0;
+    redcc_u32 at = 0;
+    for (size_t r = chunk->run_begin; r < chunk->run_end; r++) {
+        const redcc_run run = schedule->run[r];
+        const redcc_u32 gap = run.begin - at;
+        const bool brief = is_short(gap, run);
+        at = run.begin + run.count_and_guard / 2;
+        if (to && brief) {
+            to[words] = (uint16_t)(gap << GAP_SHIFT | run.count_and_guard);
+        } else if (to) {
+            const uint16_t longer[LONG_RUN] = {0, (uint16_t)gap, (uint16_t)(gap >> 16),
+                                               (uint16_t)run.count_and_guard,
+                                               (uint16_t)(run.count_and_guard >> 16)};
+            memcpy(to + words, longer, sizeof longer);
+        }
+        words += brief ? 1 : LONG_RUN;
+    }
+    return words;
+}
+
+void redcc_runs_pack(struct schedule *schedule) {
+    size_t words = 0, at = 0;
+    if (schedule->run_count < PACK_LEAST)
+        return;
+    for (size_t c = 0; c < schedule->chunk_count; c++)
+        words += pack_chunk(schedule, &schedule->chunk[c], NULL);
+    if (words * sizeof *schedule->packed > schedule->run_count * sizeof *schedule->run / 2)
+        return;
+    uint16_t *packed = redcc_memory_take(words * sizeof *packed);
+    if (!packed)
+        return;
+    for (size_t c = 0; c < schedule->chunk_count; c++) {
+        struct chunk *chunk = &schedule->chunk[c];
+        const size_t more = pack_chunk(schedule, chunk, packed + at);
+        chunk->run_begin = at;
+        chunk->run_end = at += more;
+    }
+    redcc_memory_give(schedule->run);
+    schedule->run = NULL;
+    schedule->run_capacity = 0;
+    schedule->packed = packed;
+}
+
+struct run_reader redcc_runs_of(const struct schedule *schedule, const struct chunk *chunk) {
+    if (schedule->packed)
+        return (struct run_reader){.word = schedule->packed + chunk->run_begin,
+                                   .word_end = schedule->packed + chunk->run_end};
+    return (struct run_reader){.run = schedule->run + chunk->run_begin,
+                               .run_end = schedule->run + chunk->run_end};
+}
+
+static size_t copy_runs(struct run_reader *reader, redcc_run *to, size_t room) {
+    const size_t left = (size_t)(reader->run_end - reader->run);
+    const size_t count = left < room ? left : room;
+    if (count == 0)
+        return 0;
+    memcpy(to, reader->run, count * sizeof *to);
+    reader->run += count;
+    return count;
+}
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector) && __has_builtin(__builtin_convertvector)
+#define BY_FOUR 1
+#endif
+#endif
+
+#ifdef BY_FOUR
+/* Of four words, is none the beginning of a longer run? */
+static bool all_are_short(const uint16_t *word) {
+    const uint64_t each = 0x0001000100010001u;
+    uint64_t counts;
+    memcpy(&counts, word, sizeof counts);
+    counts &= each * (COUNTS - 1);
+    return ((counts - each) & each << 15) == 0; /* only 0 - 1 reaches the top bit */
+}
+
+typedef uint16_t four_words __attribute__((vector_size(8)));
+typedef uint32_t four __attribute__((vector_size(16)));
+
+/* Four runs of a word each, of which the first follows iteration at[0] (all of `at` are alike). */
+static four read_four(const uint16_t *word, redcc_run *to, four at) {
+    const four none = {0, 0, 0, 0};
+    four_words words;
+    memcpy(&words, word, sizeof words);
+    const four both = __builtin_convertvector(words, four) & (COUNTS - 1);
+    const four gap = __builtin_convertvector(words, four) >> GAP_SHIFT;
+    const four step = gap + (both >> 1);
+    four sum = step + __builtin_shufflevector(none, step, 0, 4, 5, 6);
+    sum += __builtin_shufflevector(none, sum, 0, 1, 4, 5);
+    const four begin = at + sum - step + gap;
+    const four low = __builtin_shufflevector(begin, both, 0, 4, 1, 5);
+    const four high = __builtin_shufflevector(begin, both, 2, 6, 3, 7);
+    memcpy(to, &low, sizeof low);
+    memcpy(to + 2, &high, sizeof high);
+    return at + __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
+}
+
+/* As many runs of a word each as come next, four at a time; returns how many. */
+static size_t read_short(struct run_reader *reader, redcc_run *to, size_t room) {
+    const uint16_t *word = reader->word;
+    four at = {reader->at, reader->at, reader->at, reader->at};
+    size_t count = 0;
+    for (; room - count >= 4 && reader->word_end - word >= 4 && all_are_short(word); word += 4) {
+        at = read_four(word, to + count, at);
+        count += 4;
+    }
+    reader->word = word;
+    reader->at = at[0];
+    return count;
+}
+#else
+static size_t read_short(const struct run_reader *reader, const redcc_run *to, size_t room) {
+    (void)reader;
+    (void)to;
+    (void)room;
+    return 0;
+}
+#endif
+
+/* A run of one word or of five. */
+static redcc_run read_run(struct run_reader *reader) {
+    const uint16_t *word = reader->word;
+    const bool brief = *word & (COUNTS - 1);
+    const redcc_u32 gap =
+        brief ? (redcc_u32)*word >> GAP_SHIFT : word[1] | (redcc_u32)word[2] << 16;
+    const redcc_u32 both = brief ? *word & (COUNTS - 1) : word[3] | (redcc_u32)word[4] << 16;
+    const redcc_run run = {reader->at + gap, both};
+    reader->at = run.begin + both / 2;
+    reader->word += brief ? 1 : LONG_RUN;
+    return run;
+}
+
+size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room) {
+    size_t count = 0;
+    if (!reader->word)
+        return copy_runs(reader, to, room);
+    while (count < room && reader->word != reader->word_end) {
+        count += read_short(reader, to + count, room - count);
+        if (count < room && reader->word != reader->word_end)
+            to[count++] = read_run(reader);
+    }
+    return count;
+}

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "reuse/kept.h"
+
+#include "base/memory.h"
+#include "ownership/overlap.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* ---- does a plan fit? ------------------------------------------------------------------------ */
+
+/* Sets sources [source_count] to where the sources are, if they are known as they were. */
+static bool sources_fit(const struct kept_plan *kept, const struct request *request,
+                        struct range *sources) {
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const struct source_record *record = &kept->source[s];
+        const redcc_extent known = request->known[s];
+        const uintptr_t anchor = (uintptr_t)known.first;
+        if (record->known != (known.end != NULL) || record->anchored != (anchor != 0))
+            return false;
+        if (record->known && known.end - known.first != record->extent.end)
+            return false;
+        sources[s] = redcc_nowhere;
+        if (record->extent.first < record->extent.end)
+            sources[s] = (struct range){anchor + (uintptr_t)record->extent.first,
+                                        anchor + (uintptr_t)record->extent.end};
+    }
+    return true;
+}
+
+static struct range place_of(const struct plan *plan, const struct request *request,
+                             uint32_t array) {
+    const struct offsets touched = plan->touched[array];
+    if (plan->group_of[array] != array || touched.first >= touched.end)
+        return redcc_nowhere;
+    const uintptr_t base = (uintptr_t)request->bases[array];
+    return (struct range){base + (uintptr_t)touched.first, base + (uintptr_t)touched.end};
+}
+
+/* Do the arrays lie to each other as when the plan was made: groups in one piece, and apart? Sets
+ * written [array_count] to where they are. */
+static bool arrays_fit(const struct plan *plan, const struct request *request,
+                       struct range *written) {
+    for (uint32_t a = 0; a < plan->array_count; a++) {
+        const uintptr_t group = (uintptr_t)request->bases[plan->group_of[a]];
+        if ((ptrdiff_t)((uintptr_t)request->bases[a] - group) != plan->shift[a])
+            return false;
+        written[a] = place_of(plan, request, a);
+        for (uint32_t b = 0; b < a; b++)
+            if (redcc_ranges_overlap(written[a], written[b]))
+                return false;
+    }
+    return true;
+}
+
+static bool fits(const struct reuse *reuse, const struct kept_plan *kept, int threads) {
+    const struct request *request = &reuse->call->request;
+    const redcc_loop *loop = request->loop;
+    const struct plan *plan = kept->plan;
+    const size_t key_bytes = loop->key_count * sizeof *kept->key;
+    struct overlap overlap;
+    return plan->trip == request->trip && plan->threads == threads &&
+           redcc_float_control_equal(kept->float_control, reuse->call->float_control) &&
+           (key_bytes == 0 || memcmp(kept->key, request->key, key_bytes) == 0) &&
+           sources_fit(kept, request, reuse->sources) &&
+           arrays_fit(plan, request, reuse->written) &&
+           redcc_ranges_are_apart(reuse->sources, loop->source_count, reuse->written,
+                                  plan->array_count, &overlap);
+}
+
+static struct reading reading_of(const struct reuse *reuse, uint32_t source) {
+    return redcc_reading_of(reuse->call->request.loop, reuse->call->request.known, reuse->sources,
+                            source);
+}
+
+static void ask_tracking(struct reuse *reuse) {
+    const redcc_loop *loop = reuse->call->request.loop;
+    for (uint32_t s = 0; s < loop->source_count; s++) {
+        struct tracking *tracking = &reuse->found->source[s].tracking;
+        tracking->stands = false;
+        tracking->begun = 0;
+        if (loop->sources[s].is_subscript && reuse->call->tracks)
+            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->backoff);
+    }
+}
+
+static bool is_of_kind(const struct plan *plan, enum plan_kind kind) {
+    return kind == PLAN_ANY || plan->method->by_graph == (kind == PLAN_BY_GRAPH);
+}
+
+void redcc_reuse_find(struct reuse *reuse, int threads, enum plan_kind kind) {
+    struct plan_cache *cache = reuse->cache;
+    reuse->found = NULL;
+    for (int p = 0; p < REDCC_PLANS; p++) {
+        struct kept_plan *kept = cache->kept[p];
+        if (!kept || !is_of_kind(kept->plan, kind) || !fits(reuse, kept, threads))
+            continue;
+        assert(kept->plan->array_count == reuse->call->request.loop->array_count);
+        kept->last_use = ++cache->clock;
+        kept->plan->round++;
+        reuse->found = kept;
+        ask_tracking(reuse);
+        return;
+    }
+}
+
+/* ---- are its subscripts what they were? --------------------------------------------------------
+ */
+
+/* The range of the next source may come from the contents of this one: no thread goes on to it
+ * before all have found this one unchanged. */
+static bool verify_together(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
+    const struct reading reading = reading_of(reuse, source);
+    hasher->fingerprint[source] = redcc_hash_share(hasher, reading);
+    if (redcc_barrier_arrive(reuse->barrier, hasher->threads)) {
+        reuse->same = redcc_fingerprint_equal(
+            redcc_hash_joined(reuse->hasher, hasher->threads, source, reading),
+            reuse->found->source[source].fingerprint);
+        redcc_barrier_release(reuse->barrier);
+    }
+    return reuse->same;
+}
+
+static bool verify_alone(const struct reuse *reuse, uint32_t source) {
+    return redcc_fingerprint_equal(redcc_reading_fingerprint(reading_of(reuse, source)),
+                                   reuse->found->source[source].fingerprint);
+}
+
+/* What a later call goes by is written by the first thread, and read by no other in this one. */
+static bool verify_by_reading(struct reuse *reuse, struct hasher *hasher, uint32_t source) {
+    const bool same = redcc_is_small(reading_of(reuse, source))
+                          ? verify_alone(reuse, source)
+                          : verify_together(reuse, hasher, source);
+    if (same && hasher->thread == 0)
+        redcc_tracking_stable(&reuse->found->source[source].tracking, reading_of(reuse, source),
+                              reuse->skipped_calls);
+    return same;
+}
+
+bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
+    const redcc_loop *loop = reuse->call->request.loop;
+    for (uint32_t s = 0; s < loop->source_count; s++) {
+        if (!loop->sources[s].is_subscript)
+            continue;
+        const struct tracking *tracking = &reuse->found->source[s].tracking;
+        const bool same = tracking->stands
+                              ? redcc_tracking_unchanged(tracking, reading_of(reuse, s))
+                              : verify_by_reading(reuse, hasher, s);
+        if (!same)
+            return false;
+    }
+    return true;
+}
+
+uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse) {
+    uint32_t count = 0;
+    for (uint32_t s = 0; reuse->found && s < reuse->call->request.loop->source_count; s++)
+        count += reuse->found->source[s].tracking.stands;
+    return count;
+}
+
+/* ---- keeping and dropping ----------------------------------------------------------------------
+ */
+
+bool redcc_is_reusable(const struct request *request, const struct range *sources) {
+    if (!(request->loop->flags & REDCC_VERIFIABLE))
+        return false;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        if (!known.end && !known.first && !redcc_range_empty(sources[s]))
+            return false; /* where it would lie another time, nobody can say */
+    }
+    return true;
+}
+
+static void drop(struct kept_plan *kept) {
+    if (!kept)
+        return;
+    redcc_plan_free(kept->plan);
+    redcc_memory_give(kept->key);
+    redcc_memory_give(kept->source);
+    redcc_memory_give(kept);
+}
+
+static void record_sources(struct source_record *records, const struct reuse *reuse) {
+    const struct request *request = &reuse->call->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        struct source_record *record = &records[s];
+        const struct range range = reuse->sources[s];
+        const uintptr_t anchor = (uintptr_t)request->known[s].first;
+        record->known = request->known[s].end != NULL;
+        record->anchored = anchor != 0;
+        if (!redcc_range_empty(range))
+            record->extent = (struct offsets){(ptrdiff_t)(range.first - anchor),
+                                              (ptrdiff_t)(range.end - anchor)};
+        if (!request->loop->sources[s].is_subscript)
+            continue;
+        const struct reading reading = reading_of(reuse, s);
+        record->fingerprint =
+            redcc_is_small(reading)
+                ? reuse->hasher[0]->fingerprint[s]
+                : redcc_hash_joined(reuse->hasher, reuse->call->threads, s, reading);
+    }
+}
+
+static struct kept_plan *record(const struct reuse *reuse) {
+    const struct request *request = &reuse->call->request;
+    struct kept_plan *kept = redcc_memory_take_zeroed(1, sizeof *kept);
+    if (!kept)
+        return NULL;
+    const size_t key_bytes = request->loop->key_count * sizeof *kept->key;
+    kept->key = redcc_memory_take(key_bytes);
+    kept->source = redcc_memory_take_zeroed(request->loop->source_count, sizeof *kept->source);
+    if (!kept->key || !kept->source) {
+        drop(kept);
+        return NULL;
+    }
+    if (key_bytes)
+        memcpy(kept->key, request->key, key_bytes);
+    kept->float_control = reuse->call->float_control;
+    record_sources(kept->source, reuse);
+    return kept;
+}
+
+bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan) {
+    struct plan_cache *cache = reuse->cache;
+    assert(!reuse->found && plan->threads == reuse->call->threads);
+    struct kept_plan *kept = record(reuse);
+    if (!kept)
+        return false;
+    int place = 0;
+    for (int p = 1; p < REDCC_PLANS; p++)
+        if (cache->kept[place] &&
+            (!cache->kept[p] || cache->kept[p]->last_use < cache->kept[place]->last_use))
+            place = p;
+    drop(cache->kept[place]);
+    cache->kept[place] = kept;
+    kept->plan = plan;
+    kept->last_use = ++cache->clock;
+    return true;
+}
+
+static void drop_place(struct plan_cache *cache, int place) {
+    drop(cache->kept[place]);
+    cache->kept[place] = NULL;
+}
+
+void redcc_reuse_drop_found(struct reuse *reuse) {
+    for (int p = 0; reuse->found && p < REDCC_PLANS; p++)
+        if (reuse->cache->kept[p] == reuse->found)
+            drop_place(reuse->cache, p);
+    reuse->found = NULL;
+}
+
+void redcc_cache_drop_all(struct plan_cache *cache) {
+    for (int p = 0; p < REDCC_PLANS; p++)
+        drop_place(cache, p);
+}
+
+void redcc_cache_drop_others(struct plan_cache *cache) {
+    for (int p = 0; p < REDCC_PLANS; p++)
+        if (cache->kept[p] && !cache->kept[p]->plan->method->by_graph)
+            drop_place(cache, p);
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Kept plans: a loop keeps its last few plans, each with what is remembered of the call that it was
+ * made for. A call uses one again where all of that fits, the overlap guard holds at the places
+ * where the arrays are now, and the subscripts' fingerprints are what they were.
+ */
+#ifndef REDCC_KEPT_H
+#define REDCC_KEPT_H
+
+#include "base/barrier.h"
+#include "base/call.h"
+#include "plan/plan.h"
+#include "reuse/hashing.h"
+#include "reuse/tracking.h"
+
+enum { REDCC_PLANS = 4 };
+
+/** What is remembered of a source. */
+struct source_record {
+    bool known;            /* its extent comes with each call */
+    bool anchored;         /* known[].first is there to move with */
+    struct offsets extent; /* known: {0, its length}; else relative to the anchor */
+    struct fingerprint fingerprint;
+    struct tracking tracking;
+};
+
+struct kept_plan {
+    struct plan *plan;
+    redcc_word *key;                    /* [key_count] */
+    struct float_control float_control; /* of the thread that entered: subscripts may be rounded */
+    struct source_record *source;       /* [source_count] */
+    uint64_t last_use;
+};
+
+/** A loop's plans. */
+struct plan_cache {
+    struct kept_plan *kept[REDCC_PLANS]; /* NULL: a free place */
+    uint64_t clock;
+    unsigned backoff; /* how often in a row subscripts were tracked in vain (tracking.c) */
+};
+
+/** One call's search for a plan; what all threads share. */
+struct reuse {
+    struct plan_cache *cache;
+    const struct call *call;
+    struct hasher *const *hasher; /* [threads] */
+    struct barrier *barrier;
+    struct kept_plan *found; /* the one that may serve, or serves; NULL: none */
+    struct range *sources;   /* [source_count] where they lie in this call */
+    struct range *written;   /* [array_count] what its groups would write in this call */
+    long skipped_calls;      /* that auto left to the sequential loop before this one */
+    bool same;               /* so far the subscripts are unchanged */
+};
+
+/** Which plans auto looks for. */
+enum plan_kind { PLAN_ANY, PLAN_BY_ADDRESS, PLAN_BY_GRAPH };
+
+/** Looks for a plan of that kind that may serve the call by so many threads, if its subscripts are
+ *  what they were: everything is compared but these, and the guard is asked. Asks which of its
+ *  subscripts the system shows to be unmodified. Sets reuse->found and reuse->sources. */
+void redcc_reuse_find(struct reuse *reuse, int threads, enum plan_kind kind);
+
+/** Are the subscripts of the plan found what they were? Every thread calls it with its hasher and
+ *  gets the same answer. */
+bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher);
+
+/** Frees the plan found: its subscripts have changed. */
+void redcc_reuse_drop_found(struct reuse *reuse);
+
+/** How many sources of the plan found were not read in this call. */
+uint32_t redcc_reuse_skipped_sources(const struct reuse *reuse);
+
+/** May a plan for this call be kept for others at all? sources [source_count] is what is read. */
+bool redcc_is_reusable(const struct request *request, const struct range *sources);
+
+/** Owns `plan`, and remembers the call; the fingerprints are those that the hashers have. Takes the
+ *  least recently used place in the cache. False: no memory, and the plan is the caller's. */
+bool redcc_reuse_keep(struct reuse *reuse, struct plan *plan);
+
+/** Frees all plans, so that there is memory for another. */
+void redcc_cache_drop_all(struct plan_cache *cache);
+
+/** Frees those that are not made from the access graph. */
+void redcc_cache_drop_others(struct plan_cache *cache);
+
+#endif

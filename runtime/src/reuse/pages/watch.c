@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "reuse/pages/watch.h"
+
+#include "base/spin.h"
+#include "reuse/pages/written_pages.h"
+
+enum { WATCHED = 64 };
+
+struct watched {
+    struct range pages;
+    uint64_t version; /* 0: touched since, or the place is free */
+    uint64_t last_use;
+};
+
+/* A lock that is only tried: in a child of a process with several threads it may be held for
+ * ever. */
+static struct spin lock;
+static struct watched watched[WATCHED];
+static uint64_t versions; /* given so far */
+static uint64_t uses;
+
+static struct watched *find(struct range pages) {
+    for (int i = 0; i < WATCHED; i++)
+        if (watched[i].version && watched[i].pages.first == pages.first &&
+            watched[i].pages.end == pages.end)
+            return &watched[i];
+    return NULL;
+}
+
+/* Its version, if it is untouched still; 0, and from now on too, if not. */
+static uint64_t version_of(struct watched *it) {
+    if (!redcc_pages_untouched(it->pages))
+        it->version = 0;
+    else
+        it->last_use = ++uses;
+    return it->version;
+}
+
+/* Protecting pages takes away the marks of those that were written, and entering a mapping makes
+ * places known again at which another one may lie than before: what has been touched is to be found
+ * out before. Of ranges that overlap the one to come nothing is known after. */
+static void settle_others(struct range pages) {
+    for (int i = 0; i < WATCHED; i++) {
+        if (redcc_ranges_overlap(watched[i].pages, pages))
+            watched[i].version = 0;
+        if (watched[i].version && !redcc_pages_untouched(watched[i].pages))
+            watched[i].version = 0;
+    }
+}
+
+static struct watched *place_for_one(void) {
+    struct watched *oldest = &watched[0];
+    for (int i = 0; i < WATCHED; i++) {
+        if (!watched[i].version)
+            return &watched[i];
+        if (watched[i].last_use < oldest->last_use)
+            oldest = &watched[i];
+    }
+    return oldest;
+}
+
+static bool begun(void) {
+    if (redcc_pages_begun())
+        return true;
+    for (int i = 0; i < WATCHED; i++) /* a parent's, in a child */
+        watched[i].version = 0;
+    return redcc_pages_begin();
+}
+
+static uint64_t begin(struct range pages) {
+    struct watched *same = find(pages);
+    if (same && version_of(same))
+        return same->version;
+    settle_others(pages);
+    if (!redcc_pages_protect(pages))
+        return 0;
+    struct watched *it = place_for_one();
+    *it = (struct watched){pages, ++versions, ++uses};
+    return it->version;
+}
+
+uint64_t redcc_watch_begin(struct range pages) {
+    if (!redcc_spin_try(&lock))
+        return 0;
+    const uint64_t version = begun() ? begin(pages) : 0;
+    redcc_spin_unlock(&lock);
+    return version;
+}
+
+uint64_t redcc_watch_share(struct range pages) {
+    if (!redcc_spin_try(&lock))
+        return 0;
+    struct watched *it = redcc_pages_begun() ? find(pages) : NULL;
+    const uint64_t version = it ? version_of(it) : 0;
+    redcc_spin_unlock(&lock);
+    return version;
+}
+
+enum watch_answer redcc_watch_ask(struct range pages, uint64_t version) {
+    if (!redcc_spin_try(&lock))
+        return WATCH_BUSY;
+    struct watched *it = redcc_pages_begun() ? find(pages) : NULL;
+    const bool same = it && it->version == version && version_of(it) == version;
+    redcc_spin_unlock(&lock);
+    return same ? WATCH_UNTOUCHED : WATCH_TOUCHED;
+}

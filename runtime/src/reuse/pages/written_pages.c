@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * A page is protected through a userfault descriptor in the asynchronous mode: the first write to
+ * it faults, the kernel clears the page's mark and lets the write go on. PAGEMAP_SCAN looks for
+ * pages without the mark.
+ */
+#define _GNU_SOURCE /* F_DUPFD_CLOEXEC, MREMAP_FIXED, struct statx */
+#include "reuse/pages/written_pages.h"
+
+#include "base/system.h"
+#include "reuse/pages/watch.h"
+
+struct range redcc_whole_pages(struct range range) {
+    const uintptr_t page = redcc_page_size();
+    if (redcc_range_empty(range) || range.first > UINTPTR_MAX - page)
+        return redcc_nowhere;
+    const struct range whole = {(range.first + page - 1) / page * page, range.end / page * page};
+    return redcc_range_empty(whole) ? redcc_nowhere : whole;
+}
+
+#if defined(__linux__) && !defined(REDCC_NO_PAGE_TRACKING)
+
+#include "base/forked.h"
+#include "base/mappings.h"
+#include "reuse/pages/page_watch_abi.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+/* A file that we have opened, and by what it is known again: the program may close any descriptor,
+ * and open another file under its number. */
+struct opened {
+    int descriptor;
+    uint64_t device;
+    uint64_t number;
+};
+
+static struct opened faults;  /* through which pages are protected */
+static struct opened pagemap; /* through which they are looked at */
+
+/* A byte that is 1 in the process that began, and that the system makes 0 in a child of it. NULL:
+ * not begun. */
+static volatile char *own_mark;
+
+static bool look_at(struct opened *opened) {
+    struct statx now;
+    if (redcc_system(SYS_statx, opened->descriptor, "", AT_EMPTY_PATH, STATX_INO, &now) != 0)
+        return false;
+    opened->device = (uint64_t)now.stx_dev_major << 32 | now.stx_dev_minor;
+    opened->number = now.stx_ino;
+    return true;
+}
+
+static bool is_ours(const struct opened *opened) {
+    struct opened now = {.descriptor = opened->descriptor};
+    return look_at(&now) && now.device == opened->device && now.number == opened->number;
+}
+
+static int request_of(const struct opened *opened, unsigned long request, const void *argument) {
+    return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
+}
+
+/* Takes over `descriptor` under a high number, so that the program goes on getting the low ones. */
+static bool take(struct opened *opened, int descriptor) {
+    if (descriptor < 0)
+        return false;
+    struct rlimit limit;
+    int from = 512;
+    if (redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 && limit.rlim_cur < 1024)
+        from = (int)limit.rlim_cur / 2;
+    opened->descriptor = (int)redcc_system(SYS_fcntl, descriptor, F_DUPFD_CLOEXEC, from);
+    redcc_system_close(descriptor);
+    return opened->descriptor >= 0 && look_at(opened);
+}
+
+static void give_up(struct opened *opened) {
+    if (opened->descriptor >= 0 && is_ours(opened))
+        redcc_system_close(opened->descriptor);
+    opened->descriptor = -1;
+}
+
+static bool open_both(void) {
+    faults.descriptor = pagemap.descriptor = -1;
+    struct watch_api api = {WATCH_API_VERSION, WATCH_FEATURE_ASYNC | WATCH_FEATURE_UNPOPULATED, 0};
+    return take(&faults, (int)redcc_system(SYS_userfaultfd,
+                                           O_CLOEXEC | O_NONBLOCK | WATCH_USER_MODE_ONLY)) &&
+           request_of(&faults, WATCH_IOCTL_API, &api) == 0 &&
+           take(&pagemap, redcc_system_open("/proc/self/pagemap"));
+}
+
+/* EBUSY where the program watches the place by a descriptor of its own. */
+static bool enter(struct range mapping) {
+    struct watch_register request = {
+        {mapping.first, mapping.end - mapping.first}, WATCH_REGISTER_WRITES, 0};
+    return request_of(&faults, WATCH_IOCTL_REGISTER, &request) == 0;
+}
+
+static bool protect(struct range pages) {
+    struct watch_protect request = {{pages.first, pages.end - pages.first}, WATCH_PROTECT};
+    return request_of(&faults, WATCH_IOCTL_PROTECT, &request) == 0;
+}
+
+/* A page counts as touched if it has no mark, or is not there: of a whole page table that
+ * was dropped, as by MADV_DONTNEED, kernels before July 2026 do not say that it was written. */
+static bool untouched(struct range pages) {
+    struct watch_region found;
+    struct watch_scan scan = {.size = sizeof scan,
+                              .flags = WATCH_SCAN_ASYNC_ONLY,
+                              .start = pages.first,
+                              .end = pages.end,
+                              .regions = (uintptr_t)&found,
+                              .region_count = 1,
+                              .most_pages = 1,
+                              .inverted = WATCH_IS_PRESENT,
+                              .any_of = WATCH_IS_WRITTEN | WATCH_IS_PRESENT,
+                              .wanted = WATCH_IS_WRITTEN | WATCH_IS_PRESENT};
+    return request_of(&pagemap, WATCH_IOCTL_SCAN, &scan) == 0 && scan.walk_end == pages.end;
+}
+
+enum { STORED, READ_INTO, DROPPED, MOVED, LEFT, TRIED, GOAL = TRIED, TRIAL_PAGES };
+
+static struct range trial_page(const char *trial, int page) {
+    const uintptr_t first = (uintptr_t)trial + (uintptr_t)page * redcc_page_size();
+    return (struct range){first, first + redcc_page_size()};
+}
+
+/* Writes to pages of our own in each way that the system could miss. */
+static bool touch(char *trial) {
+    const size_t page = redcc_page_size();
+    const int in = redcc_system_open("/proc/self/stat");
+    const bool was_read = in >= 0 && redcc_system_read(in, trial + READ_INTO * page, 8) == 8;
+    if (in >= 0)
+        redcc_system_close(in);
+    ((volatile char *)trial)[STORED * page] = 2;
+    char *const goal = trial + GOAL * page;
+    return was_read &&
+           redcc_system(SYS_madvise, trial + DROPPED * page, page, MADV_DONTNEED) == 0 &&
+           redcc_system(SYS_mremap, trial + MOVED * page, page, page, MREMAP_MAYMOVE | MREMAP_FIXED,
+                        goal) == (long)goal;
+}
+
+/* Does all of it work here as it should? A page moved to another place must not bring its mark
+ * along (kernels before 6.12.11 let it). */
+static bool passes_trial(char *trial) {
+    for (int page = 0; page < TRIAL_PAGES; page++)
+        ((volatile char *)trial)[(size_t)page * redcc_page_size()] = 1;
+    const struct range tried = {(uintptr_t)trial, trial_page(trial, TRIED).first};
+    if (!enter(tried) || !protect(tried))
+        return false;
+    for (int page = 0; page < TRIED; page++)
+        if (!untouched(trial_page(trial, page)))
+            return false;
+    return untouched(tried) && touch(trial) && !untouched(trial_page(trial, STORED)) &&
+           !untouched(trial_page(trial, READ_INTO)) && !untouched(trial_page(trial, DROPPED)) &&
+           untouched(trial_page(trial, LEFT)) && !untouched(trial_page(trial, GOAL)) &&
+           enter(trial_page(trial, GOAL)) && !untouched(trial_page(trial, GOAL));
+}
+
+static bool try_out(void) {
+    const size_t bytes = TRIAL_PAGES * redcc_page_size();
+    char *trial = redcc_system_map(bytes);
+    if (!trial)
+        return false;
+    const bool passed = passes_trial(trial);
+    redcc_system_unmap(trial, bytes);
+    return passed;
+}
+
+/* The page is used again by a child, which finds it empty. */
+static bool make_mark(void) {
+    if (!own_mark)
+        own_mark = redcc_wiped_page();
+    return own_mark != NULL;
+}
+
+/* Valgrind knows none of these calls, and says so each time. */
+static bool is_under_valgrind(void) {
+    const char *preloaded = getenv("LD_PRELOAD");
+    return preloaded && strstr(preloaded, "vgpreload_");
+}
+
+static bool hopeless; /* also for children */
+
+bool redcc_pages_begun(void) {
+    return own_mark && *own_mark == 1;
+}
+
+bool redcc_pages_begin(void) {
+    if (hopeless)
+        return false;
+    if (own_mark) { /* in a child: the parent's */
+        give_up(&faults);
+        give_up(&pagemap);
+    }
+    hopeless = is_under_valgrind() || redcc_is_confined() || redcc_has_accelerator() ||
+               !make_mark() || !open_both() || !try_out();
+    if (hopeless) {
+        give_up(&faults);
+        give_up(&pagemap);
+    } else
+        *own_mark = 1;
+    return !hopeless;
+}
+
+bool redcc_pages_protect(struct range pages) {
+    if (!is_ours(&faults) || !is_ours(&pagemap)) {
+        hopeless = true;
+        *own_mark = 0;
+        return false;
+    }
+    struct mappings mappings;
+    if (redcc_is_confined() || !redcc_may_watch(&mappings, pages, faults.descriptor))
+        return false;
+    for (int m = 0; m < mappings.count; m++) /* whole ones, or the system would split them */
+        if (!enter(mappings.whole[m]))
+            return false;
+    return protect(pages);
+}
+
+bool redcc_pages_untouched(struct range pages) {
+    return is_ours(&pagemap) && untouched(pages);
+}
+
+#else
+
+bool redcc_pages_begun(void) {
+    return false;
+}
+
+bool redcc_pages_begin(void) {
+    return false;
+}
+
+bool redcc_pages_protect(struct range pages) {
+    (void)pages;
+    return false;
+}
+
+bool redcc_pages_untouched(struct range pages) {
+    (void)pages;
+    return false;
+}
+
+#endif

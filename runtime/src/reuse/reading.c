@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "reuse/reading.h"
+
+#include "base/system.h"
+#include "reuse/pages/watch.h"
+
+#include <stdatomic.h>
+
+struct reading redcc_reading_of(const redcc_loop *loop, const redcc_extent *known,
+                                const struct range *sources, uint32_t source) {
+    const struct range it = sources[source];
+    const bool has_gaps = known[source].end == NULL;
+    for (uint32_t s = 0; s < source; s++) {
+        const struct range shown = sources[s];
+        struct range rest = it;
+        if (!loop->sources[s].is_subscript || !redcc_ranges_overlap(it, shown))
+            continue;
+        if (shown.first <= it.first)
+            rest.first = shown.end < it.end ? shown.end : it.end;
+        else if (shown.end >= it.end)
+            rest.end = shown.first;
+        else
+            continue; /* on both sides something is left */
+        return (struct reading){rest, has_gaps, s + 1, it.first - shown.first};
+    }
+    return (struct reading){it, has_gaps, 0, 0};
+}
+
+/* Would all of it be read without a fault, and from memory? The system brings its pages in, as to
+ * read them would, and says whether it could (Linux from 5.14 on; madvise(2)). */
+static bool is_readable(struct range range) {
+#if defined(__linux__)
+    enum { POPULATE_READ = 22 };
+    const uintptr_t page = redcc_page_size(), first = range.first / page * page;
+    const uintptr_t bytes = (range.end - first + page - 1) / page * page;
+    return redcc_system(SYS_madvise, first, bytes, POPULATE_READ) == 0;
+#else
+    (void)range;
+    return false;
+#endif
+}
+
+static struct fingerprint unlike_any(void) {
+    static atomic_ullong given;
+    return (struct fingerprint){{atomic_fetch_add(&given, 1), redcc_fingerprint(NULL, 0).word[1]}};
+}
+
+struct fingerprint redcc_part_fingerprint(const struct reading *reading, struct range range) {
+    const bool is_empty = redcc_range_empty(range);
+    if (reading->has_gaps && !is_empty && !is_readable(range))
+        return unlike_any();
+    return redcc_fingerprint((const char *)range.first, redcc_range_bytes(range));
+}
+
+struct fingerprint redcc_reading_fingerprint(struct reading reading) {
+    const struct fingerprint parts[2] = {redcc_part_fingerprint(&reading, reading.range),
+                                         {{reading.beside, reading.distance}}};
+    return redcc_fingerprint_join(parts, 2);
+}
+
+struct fingerprint redcc_reading_ends(struct reading reading) {
+    const struct range pages = redcc_whole_pages(reading.range);
+    if (redcc_range_empty(pages))
+        return redcc_reading_fingerprint(reading);
+    const struct range before = {reading.range.first, pages.first};
+    const struct range behind = {pages.end, reading.range.end};
+    const struct fingerprint parts[2] = {redcc_part_fingerprint(&reading, before),
+                                         redcc_part_fingerprint(&reading, behind)};
+    return redcc_fingerprint_join(parts, 2);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "crossings.h"
+
+#include "vector.h"
+
+static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    double ab[3], ac[3], ad[3], cross[3];
+    vector_subtract(b, a, ab);
+    vector_subtract(c, a, ac);
+    vector_subtract(d, a, ad);
+    vector_cross(ab, ac, cross);
+    return vector_dot(cross, ad);
+}
+
+int segment_crosses(const double p[3], const double q[3], const double a[3], const double b[3],
+                    const double c[3]) {
+    if ((volume(a, b, c, p) < 0) == (volume(a, b, c, q) < 0))
+        return 0;
+    const int s = volume(p, q, a, b) < 0;
+    return (volume(p, q, b, c) < 0) == s && (volume(p, q, c, a) < 0) == s;
+}
+
+int crossings(const stage *on) {
+    const mesh *m = &on->m;
+    const double(*x)[3] = simulation_positions(on->sim);
+    int count = 0;
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int u = 0; u < m->triangle_count; u++)
+            for (int p = 0; p < 3; p++) {
+                const int *b = m->triangle[u], i = m->triangle[t][p];
+                const int j = m->triangle[t][(p + 1) % 3];
+                int shared = 0;
+                for (int q = 0; q < 3; q++)
+                    shared += b[q] == i || b[q] == j;
+                count += shared == 0 && segment_crosses(x[i], x[j], x[b[0]], x[b[1]], x[b[2]]);
+            }
+    return count;
+}

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Hard cases of contact between cloth, cloth and bodies: piles, folds, and what goes between
+ * vertices. The names are those of docs/fabric-hard-cases.md. */
+#include "stage.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "crossings.h"
+#include "mesh_parts.h"
+#include "surface.h"
+#include "vector.h"
+
+static collider floor_at(double z) {
+    return (collider){.kind = COLLIDER_PLANE,
+                      .position = {0, 0, z},
+                      .axis = {0, 0, 1},
+                      .friction = 0.5,
+                      .gap = 0.004};
+}
+
+/* Sheets one above the other, as one mesh. */
+static mesh layers(int count, int columns, double spacing, double apart) {
+    const mesh one = cloth_sheet(columns, columns, spacing, 0.2, 3);
+    const int vertices = one.vertex_count, triangles = one.triangle_count;
+    double(*material)[2] = calloc((size_t)(vertices * count), sizeof *material);
+    int(*triangle)[3] = calloc((size_t)(triangles * count), sizeof *triangle);
+    for (int n = 0; n < count; n++) {
+        for (int i = 0; i < vertices; i++) {
+            material[n * vertices + i][0] = one.material[i][0] + 10 * n;
+            material[n * vertices + i][1] = one.material[i][1];
+        }
+        for (int t = 0; t < triangles; t++)
+            for (int p = 0; p < 3; p++)
+                triangle[n * triangles + t][p] = one.triangle[t][p] + n * vertices;
+    }
+    mesh all = cloth_of(vertices * count, (const double(*)[2])material, triangles * count,
+                        (const int(*)[3])triangle);
+    for (int n = 0; n < count; n++)
+        for (int i = 0; i < vertices; i++) {
+            /* Each a little aside, so that no vertex lies exactly over one. */
+            all.position[n * vertices + i][0] = one.position[i][0] + 0.013 * n;
+            all.position[n * vertices + i][2] = apart * (n + 1);
+        }
+    mesh gone = one;
+    cloth_free(&gone);
+    free(material);
+    free(triangle);
+    return all;
+}
+
+/* Sheets fall onto a floor and lie there: none goes into it, nor through another. */
+static void pile(int count, int steps, double deepest_allowed) {
+    collider ground = floor_at(0);
+    stage on = stage_of(layers(count, 5, 0.05, 0.012), cloth_scene());
+    double deepest = 0, speed = 0;
+    int crossed = 0;
+    on.s.step = 0.02;
+    on.s.tolerance = 1e-4;
+    on.s.bend = 1e-4;
+    on.s.drag = 0.2;
+    on.s.self_gap = 0.006;
+    on.s.self_friction = 0.3;
+    on.s.colliders = &ground;
+    on.s.collider_count = 1;
+    stage_begin(&on);
+    for (int n = 0; n < steps; n++) {
+        stage_run(&on, 1);
+        const int now = crossings(&on);
+        crossed = now > crossed ? now : crossed;
+        for (int i = 0; i < on.m.vertex_count; i++)
+            deepest = fmax(deepest, -on.sim->x[i][2]);
+    }
+    for (int i = 0; i < on.m.vertex_count; i++)
+        speed = fmax(speed, vector_length(on.sim->v[i]));
+    print_message("S36 %d layers: depth %.3g m, %d crossings, fastest %.3g m/s, %ld rejected\n",
+                  count, deepest, crossed, speed, simulation_steps_rejected(on.sim));
+    assert_below(deepest, deepest_allowed);
+    assert_int_equal(crossed, 0);
+    assert_in_range(simulation_steps_rejected(on.sim), 0, 2 * count);
+    stage_end(&on);
+}
+
+static void S36_two_layers_on_a_floor(void **state) {
+    (void)state;
+    pile(2, 50, 1e-9);
+}
+
+static void S36_ten_layers_on_a_floor(void **state) {
+    (void)state;
+    pile(10, 25, 1e-9);
+}
+
+/* A ribbon falls upright onto a plane and folds onto itself. */
+static void S37_ribbon_folds_onto_itself(void **state) {
+    (void)state;
+    collider ground = floor_at(-0.02);
+    stage on = stage_of(cloth_sheet(4, 40, 0.02, 0.2, 5), cloth_scene());
+    int crossed = 0;
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        on.m.position[i][2] = on.m.position[i][1];
+        on.m.position[i][1] = 0.004 * sin(9 * on.m.position[i][2]);
+    }
+    on.s.step = 0.02;
+    on.s.tolerance = 1e-4;
+    on.s.drag = 0.1;
+    on.s.bend = 1e-6;
+    on.s.self_gap = 0.004;
+    on.s.self_friction = 0.3;
+    on.s.colliders = &ground;
+    on.s.collider_count = 1;
+    stage_begin(&on);
+    double deepest = 0;
+    for (int n = 0; n < 100; n++) {
+        stage_run(&on, 1);
+        const int now = crossings(&on);
+        crossed = now > crossed ? now : crossed;
+        for (int i = 0; i < on.m.vertex_count; i++)
+            deepest = fmax(deepest, -0.02 - on.sim->x[i][2]);
+    }
+    print_message("S37 ribbon: %d crossings at most, depth %.3g m, %ld rejected\n", crossed,
+                  deepest, simulation_steps_rejected(on.sim));
+    assert_int_equal(crossed, 0);
+    assert_below(deepest, 1e-9);
+    stage_end(&on);
+}
+
+/* A coarse cloth, held all round or at two sides, and a body that has room between its vertices.
+ * How far below the cloth's edge the body's top ends, m: above 0 it is through. */
+static double body_through(collider *body, int steps, double speed, double h) {
+    static pin hold[4] = {{.low = {-0.01, -1}, .high = {0.01, 1}},
+                          {.low = {0.59, -1}, .high = {0.61, 1}},
+                          {.low = {-1, -0.01}, .high = {1, 0.01}},
+                          {.low = {-1, 0.59}, .high = {1, 0.61}}};
+    stage on = stage_of(cloth_sheet(7, 7, 0.1, 0, 1), cloth_scene());
+    double lowest = INFINITY;
+    on.s.step = h;
+    on.s.tolerance = 1e-4;
+    on.s.stretch = 30;
+    on.s.gravity[2] = 0;
+    on.s.pins = hold;
+    on.s.pin_count = 4;
+    body->velocity[2] = -speed;
+    on.s.colliders = body;
+    on.s.collider_count = 1;
+    on.s.limits.energy = 1e300; /* the pins hold on whatever it takes */
+    stage_begin(&on);
+    stage_run(&on, steps);
+    stage_assert_finite(&on);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        lowest = fmin(lowest, on.sim->x[i][2]);
+    const double top = body->position[2] - speed * simulation_time(on.sim);
+    print_message("  body at %.3f m, cloth down to %.3f m, %ld rejected\n", top, lowest,
+                  simulation_steps_rejected(on.sim));
+    stage_end(&on);
+    return lowest - top;
+}
+
+static void S38_thin_rod_between_vertices(void **state) {
+    (void)state;
+    collider rod = {.kind = COLLIDER_CYLINDER,
+                    .position = {0.35, 0.3, 0.15},
+                    .axis = {0, 1, 0},
+                    .size = {0.004, 0.12},
+                    .friction = 0.3,
+                    .gap = 0.002};
+    assert_below(body_through(&rod, 19, 1, 0.01), 0.02);
+}
+
+static void S38_small_fast_ball(void **state) {
+    (void)state;
+    collider ball = {.kind = COLLIDER_SPHERE,
+                     .position = {0.27, 0.34, 0.15},
+                     .size = {0.01},
+                     .friction = 0.3,
+                     .gap = 0.002};
+    assert_below(body_through(&ball, 6, 10, 0.005), 0.02);
+}
+
+/* A cone with its tip down. */
+static surface *cone(double radius, double height) {
+    enum { around = 16 };
+    char error[256] = "";
+    mesh m;
+    assert_int_equal(mesh_allocate(&m, around + 2, 2 * around), 0);
+    for (int k = 0; k < around; k++) {
+        m.position[k][0] = radius * cos(2 * acos(-1) * k / (int)around);
+        m.position[k][1] = radius * sin(2 * acos(-1) * k / (int)around);
+        m.position[k][2] = height;
+    }
+    memset(m.position[around], 0, sizeof m.position[around]);
+    m.position[around + 1][0] = m.position[around + 1][1] = 0;
+    m.position[around + 1][2] = height;
+    for (int k = 0; k < around; k++) {
+        const int next = (k + 1) % around;
+        const int side[3] = {around, next, k}, top[3] = {around + 1, k, next};
+        memcpy(m.triangle[2 * k], side, sizeof side);
+        memcpy(m.triangle[2 * k + 1], top, sizeof top);
+    }
+    surface *s = surface_new(&m, error);
+    if (!s)
+        fail_msg("%s", error);
+    return s;
+}
+
+static void S38_tip_of_a_cone(void **state) {
+    (void)state;
+    collider body = {.kind = COLLIDER_MESH,
+                     .position = {0.27, 0.34, 0.1},
+                     .surface = cone(0.03, 0.1),
+                     .friction = 0.3,
+                     .gap = 0.004};
+    assert_below(body_through(&body, 18, 1, 0.01), 0.03);
+    surface_free(body.surface);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(S36_two_layers_on_a_floor),
+        cmocka_unit_test(S36_ten_layers_on_a_floor),
+        cmocka_unit_test(S37_ribbon_folds_onto_itself),
+        cmocka_unit_test(S38_thin_rod_between_vertices),
+        cmocka_unit_test(S38_small_fast_ball),
+        cmocka_unit_test(S38_tip_of_a_cone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The smallest changes by which the loops of accept/idioms.c may no longer be translated.
+// covers: row 62, row 73, row 74, row 75, row 76, row 77
+#include <assert.h>
+
+enum { N = 3000 };
+struct graph {
+    int count;
+    const int *to;
+};
+extern int s[N], asked;
+extern double e[N];
+
+/* ---- *p is p[0] ---- */
+
+void table_changes(int n, double **out, double *other) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse other-store
+        (*out)[s[t]] += e[t];
+        *out = other;
+    }
+}
+
+void pointer_moves(int n, double **out) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse base-varies
+        (*out)[s[t]] += e[t];
+        out++;
+    }
+}
+
+void read_by_the_other_name(int n, double **out) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse array-read
+        (*out)[s[t]] += out[0][t];
+}
+
+/* ---- bounds ---- */
+
+int bound_wanted_after(const struct graph *x, double *h) {
+    int v, end;
+    for (v = 0, end = x->count; v < end; v++) // EXPECT: refuse last-value
+        h[x->to[v]] += e[v];
+    return end;
+}
+
+void bound_read_in_body(const struct graph *x, double *h) {
+    int v, end;
+    for (v = 0, end = x->count; v < end; v++) // EXPECT: refuse trip-count
+        h[x->to[v]] += end;
+}
+
+void bound_of_the_counter(const struct graph *x, double *h) {
+    int v, end;
+    for (v = 0, end = v + x->count; v < end; v++) // EXPECT: refuse trip-count
+        h[x->to[v]] += 1;
+}
+
+static int asks(const struct graph *x) {
+    return ++asked < x->count ? x->count : 0;
+}
+
+void bound_with_effect(const struct graph *x, double *h) {
+    for (int v = 0; v < asks(x); v++) // EXPECT: refuse impure-call
+        h[x->to[v]] += 1;
+}
+
+static int shrink(int *left) {
+    return --*left;
+}
+
+void bound_that_writes(const struct graph *x, double *h) {
+    int left = x->count;
+    for (int v = 0; v < shrink(&left); v++) // EXPECT: refuse trip-count
+        h[x->to[v]] += 1;
+}
+
+static int up_to(const int *p) {
+    return *p;
+}
+
+void bound_that_is_counted(const int *to, int *h) {
+    for (int v = 0; v < up_to(h); v++) // EXPECT: refuse callee-reads
+        h[to[v]] += 1;
+}
+
+int anything(const struct graph *x);
+
+void bound_unknown(const struct graph *x, double *h) {
+    for (int v = 0; v < anything(x); v++) // EXPECT: refuse impure-call
+        h[x->to[v]] += 1;
+}
+
+static int rounded(const struct graph *x) {
+    return (int)(0.1 * x->count);
+}
+
+void bound_that_is_rounded(const struct graph *x, double *h) {
+    for (int v = 0; v < rounded(x); v++) // EXPECT: refuse trip-count
+        h[x->to[v]] += 1;
+}
+
+/* ---- a counter whose address is known elsewhere ---- */
+
+void report(const char *who, int *place);
+extern int *kept;
+
+void counter_may_be_read(int n, double *h) {
+    int i;
+    report("who", &i);
+    for (i = 0; i < n; i++) // EXPECT: refuse counter-modified
+        h[s[i]] += *kept;
+}
+
+void counter_may_be_updated(int n, int *h) {
+    int i;
+    report("who", &i);
+    for (i = 0; i < n; i++) // EXPECT: refuse counter-modified
+        h[s[i]]++;
+}
+
+void counter_changed_by_pointer(int n, double *h) {
+    int i, *here = &i;
+    for (i = 0; i < n; i++) { // EXPECT: refuse counter-modified
+        h[s[i]] += 1;
+        *here += s[i] & 1;
+    }
+}
+
+void counter_read_by_pointer(int n, double *h) {
+    int i, *here = &i;
+    for (i = 0; i < n; i++) // EXPECT: refuse counter-modified
+        h[s[i]] += *here;
+}
+
+void counter_given_away_inside(int n, double *h) {
+    int i;
+    for (i = 0; i < n; i++) { // EXPECT: refuse counter-modified
+        int *here = &i;
+        h[s[i]] += *here;
+    }
+}
+
+/* ---- array and subscript apart ---- */
+
+static void add_both(double *to, int k, double value) {
+    to[k] += value;
+    to[k + 1] -= value;
+}
+
+void two_elements(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_both(h, s[t], e[t]);
+}
+
+static void add_where(double *to, int k, double value) {
+    if (k >= 0)
+        to[k] += value;
+}
+
+void perhaps(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_where(h, s[t], e[t]);
+}
+
+static void add_looked_up(double *to, const int *k, int t, double value) {
+    to[k[t]] += value;
+}
+
+void looked_up_inside(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_looked_up(h, s, t, e[t]);
+}
+
+static void add_neighbour(double *to, int k) {
+    to[k] += 0.5 * to[k + 1];
+}
+
+void reads_another(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+        add_neighbour(h, s[t]);
+}
+
+static void add_and_step(double *to, int k, double value) {
+    k++;
+    to[k] += value;
+}
+
+void subscript_changes(int n, double *h) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_and_step(h, s[t], e[t]);
+}
+
+static void add_at(double *to, int k, double value) {
+    to[k] += value;
+}
+
+void subscript_with_effect(int n, double *h) {
+    int k = 0;
+    for (int t = 0; t < n; t++) // EXPECT: refuse scalar-carried
+        add_at(h, s[k++], e[t]);
+}
+
+/* ---- assert ends the program ---- */
+
+void asserted(int n, double *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
+        assert(s[t] >= 0);
+        h[s[t]] += 1.0;
+    }
+}

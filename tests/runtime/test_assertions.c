@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Builds with assertions stop where a schedule is not what its method promises. Each method's
+ * prepare is replaced by one that makes the method's schedule and then changes it:
+ *
+ *     for (t = 0; t < TRIP; t++) b[row[t]] += t;    row[t] = t
+ */
+#include "loop.h"
+#include "settings.h"
+
+#include <omp.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+enum { TRIP = 6000, THREADS = 2 };
+
+static int row[TRIP];
+static double b[TRIP];
+
+static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
+static const redcc_source source = {"row", 1};
+static redcc_loop loop = {.file = "test_assertions.c",
+                          .line = 5,
+                          .function = "execute",
+                          .order = REDCC_ORDER_SERIAL,
+                          .flags = REDCC_VERIFIABLE,
+                          .array_count = 1,
+                          .arrays = &array,
+                          .source_count = 1,
+                          .sources = &source};
+
+static void execute(void) {
+    const redcc_extent known[] = {{(const char *)row, (const char *)(row + TRIP)}};
+    void *bases[] = {b};
+    redcc_call call;
+    assert_int_equal(redcc_enter(&call, &loop, TRIP, bases, known, NULL, THREADS, 0), 1);
+#pragma omp parallel num_threads(call.threads)
+    {
+        redcc_worker worker;
+        redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
+        while (redcc_inspect(&worker))
+            for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {
+                redcc_touch(&worker, 0, &b[row[t]], sizeof b[0]);
+                redcc_iteration_done(&worker);
+            }
+        while (redcc_next(&worker))
+            for (const redcc_run *run = worker.run; run < worker.run_end; run++)
+                for (redcc_u32 i = 0; i < run->count_and_guard / 2; i++) {
+                    const redcc_int t = worker.origin + run->begin + i;
+                    ((double *)worker.base[0])[row[t]] += (double)t;
+                }
+    }
+    assert_int_equal(redcc_leave(&call), 1);
+}
+
+/* ---- changed schedules ----------------------------------------------------------------------- */
+
+enum change { UNCHANGED, DROPPED, DOUBLED, SWAPPED };
+
+static const struct method *original;
+static enum change change;
+
+/* Iteration t of the thread's schedule as it should be, into the changed one. */
+static void copy_iteration(struct schedule *to, uint32_t stage, redcc_int t, int thread) {
+    const redcc_int changed = TRIP / THREADS * thread + 10;
+    if (change == DROPPED && thread == 1 && t == changed)
+        return;
+    if (change == SWAPPED && t == (thread == 0 ? 0 : TRIP - 1))
+        return;
+    assert_true(redcc_schedule_add(to, stage, t, 1, false));
+    if (change == DOUBLED && thread == 1 && t == changed)
+        assert_true(redcc_schedule_add(to, stage, t, 1, false));
+}
+
+/* The first iteration goes from the first thread to the second, and the last one back. */
+static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    struct schedule *schedule = &plan->schedule[redcc_own_schedule(plan, thread)];
+    if (!original->prepare(plan, evidence, thread))
+        return false;
+    struct schedule good = *schedule;
+    *schedule = (struct schedule){0};
+    if (change == SWAPPED && thread == 1)
+        assert_true(redcc_schedule_add(schedule, 0, 0, 1, false));
+    for (size_t c = 0; c < good.chunk_count; c++) {
+        struct run_reader runs = redcc_runs_of(&good, &good.chunk[c]);
+        for (redcc_run run; redcc_runs_read(&runs, &run, 1) == 1;)
+            for (redcc_u32 i = 0; i < run.count_and_guard / 2; i++)
+                copy_iteration(schedule, good.chunk[c].stage, good.chunk[c].origin + run.begin + i,
+                               thread);
+    }
+    if (change == SWAPPED && thread == 0)
+        assert_true(redcc_schedule_add(schedule, 0, TRIP - 1, 1, false));
+    redcc_schedule_end(&good);
+    return true;
+}
+
+/* In a process of its own: does the loop come to its end? */
+static bool survives(const struct method *method, enum change to_make) {
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        const struct rlimit no_core = {0, 0};
+        struct method mutant = *method;
+        setrlimit(RLIMIT_CORE, &no_core);
+        if (!freopen("/dev/null", "w", stderr))
+            _exit(3);
+        mutant.prepare = prepare;
+        original = method;
+        change = to_make;
+        struct settings *settings = (struct settings *)(uintptr_t)redcc_settings();
+        settings->method = &mutant;
+        settings->parameter = method->usual;
+        execute();
+        _exit(0);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    if (WIFSIGNALED(status))
+        assert_int_equal(WTERMSIG(status), SIGABRT);
+    else
+        assert_int_equal(status, 0);
+    return !WIFSIGNALED(status);
+}
+
+static void a_changed_schedule_trips_an_assertion(void **unused) {
+    (void)unused;
+    static const struct method *const methods[] = {
+        &redcc_method_localwrite, &redcc_method_spare_localwrite, &redcc_method_graph_localwrite,
+        &redcc_method_wavefront,  &redcc_method_expansion,        &redcc_method_pseudo_expansion,
+        &redcc_method_dwa_lip};
+    for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+        assert_true(survives(methods[m], UNCHANGED));
+#ifdef NDEBUG
+        const bool watched = false;
+#else
+        const bool watched = true;
+#endif
+        assert_int_equal(survives(methods[m], DROPPED), !watched);
+        assert_int_equal(survives(methods[m], DOUBLED), !watched);
+        if (methods[m]->keeps == REDCC_ORDER_SERIAL) /* else it is as good */
+            assert_int_equal(survives(methods[m], SWAPPED), !watched);
+    }
+}
+
+int main(void) {
+    for (int t = 0; t < TRIP; t++)
+        row[t] = t;
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_changed_schedule_trips_an_assertion)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
