@@ -5,6 +5,7 @@
 void keep(int *p);
 void done(void);
 extern volatile int start;
+int first(void);
 
 void the_bounds_address(int n, const int *s, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse bound-varies
@@ -48,6 +49,11 @@ void first_value_with_effect(int n, const int *s, double *h) {
         h[s[i]] += 1.0;
 }
 
+void first_value_by_a_call(int n, const int *s, double *h) {
+    for (int i = first(); i < n; i++) // EXPECT: refuse trip-count
+        h[s[i]] += 1.0;
+}
+
 void last_value_by_address(int n, const int *s, double *h) {
     int k = 0;
     keep(&k);
@@ -56,4 +62,16 @@ void last_value_by_address(int n, const int *s, double *h) {
         h[k] += 1.0;
     }
     done();
+}
+
+unsigned sums_and_products(int n, int m, const int *s, double *h) {
+    unsigned sum = 1;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        for (int j = 0; j < m; j++) {
+            sum += 3u;
+            sum *= 5u;
+        }
+        h[s[i]] += 1.0;
+    }
+    return sum;
 }
