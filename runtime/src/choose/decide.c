@@ -12,15 +12,11 @@ static const double reserve = 0.25;
  * where data is shuffled. */
 static const double first_look = 0.5e-3;
 
-enum {
-    WAKES = 50,         /* waking the threads then costs no more than 2 % of an execution */
-    FORECAST = 20,      /* times an inspection: then it costs 5 % of one execution */
-    CHECKED_AFTER = 64, /* timing the sequential loop again costs 1/64 */
-    MISSES = 2,
-    STEADY = 2,
-    SHORT_REST = 16,
-    SHORT_REST_MOST = 1024
-};
+static const double wakes = 50;          /* waking the threads costs 2 % of an execution then */
+static const double forecast_least = 20; /* inspections: one costs 5 % of an execution then */
+static const double checked_after = 64;  /* timing the sequential loop again costs 1/64 */
+
+enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024 };
 
 double redcc_credit(const struct choice_state *state) {
     return share * state->ledger.sequential - state->ledger.overhead;
@@ -161,7 +157,7 @@ static struct decision decide_comparing(struct choice_state *state, struct size_
  * slow lately, it costs nothing. */
 static bool is_check_due(const struct size_state *size, long long trip) {
     const double more = redcc_usual(&size->sequential) - size->prospect[size->way].execution;
-    return size->unchecked > CHECKED_AFTER * more * (double)trip;
+    return size->unchecked > checked_after * more * (double)trip;
 }
 
 static struct decision decide_parallel(struct choice_state *state, struct size_state *size,
@@ -188,13 +184,14 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
 }
 
 static struct decision decide_first(struct size_state *size, const struct situation *now) {
-    if (now->forecast <= 0 || now->forecast < FORECAST * now->forecast_set_up ||
-        now->forecast < WAKES * now->wake)
+    if (now->forecast <= 0 || now->forecast < forecast_least * now->forecast_set_up ||
+        now->forecast < wakes * now->wake)
         return sequentially(size, RULE_FIRST);
     redcc_note_timing(&size->sequential, now->forecast / (double)now->trip);
     size->rule = RULE_FIRST;
-    return (struct decision){
-        .action = ACTION_INSPECT, .deadline = now->forecast / FORECAST * 2, .rule = RULE_FIRST};
+    return (struct decision){.action = ACTION_INSPECT,
+                             .deadline = now->forecast / forecast_least * 2,
+                             .rule = RULE_FIRST};
 }
 
 /* Calls that are left to the sequential loop end here: a compare and a counter. */
@@ -218,7 +215,7 @@ static void end_rest(struct size_state *size, const struct situation *now) {
 }
 
 static bool is_short(const struct size_state *size, const struct situation *now) {
-    return redcc_usual(&size->sequential) * (double)now->trip < WAKES * now->wake;
+    return redcc_usual(&size->sequential) * (double)now->trip < wakes * now->wake;
 }
 
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads) {
@@ -291,7 +288,7 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
     size->looked = true;
     size->look = spent;
     const double allowed = size->stand == STAND_UNTIMED
-                               ? redcc_usual(&size->sequential) * (double)now->trip / FORECAST
+                               ? redcc_usual(&size->sequential) * (double)now->trip / forecast_least
                                : allowance(state, size, now) - spent;
     const double settled = size->stand == STAND_UNTIMED
                                ? allowed * redcc_next_factor(&size->set_ups)

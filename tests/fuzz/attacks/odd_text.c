@@ -9,7 +9,7 @@ static const char *const texts[] = {
     "extern int other$[], more$[];\nconst int e$ = other$[t] + 0 * (int)(more$ == other$);\n",
     "int attack_below(int);\nconst int e$ = other$[t] + 0 * (int)sizeof(&attack_below);\n",
     "__auto_type e$ = other$[t];\n",
-    "typeof(other$[0]) e$ = other$[t];\n",
+    "__typeof__(other$[0]) e$ = other$[t];\n",
     "const int e$ = __extension__({ int v$ = other$[t]; v$ + 1; });\n",
     "const int e$ = ((struct { int a, b; }){other$[t], 1}).a;\n",
     "const int e$ = ((int[]){1, other$[t], 3})[1];\n",
