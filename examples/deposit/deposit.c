@@ -56,7 +56,7 @@ int main(void) {
     }
     const double begin = seconds_now();
     for (int step = 0; step < STEPS; step++) {
-        deposit(PARTICLES, x, y, 1.0 / PARTICLES, grid);
+        deposit(PARTICLES, x, y, 1.0 / (double)PARTICLES, grid);
         move(PARTICLES, x, y);
     }
     fprintf(stderr, "%.3f s\n", seconds_now() - begin);

@@ -131,8 +131,9 @@ static void changed_subscripts_are_not_inspected_at_once(void **unused) {
     struct loop_state *state = described.loop.state;
     state->chooser.state.ledger.overhead = 1e9;
     problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
-    state->chooser.state.ledger.overhead = 0.1 * state->chooser.state.ledger.sequential -
-                                           0.5 * TRIP * 1e-6; /* an execution, no set-up's factor */
+    state->chooser.state.ledger.overhead =
+        0.1 * state->chooser.state.ledger.sequential -
+        0.5e-6 * (double)TRIP; /* an execution, no set-up's factor */
     size_of(&described)->set_ups.factor = 1e6;
     assert_false(call_right(&problem, &described));
     assert_int_equal(statistics_of(&described)->rule, RULE_CHANGED);

@@ -310,7 +310,7 @@ static struct digits mutated(struct digits it) {
         const int c = (int)(calls * uniform());
         const double which = uniform();
         if (which < 0.4)
-            it.like[(int)(KNOBS * uniform())] = random_digit();
+            it.like[(int)((double)KNOBS * uniform())] = random_digit();
         else if (which < 0.7)
             it.slow[c] = random_digit();
         else

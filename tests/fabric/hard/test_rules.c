@@ -231,7 +231,7 @@ static void test_vertex_through_moving_triangle(void **state) {
             double at[4][3];
             for (int k = 0; k < 4; k++)
                 for (int a = 0; a < 3; a++)
-                    at[k][a] = x[k][a] + (y[k][a] - x[k][a]) * part / parts;
+                    at[k][a] = x[k][a] + (y[k][a] - x[k][a]) * part / (double)parts;
             const double now = volume(at[1], at[2], at[3], at[0]);
             if (part > 0 && (now < 0) != (before < 0)) {
                 double normal[3], one[3], other[3], least = INFINITY;

@@ -41,8 +41,8 @@ static operand derived(attack *a) {
         "const %s *d$ = attack_same(%s);\n",
         "const %s *d$ = (const void *)(unsigned long)(%s);\n",
         "const %s *d$;\n{\nconst void *r$ = %s;\nmemcpy(&d$, &r$, sizeof d$);\n}\n",
-        "union { unsigned long u; const %s *p; } u$ = {.u = (unsigned long)(%s)};\n"
-        "const void *r$ = u$.p;\n",
+        ("union { unsigned long u; const %s *p; } u$ = {.u = (unsigned long)(%s)};\n"
+         "const void *r$ = u$.p;\n"),
     };
     const int form = below(a, 5);
     put(a, PART_BEFORE, "%s", text(a, forms[form], a->element, from));
