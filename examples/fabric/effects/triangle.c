@@ -1,94 +1,82 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Stretch and shear: the forces and their derivatives (see triangle.h for the energies). */
-#include "triangle.h"
-
-#include "vector.h"
-
-/* Below this |w| a direction is not to be had from w: the triangle has collapsed. */
-static const double collapsed = 1e-8;
-
 /*
- * One direction's stretch. With n = w / |w|: E's gradient in w is k a (|w| - 1) n and its second
- * derivative k a (n n' + g (I - n n')), g = 1 - 1/|w|. Under compression g < 0 and the matrix
- * would be indefinite: g is held at 0 or more. A collapsed triangle is pushed along `axis`.
- * gradient = h dE/dw; hessian = h^2 d2E/dw2 + h kd a n n'.
+ * Stretch and shear: a loop for each choice of effects that a cloth may call for. The loops differ
+ * in the constant that triangle_force gets, by which the compiler drops what is not called for.
  */
-static inline void stretch_terms(const double w[3], int axis, double area, double stiffness,
-                                 double damping, double h, double gradient[3],
-                                 double hessian[3][3]) {
-    const double length = vector_length(w);
-    const int usable = length > collapsed;
-    const double inverse = usable ? 1 / length : 0;
-    const double g = length > 1 ? 1 - inverse : 0;
-    const double across = h * h * stiffness * area * g;
-    const double along = (h * h * stiffness + h * damping) * area - across;
-    double n[3];
-    int r, c;
-    for (c = 0; c < 3; c++) {
-        n[c] = usable ? w[c] * inverse : (c == axis ? 1.0 : 0.0);
-        gradient[c] = h * stiffness * area * (length - 1) * n[c];
+#include "plan.h"
+#include "triangle_terms.h"
+
+/* The effects that this build has: FABRIC_WITHOUT leaves some out. */
+enum {
+    built_effects =
+        (((unsigned)FABRIC_WITHOUT >> EFFECT_STRETCH & 1u) == 0 ? TRIANGLE_STRETCH : 0) |
+        (((unsigned)FABRIC_WITHOUT >> EFFECT_SHEAR & 1u) == 0 ? TRIANGLE_SHEAR : 0)
+};
+
+/* f and df, added where they belong: one statement each, the same in every loop. (A loop that is to
+ * run in parallel has to stand in its function.) */
+#define ADD_FORCE(b)                                                                               \
+    for (c = 0; c < 3; c++) {                                                                      \
+        (b)[i][c] += f[0][c];                                                                      \
+        (b)[j][c] += f[1][c];                                                                      \
+        (b)[k][c] += f[2][c];                                                                      \
     }
-    for (r = 0; r < 3; r++)
-        for (c = 0; c < 3; c++)
-            hessian[r][c] = along * (n[r] * n[c]) + (r == c ? across : 0);
+#define ADD_BLOCKS(value)                                                                          \
+    for (r = 0; r < 3; r++)                                                                        \
+        for (c = 0; c < 3; c++) {                                                                  \
+            (value)[ii][r][c] += df[0][r][c];                                                      \
+            (value)[ij][r][c] += df[1][r][c];                                                      \
+            (value)[ik][r][c] += df[2][r][c];                                                      \
+            (value)[jj][r][c] += df[3][r][c];                                                      \
+            (value)[jk][r][c] += df[4][r][c];                                                      \
+            (value)[kk][r][c] += df[5][r][c];                                                      \
+        }
+
+static void add_stretch(const triangle_elements *e, const triangle_material *material, double h,
+                        const double (*restrict x)[3], const double (*restrict v)[3],
+                        linear_system *s) {
+    int t, i, j, k, r, c;
+    int ii, ij, ik, jj, jk, kk;
+    double f[3][3], df[6][3][3];
+    for (t = 0; t < e->count; t++) {
+        i = e->vertex[t][0];
+        j = e->vertex[t][1];
+        k = e->vertex[t][2];
+        triangle_force(TRIANGLE_STRETCH, &e->rest[t], material, h, x, v, i, j, k, f, df);
+        ADD_FORCE(s->b)
+        ii = e->block[t][0];
+        ij = e->block[t][1];
+        ik = e->block[t][2];
+        jj = e->block[t][3];
+        jk = e->block[t][4];
+        kk = e->block[t][5];
+        ADD_BLOCKS(s->A.value)
+    }
 }
 
-/*
- * f = the triangle's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (j,j) (j,k) (k,k).
- * Both come from derivatives in (w_u, w_v): with Q = [uu uv; uv' vv] the element's matrix is
- * A_pq = cu_p cu_q uu + cv_p cv_q vv + cu_p cv_q uv + cv_p cu_q uv'. Its rows of blocks sum to 0,
- * as the coefficients do: from (j,j), (j,k) and (k,k) follow the others. Shear keeps the
- * Gauss-Newton part of its second derivative, which is positive semidefinite: C's gradient is
- * (w_v; w_u). Since b = h f_elastic - (h^2 K + h D) v, damping needs no term of its own in f.
- */
-static void triangle_force(const triangle_rest *rest, const triangle_material *material, double h,
-                           const double (*x)[3], const double (*v)[3], int i, int j, int k,
-                           double f[3][3], double df[6][3][3]) {
-    const double shear = (h * h * material->shear + h * material->shear_damping) * rest->area;
-    const double u1 = rest->cu[1], u2 = rest->cu[2], v1 = rest->cv[1], v2 = rest->cv[2];
-    double wu[3], wv[3], rate_u[3], rate_v[3], force_u[3], force_v[3];
-    double uu[3][3], vv[3][3], uv[3][3];
-    double slant;
-    int p, r, c;
-    triangle_derivatives(rest, x, i, j, k, wu, wv);
-    triangle_derivatives(rest, v, i, j, k, rate_u, rate_v);
-    stretch_terms(wu, 0, rest->area, material->stretch, material->stretch_damping, h, force_u, uu);
-    stretch_terms(wv, 1, rest->area, material->stretch, material->stretch_damping, h, force_v, vv);
-    slant = h * material->shear * rest->area * vector_dot(wu, wv);
-    for (r = 0; r < 3; r++) {
-        force_u[r] += slant * wv[r];
-        force_v[r] += slant * wu[r];
-        for (c = 0; c < 3; c++) {
-            uu[r][c] += shear * (wv[r] * wv[c]);
-            vv[r][c] += shear * (wu[r] * wu[c]);
-            uv[r][c] = shear * wv[r] * wu[c];
-        }
+static void add_shear(const triangle_elements *e, const triangle_material *material, double h,
+                      const double (*restrict x)[3], const double (*restrict v)[3],
+                      linear_system *s) {
+    int t, i, j, k, r, c;
+    int ii, ij, ik, jj, jk, kk;
+    double f[3][3], df[6][3][3];
+    for (t = 0; t < e->count; t++) {
+        i = e->vertex[t][0];
+        j = e->vertex[t][1];
+        k = e->vertex[t][2];
+        triangle_force(TRIANGLE_SHEAR, &e->rest[t], material, h, x, v, i, j, k, f, df);
+        ADD_FORCE(s->b)
+        ii = e->block[t][0];
+        ij = e->block[t][1];
+        ik = e->block[t][2];
+        jj = e->block[t][3];
+        jk = e->block[t][4];
+        kk = e->block[t][5];
+        ADD_BLOCKS(s->A.value)
     }
-    for (r = 0; r < 3; r++)
-        for (c = 0; c < 3; c++) {
-            force_u[r] += uu[r][c] * rate_u[c] + uv[r][c] * rate_v[c];
-            force_v[r] += uv[c][r] * rate_u[c] + vv[r][c] * rate_v[c];
-        }
-    for (p = 0; p < 3; p++)
-        for (c = 0; c < 3; c++)
-            f[p][c] = -(rest->cu[p] * force_u[c] + rest->cv[p] * force_v[c]);
-    for (r = 0; r < 3; r++)
-        for (c = 0; c < 3; c++) {
-            const double both = uv[r][c] + uv[c][r];
-            df[3][r][c] = u1 * u1 * uu[r][c] + v1 * v1 * vv[r][c] + u1 * v1 * both;
-            df[4][r][c] =
-                u1 * u2 * uu[r][c] + v1 * v2 * vv[r][c] + u1 * v2 * uv[r][c] + v1 * u2 * uv[c][r];
-            df[5][r][c] = u2 * u2 * uu[r][c] + v2 * v2 * vv[r][c] + u2 * v2 * both;
-        }
-    for (r = 0; r < 3; r++)
-        for (c = 0; c < 3; c++) {
-            df[0][r][c] = (df[3][r][c] + df[5][r][c]) + (df[4][r][c] + df[4][c][r]);
-            df[1][r][c] = -(df[3][r][c] + df[4][c][r]);
-            df[2][r][c] = -(df[4][r][c] + df[5][r][c]);
-        }
 }
 
-void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
+static void add_both(const triangle_elements *e, const triangle_material *material, double h,
                      const double (*restrict x)[3], const double (*restrict v)[3],
                      linear_system *s) {
     int t, i, j, k, r, c;
@@ -98,26 +86,27 @@ void triangle_forces(const triangle_elements *e, const triangle_material *materi
         i = e->vertex[t][0];
         j = e->vertex[t][1];
         k = e->vertex[t][2];
-        triangle_force(&e->rest[t], material, h, x, v, i, j, k, f, df);
-        for (c = 0; c < 3; c++) {
-            s->b[i][c] += f[0][c];
-            s->b[j][c] += f[1][c];
-            s->b[k][c] += f[2][c];
-        }
+        triangle_force(built_effects, &e->rest[t], material, h, x, v, i, j, k, f, df);
+        ADD_FORCE(s->b)
         ii = e->block[t][0];
         ij = e->block[t][1];
         ik = e->block[t][2];
         jj = e->block[t][3];
         jk = e->block[t][4];
         kk = e->block[t][5];
-        for (r = 0; r < 3; r++)
-            for (c = 0; c < 3; c++) {
-                s->A.value[ii][r][c] += df[0][r][c];
-                s->A.value[ij][r][c] += df[1][r][c];
-                s->A.value[ik][r][c] += df[2][r][c];
-                s->A.value[jj][r][c] += df[3][r][c];
-                s->A.value[jk][r][c] += df[4][r][c];
-                s->A.value[kk][r][c] += df[5][r][c];
-            }
+        ADD_BLOCKS(s->A.value)
     }
+}
+
+void triangle_forces(const triangle_elements *e, const triangle_material *material, double h,
+                     const double (*restrict x)[3], const double (*restrict v)[3],
+                     linear_system *s) {
+    const int stretch = material->stretch > 0 || material->stretch_damping > 0;
+    const int shear = material->shear > 0 || material->shear_damping > 0;
+    if (stretch && shear)
+        add_both(e, material, h, x, v, s);
+    else if (stretch)
+        add_stretch(e, material, h, x, v, s);
+    else if (shear)
+        add_shear(e, material, h, x, v, s);
 }

@@ -296,6 +296,61 @@ static void test_strain_limit_is_a_gradient(void **state) {
     stage_end(&on);
 }
 
+/* b and A of a sheet that is moved and moving, with the triangles' forces of this material alone.
+ */
+static void triangles_alone(stage *on, const triangle_material *material) {
+    const double none[3] = {0, 0, 0};
+    simulation *sim = on->sim;
+    double *still = calloc((size_t)on->m.vertex_count, sizeof *still);
+    system_reset(&sim->system, still, none, 0.02);
+    triangle_forces(&sim->triangles, material, 0.02, (const double(*)[3])sim->x,
+                    (const double(*)[3])sim->v, &sim->system);
+    free(still);
+}
+
+/* a += b */
+static void add_system(linear_system *to, const linear_system *from) {
+    for (int k = 0; k < from->A.block_count * 9; k++)
+        (&to->A.value[0][0][0])[k] += (&from->A.value[0][0][0])[k];
+    for (int k = 0; k < from->A.row_count * 3; k++)
+        (&to->b[0][0])[k] += (&from->b[0][0])[k];
+}
+
+/* The loops for stretch, for shear and for both: what each makes is the sum of what its effects
+ * make, dampings included. */
+static void test_triangle_effects_add_up(void **state) {
+    (void)state;
+    static const triangle_material both = {400, 80, 0.5, 0.1}, without_damping = {400, 80, 0, 0},
+                                   parts[] = {{400, 0, 0, 0}, {0, 80, 0, 0},    {0, 0, 0.5, 0},
+                                              {0, 0, 0, 0.1}, {400, 0, 0.5, 0}, {0, 80, 0, 0.1}};
+    stage sum = stage_of(cloth_sheet(4, 5, 0.1, 0.3, 1), cloth_scene());
+    stage part = stage_of(cloth_sheet(4, 5, 0.1, 0.3, 1), cloth_scene());
+    unsigned seed = 3;
+    stage_begin(&sum);
+    stage_begin(&part);
+    for (int i = 0; i < sum.m.vertex_count; i++)
+        for (int a = 0; a < 3; a++) {
+            sum.sim->x[i][a] = part.sim->x[i][a] += 0.02 * random_number(&seed);
+            sum.sim->v[i][a] = part.sim->v[i][a] = random_number(&seed);
+        }
+    for (int way = 0; way < 3; way++) { /* the parts from..until make the whole */
+        static const int from[] = {0, 4, 0}, until[] = {4, 6, 2};
+        triangles_alone(&sum, &parts[from[way]]);
+        for (int k = from[way] + 1; k < until[way]; k++) {
+            triangles_alone(&part, &parts[k]);
+            add_system(&sum.sim->system, &part.sim->system);
+        }
+        triangles_alone(&part, way < 2 ? &both : &without_damping);
+        for (int k = 0; k < part.sim->system.A.block_count * 9; k++)
+            assert_near((&sum.sim->system.A.value[0][0][0])[k],
+                        (&part.sim->system.A.value[0][0][0])[k], 1e-14);
+        for (int k = 0; k < part.m.vertex_count * 3; k++)
+            assert_near((&sum.sim->system.b[0][0])[k], (&part.sim->system.b[0][0])[k], 1e-14);
+    }
+    stage_end(&sum);
+    stage_end(&part);
+}
+
 static void add_wide_limit(scene *s) {
     s->strain_limit = 5;
 }
@@ -332,6 +387,7 @@ int main(void) {
         cmocka_unit_test(test_collider_is_removed),
         cmocka_unit_test(test_strain_is_limited),
         cmocka_unit_test(test_strain_limit_is_a_gradient),
+        cmocka_unit_test(test_triangle_effects_add_up),
         cmocka_unit_test(test_wide_limit),
         cmocka_unit_test(test_events_are_listed),
     };
