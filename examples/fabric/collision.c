@@ -22,20 +22,35 @@ static int lasts(double from, double until, double time) {
 static void find_pins(collisions *c, double time) {
     const scene *s = c->scene;
     c->pinned = 0;
+    if (!c->pin_of)
+        return;
     for (int i = 0; i < c->vertex_count; i++)
         c->pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
     for (int p = s->pin_count - 1; p >= 0; p--)
         if (lasts(0, s->pins[p].until, time))
             pin_find(&s->pins[p], c->mesh, p, c->pin_of);
     for (int i = 0; i < c->vertex_count; i++)
-        c->pinned += c->pin_of[i] >= 0;
+        if (c->pin_of[i] >= 0)
+            c->held[c->pinned++] = i;
+}
+
+/* Is there a vertex that is held at some time? */
+static int any_pins(const collisions *c) {
+    for (int i = 0; i < c->vertex_count && c->scene->pin_count == 0; i++)
+        if (!(c->mass[i] > 0))
+            return 1;
+    return c->scene->pin_count > 0;
 }
 
 void collisions_follow(collisions *c, double time) {
     find_pins(c, time);
-    for (int n = 0; n < c->scene->collider_count; n++)
+    c->any_there = 0;
+    c->others.count = -1;
+    for (int n = 0; n < c->scene->collider_count; n++) {
         c->there[n] =
             (unsigned char)lasts(c->scene->colliders[n].from, c->scene->colliders[n].until, time);
+        c->any_there += c->there[n];
+    }
 }
 
 /* For how many seconds a pin has moved by `time`. */
@@ -58,13 +73,15 @@ static int allocate(collisions *c) {
     const size_t n = (size_t)c->vertex_count + 1;
     const size_t pins = (size_t)c->scene->pin_count + 1;
     const size_t colliders = (size_t)c->scene->collider_count + 1;
-    c->pin_of = calloc(n, sizeof *c->pin_of);
-    c->pinned_at = calloc(n, sizeof *c->pinned_at);
+    const int held = any_pins(c);
+    c->pin_of = held ? calloc(n, sizeof *c->pin_of) : NULL;
+    c->held = held ? calloc(n, sizeof *c->held) : NULL;
     c->pin_speed = calloc(pins, sizeof *c->pin_speed);
     c->there = calloc(colliders, 1);
-    c->near = calloc(colliders, 1);
     c->near_list = calloc(colliders, sizeof *c->near_list);
-    if (!c->pin_of || !c->pinned_at || !c->pin_speed || !c->there || !c->near || !c->near_list)
+    c->others.watched = calloc(colliders, sizeof *c->others.watched);
+    if (!c->pin_speed || !c->there || !c->near_list || !c->others.watched ||
+        (held && (!c->pin_of || !c->held)))
         return -1;
     if (c->scene->collider_count == 0)
         return 0;
@@ -87,90 +104,27 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
         collisions_free(c);
         return -1;
     }
-    for (int i = 0; i < m->vertex_count; i++)
-        for (int a = 0; a < 3; a++)
-            c->pinned_at[i][a] = m->position[i][a];
     collisions_follow(c, 0);
-    set_pin_speeds(c, 0, s->step);
-    for (int n = 0; n < s->collider_count; n++) {
-        c->near[n] = c->there[n];
-        if (c->near[n])
-            c->near_list[c->any_near++] = n;
+    if (c->held) { /* pins only let go: never are more held than at first */
+        int *held = realloc(c->held, ((size_t)c->pinned + 1) * sizeof *held);
+        c->held = held ? held : c->held;
     }
+    set_pin_speeds(c, 0, s->step);
+    collisions_find_near(c, 0, 0, (const double(*)[3])m->position, NULL, NULL);
     return 0;
 }
 
 void collisions_free(collisions *c) {
     free(c->pin_of);
-    free(c->pinned_at);
+    free(c->held);
     free(c->pin_speed);
     free(c->there);
-    free(c->near);
     free(c->near_list);
+    free(c->others.watched);
     free(c->before);
     free(c->now);
     free(c->met.list);
     *c = (collisions){0};
-}
-
-/* A ball around the cloth and the longest way a vertex goes in the step: dv NULL is 0. */
-typedef struct cloth_ball {
-    double center[3], radius, way;
-} cloth_ball;
-
-static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3],
-                              const double (*v)[3], const double (*dv)[3]) {
-    cloth_ball ball = {{0, 0, 0}, 0, 0};
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    double radius = 0, way = 0;
-    for (int i = 0; i < c->vertex_count; i++)
-        for (int a = 0; a < 3; a++) {
-            low[a] = x[i][a] < low[a] ? x[i][a] : low[a];
-            high[a] = x[i][a] > high[a] ? x[i][a] : high[a];
-        }
-    for (int a = 0; a < 3; a++) {
-        ball.center[a] = (low[a] + high[a]) / 2;
-        radius += (high[a] - low[a]) * (high[a] - low[a]) / 4;
-    }
-    for (int i = 0; i < c->vertex_count; i++) {
-        double speed[3] = {v[i][0], v[i][1], v[i][2]};
-        if (dv)
-            vector_add_scaled(v[i], 1, dv[i], speed);
-        const double square = vector_dot(speed, speed);
-        way = !(square <= way) ? square : way;
-    }
-    ball.radius = sqrt(radius);
-    ball.way = h * sqrt(way);
-    return ball;
-}
-
-/* Finds which colliders may touch the cloth within the step: the others cost no more than this. */
-static void find_near(collisions *c, double time, double h, const double (*x)[3],
-                      const double (*v)[3], const double (*dv)[3]) {
-    int there = 0;
-    c->any_near = 0;
-    for (int n = 0; n < c->scene->collider_count; n++)
-        there += c->there[n];
-    if (there == 0)
-        return;
-    const cloth_ball ball = ball_around(c, h, x, v, dv);
-    for (int n = 0; n < c->scene->collider_count; n++) {
-        const collider *k = &c->scene->colliders[n];
-        double p[3], normal[3];
-        for (int a = 0; a < 3; a++)
-            p[a] = ball.center[a] - k->position[a] - time * k->velocity[a];
-        const double reach =
-            1.01 * (ball.radius + ball.way + h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
-        c->near[n] = c->there[n] && !(shape_distance(k, p, normal) > reach);
-        if (c->near[n])
-            c->near_list[c->any_near++] = n;
-    }
-}
-
-void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
-                          const double (*v)[3]) {
-    if (c->now)
-        find_near(c, time, h, x, v, NULL);
 }
 
 /* Would a vertex at x with velocity v come too near to the collider in the next h seconds? */
@@ -234,7 +188,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
     set_pin_speeds(c, time, h);
     if (!c->now)
         return;
-    find_near(c, time, h, x, v, dv);
+    collisions_find_near(c, time, h, x, v, dv);
     if (!c->any_near) {
         clear_contacts(c);
         return;
@@ -246,7 +200,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
         double expected[3];
         vector_add_scaled(v[i], 1, dv[i], expected);
         c->now[i].count = 0;
-        if (c->pin_of[i] >= 0)
+        if (collisions_pin_of(c, i) >= 0)
             continue;
         for (int m = 0; m < c->any_near; m++) {
             const int n = c->near_list[m];
@@ -306,16 +260,27 @@ static int demands(const collisions *c, const vertex_contacts *of, const double 
     return count;
 }
 
-void collisions_constrain(const collisions *c, const double (*v)[3], constraints *given) {
+/* Is the vertex to be constrained? */
+static int is_given(const collisions *c, int i, int contacts) {
+    return collisions_pin_of(c, i) >= 0 || (contacts && c->now[i].count > 0);
+}
+
+int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given) {
+    const int contacts = c->now && !c->now_empty;
+    if (c->pinned == 0 && !contacts && given->used == 0)
+        return 0;
+    for (int i = 0; i < c->vertex_count; i++)
+        if (is_given(c, i, contacts) && constraint_place(given, i) != 0)
+            return -1;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->vertex_count; i++) {
         double d[CONTACTS_PER_VERTEX + 3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         double change[CONTACTS_PER_VERTEX + 3];
         int count = 0;
-        if (c->pin_of[i] >= 0) {
+        if (collisions_pin_of(c, i) >= 0) {
             vector_subtract(c->pin_speed[c->pin_of[i]], v[i], change);
             count = 3;
-        } else if (c->now && !c->now_empty) {
+        } else if (contacts) {
             count = demands(c, &c->now[i], v[i], d, change);
         }
         if (count > 0)
@@ -323,6 +288,7 @@ void collisions_constrain(const collisions *c, const double (*v)[3], constraints
         else if (given->given[i] > 0)
             constraint_release(given, i);
     }
+    return 0;
 }
 
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
@@ -330,7 +296,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     int added = 0;
     if (!c->now)
         return 0;
-    find_near(c, time, h, x, v, dv);
+    collisions_find_near(c, time, h, x, v, dv);
     if (!c->any_near)
         return 0;
     c->now_empty = 0;
@@ -338,7 +304,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
     for (int i = 0; i < c->vertex_count; i++) {
         double after[3];
         vector_add_scaled(v[i], 1, dv[i], after);
-        if (c->pin_of[i] >= 0)
+        if (collisions_pin_of(c, i) >= 0)
             continue;
         for (int m = 0; m < c->any_near; m++) {
             const int n = c->near_list[m];
@@ -358,7 +324,7 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
 static double keep_out(const collisions *c, int i, double time, double h, const double x[3],
                        double v[3]) {
     double changed = 0;
-    for (int m = 0; m < c->any_near && c->pin_of[i] < 0; m++) {
+    for (int m = 0; m < c->any_near && collisions_pin_of(c, i) < 0; m++) {
         const int n = c->near_list[m];
         const collider *k = &c->scene->colliders[n];
         approach found;
@@ -395,17 +361,13 @@ double collisions_keep_out(collisions *c, double time, double h, const double *m
 }
 
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]) {
-    if (c->pinned == 0)
-        return;
 #pragma omp parallel for schedule(static)
-    for (int i = 0; i < c->vertex_count; i++) {
-        const int p = c->pin_of[i];
-        if (p < 0)
-            continue;
+    for (int n = 0; n < c->pinned; n++) {
+        const int i = c->held[n], p = c->pin_of[i];
         const double moving = p < c->scene->pin_count ? moving_time(&c->scene->pins[p], time) : 0;
         for (int a = 0; a < 3; a++) {
             v[i][a] = c->pin_speed[p][a];
-            x[i][a] = c->pinned_at[i][a] +
+            x[i][a] = c->mesh->position[i][a] +
                       (p < c->scene->pin_count ? moving * c->scene->pins[p].velocity[a] : 0);
         }
     }

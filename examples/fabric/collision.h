@@ -48,19 +48,32 @@ typedef struct met_triangles {
     double gap; /* m, the least of their colliders; infinite: there are none */
 } met_triangles;
 
+/** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:
+ *  all that are not watched. */
+typedef struct out_of_reach {
+    int *watched;     /* [count] numbers of the colliders that are looked at, ascending */
+    int count;        /* -1: all are to be looked at */
+    double center[3]; /* m, of the cloth when they were, at */
+    double time;      /* s; then */
+    double clearance; /* m, the centre's distance to the nearest of the others, less its gap */
+    double speed;     /* m/s, of the fastest of the others */
+} out_of_reach;
+
 typedef struct collisions {
     const scene *scene;
     const mesh *mesh;
     const double *mass; /* [vertices] kg */
     int vertex_count;
-    int *pin_of;            /* [vertices] index of the pin that holds it; -1: none */
-    int pinned;             /* how many are held */
-    double (*pinned_at)[3]; /* [vertices] m, where a pinned vertex was at time 0 */
+    int *pin_of;            /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
+    int pinned;             /* how many are held: */
+    int *held;              /* [pinned] these, ascending */
     double (*pin_speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
     unsigned char *there;   /* [colliders] it exists at present */
-    unsigned char *near;    /* [colliders] it may touch the cloth in the step being taken */
-    int *near_list;         /* [any_near] the numbers of those, ascending */
+    int *near_list;         /* [any_near] those that may touch the cloth in the step being taken,
+                               ascending */
     int any_near;
+    int any_there; /* how many exist at present */
+    out_of_reach others;
     int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
     long visits;                 /* vertices held against a collider, in all */
     long friction_visits;        /* contacts with friction, in all */
@@ -69,6 +82,11 @@ typedef struct collisions {
     vertex_contacts *now;        /* [vertices] of the step being taken */
     met_triangles met;
 } collisions;
+
+/** Which pin holds the vertex; -1: none does. */
+static inline int collisions_pin_of(const collisions *c, int vertex) {
+    return c->pin_of ? c->pin_of[vertex] : -1;
+}
 
 /** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held
  *  in place. 0, or -1: out of memory. */
@@ -86,8 +104,8 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
 /** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
 void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system);
 
-/** Turns contacts and pins into constraints on dv. */
-void collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
+/** Turns contacts and pins into constraints on dv. 0, or -1: out of memory. */
+int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
 
 /** With dv solved: adds contacts that were not expected; returns how many. */
 int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
@@ -98,9 +116,10 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
 double collisions_keep_out(collisions *c, double time, double h, const double *mass,
                            const double (*x)[3], double (*v)[3], double *work);
 
-/** Finds which colliders may touch the cloth in the step: what follows looks at no others. */
+/** Finds which colliders may touch the cloth in the step, with velocities v + dv (dv NULL: v; v
+ *  NULL: at rest): what follows looks at no others. */
 void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
-                          const double (*v)[3]);
+                          const double (*v)[3], const double (*dv)[3]);
 
 /** Finds the triangles that a near collider may meet between their vertices (shape_triangle.h) in
  * the step; planes meet none. 0, or -1: out of memory. */

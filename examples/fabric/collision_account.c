@@ -16,7 +16,7 @@ static double friction_work(const contact *touch, const collider *k, double h) {
 /* Do nothing but colliders at rest hold the vertex, and push it nowhere? Pushing something out that
  * is too near is work indeed. */
 static int is_held_at_rest(const collisions *c, int vertex) {
-    if (c->pin_of[vertex] >= 0)
+    if (collisions_pin_of(c, vertex) >= 0)
         return 0;
     for (int n = 0; n < c->now[vertex].count; n++) {
         const contact *touch = &c->now[vertex].list[n];
@@ -52,7 +52,7 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
 /* How deep the vertex is in the deepest of the near colliders, m; 0: it is in none. */
 static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
     double deepest = 0;
-    for (int m = 0; m < c->any_near && c->pin_of[vertex] < 0; m++) {
+    for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {
         const collider *k = &c->scene->colliders[c->near_list[m]];
         double p[3], normal[3];
         for (int a = 0; a < 3; a++)

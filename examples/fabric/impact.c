@@ -23,7 +23,7 @@ static int find(const impact_step *s) {
     const double(*v)[3] = (const double(*)[3])s->v;
     if (s->itself && self_collision_find(s->itself, s->h, s->x, v) != 0)
         return -1;
-    collisions_find_near(s->bodies, s->time, s->h, s->x, v);
+    collisions_find_near(s->bodies, s->time, s->h, s->x, v, NULL);
     return collisions_find_triangles(s->bodies, s->time, s->h, s->x, v);
 }
 

@@ -6,12 +6,12 @@
 
 int movable_is_held(const movable *of, int vertex) {
     const collisions *c = of->bodies;
-    return c->pin_of[vertex] >= 0 || (c->now && c->now[vertex].count > 0);
+    return collisions_pin_of(c, vertex) >= 0 || (c->now && c->now[vertex].count > 0);
 }
 
 void movable_part(const movable *of, int i, const double d[3], double part[3]) {
     const collisions *c = of->bodies;
-    const int pinned = c->pin_of[i] >= 0;
+    const int pinned = collisions_pin_of(c, i) >= 0;
     for (int a = 0; a < 3; a++)
         part[a] = pinned ? 0 : d[a];
     if (pinned || !c->now)

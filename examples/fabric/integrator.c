@@ -154,7 +154,8 @@ void solveSystem(simulation *sim) {
             return;
         if (contacts == 0)
             continue;
-        collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
+        if (collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints) != 0)
+            sim->out_of_memory = 1;
         if (sim->integrator.kind != INTEGRATOR_LINEAR_EULER)
             leave_two_states(sim);
     }
@@ -169,7 +170,8 @@ static void end_velocity(simulation *sim, const double (*mean)[3]) {
             /* The midpoint's change doubles, but along given directions: contact does not bounce.
              */
             if (sim->integrator.kind == INTEGRATOR_MIDPOINT)
-                sim->v_next[i][a] += vector_dot(sim->constraints.S[i][a], sim->dv[i]);
+                sim->v_next[i][a] +=
+                    vector_dot(constraint_projection(&sim->constraints, i)[a], sim->dv[i]);
         }
 }
 
@@ -204,7 +206,7 @@ int integrator_move(simulation *sim) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->v[i], 1, mean[i], sim->v_next[i]);
-    const int unknown = keep_apart(sim) != 0;
+    const int unknown = sim->out_of_memory || keep_apart(sim) != 0;
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);

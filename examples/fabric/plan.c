@@ -44,13 +44,6 @@ static int has_friction(const scene *s) {
     return 0;
 }
 
-static int any_there(const simulation *sim) {
-    for (int n = 0; n < sim->scene->collider_count; n++)
-        if (sim->collisions.there[n])
-            return 1;
-    return 0;
-}
-
 /* What is on in a step that begins at `time`. */
 static void switch_effects(simulation *sim, double time) {
     const scene *s = sim->scene;
@@ -59,7 +52,7 @@ static void switch_effects(simulation *sim, double time) {
     for (int a = 0; a < 3; a++)
         sim->wind[a] = sim->effects[EFFECT_WIND].on ? s->wind[a] : 0;
     sim->effects[EFFECT_PINS].on = sim->collisions.pinned > 0;
-    sim->effects[EFFECT_CONTACT].on = any_there(sim);
+    sim->effects[EFFECT_CONTACT].on = sim->collisions.any_there > 0;
     sim->effects[EFFECT_FRICTION].on =
         sim->effects[EFFECT_FRICTION].active && sim->effects[EFFECT_CONTACT].on;
 }

@@ -33,7 +33,8 @@ void collisionDetection(simulation *sim) {
     collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
                       read_only(sim->v), read_only(sim->dv));
     collisions_add_friction(&sim->collisions, sim->stage_h, read_only(sim->v), &sim->system);
-    collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints);
+    if (collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints) != 0)
+        sim->out_of_memory = 1;
     sim->effects[EFFECT_CONTACT].visited = sim->collisions.visits;
     sim->effects[EFFECT_FRICTION].visited = sim->collisions.friction_visits;
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
@@ -90,7 +91,9 @@ static void accept(simulation *sim) {
 }
 
 static void reject(simulation *sim, monitor_verdict verdict) {
-    if (sim->steps_rejected < MOST_REJECTIONS)
+    if (simulation_log_rejections(sim) != 0)
+        sim->out_of_memory = 1;
+    else if (sim->steps_rejected < MOST_REJECTIONS)
         sim->rejections[sim->steps_rejected] =
             (rejection){monitor_verdict_name(verdict), simulation_time(sim), sim->h,
                         sim->monitor.value, sim->monitor.limit};

@@ -109,7 +109,8 @@ static void pass_counts(archive *a, simulation *sim) {
     archive_long(a, &sim->steps_rejected);
     archive_long(a, &sim->plans_changed);
     archive_long(a, &sim->self_collision.visits);
-    a->failed |= sim->steps_rejected < 0;
+    a->failed |=
+        sim->steps_rejected < 0 || (sim->steps_rejected > 0 && simulation_log_rejections(sim) != 0);
     for (long n = 0; n < sim->steps_rejected && n < MOST_REJECTIONS && !a->failed; n++)
         pass_rejection(a, &sim->rejections[n]);
     for (int k = 0; k < PHASE_COUNT; k++)

@@ -42,9 +42,7 @@ static int allocate_state(simulation *sim) {
     sim->dv = calloc(n, sizeof *sim->dv);
     sim->x_next = calloc(n, sizeof *sim->x_next);
     sim->v_next = calloc(n, sizeof *sim->v_next);
-    sim->rejections = calloc(MOST_REJECTIONS, sizeof *sim->rejections);
-    if (!sim->rejections || !sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv ||
-        !sim->x_next || !sim->v_next)
+    if (!sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv || !sim->x_next || !sim->v_next)
         return -1;
     return 0;
 }
@@ -68,7 +66,8 @@ static void set_start(simulation *sim) {
 static int build(simulation *sim, char *error) {
     const scene *s = sim->scene;
     const solver_options options = {(preconditioner_kind)s->preconditioner,
-                                    (solver_precision)s->precision, (solver_method)s->method};
+                                    (solver_precision)s->precision, (solver_method)s->method,
+                                    s->integrator != INTEGRATOR_LINEAR_EULER};
     const int vertices = sim->mesh->vertex_count;
     sim->triangle_material =
         (triangle_material){s->stretch, s->shear, s->stretch_damping, s->shear_damping};
@@ -186,8 +185,14 @@ long simulation_steps_rejected(const simulation *sim) {
     return sim->steps_rejected;
 }
 
+int simulation_log_rejections(simulation *sim) {
+    if (!sim->rejections)
+        sim->rejections = calloc(MOST_REJECTIONS, sizeof *sim->rejections);
+    return sim->rejections ? 0 : -1;
+}
+
 const rejection *simulation_rejections(const simulation *sim, int *count) {
-    *count = sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
+    *count = simulation_rejections_logged(sim);
     return sim->rejections;
 }
 

@@ -60,7 +60,8 @@ struct simulation {
     solver solver;
     solver_fallback fallback;
     solver_status solver_status;
-    double push_work; /* J, that keeping out of colliders by force took */
+    int out_of_memory; /* a constraint could not be noted: no step can be taken any more */
+    double push_work;  /* J, that keeping out of colliders by force took */
     monitor monitor;
     monitor_verdict verdict;
     int accepted;   /* what updateSystem decided */
@@ -70,8 +71,18 @@ struct simulation {
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
     long iterations, steps_taken, steps_rejected, plans_changed;
-    rejection *rejections; /* [MOST_REJECTIONS] the first ones */
+    rejection *rejections; /* [MOST_REJECTIONS] the first ones; NULL: none so far */
 };
+
+/** How many rejections are in the log. */
+static inline int simulation_rejections_logged(const simulation *sim) {
+    if (!sim->rejections)
+        return 0;
+    return sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
+}
+
+/** Makes the log of rejections, if there is none. 0, or -1: out of memory. */
+int simulation_log_rejections(simulation *sim);
 
 /** Does the effect act in the step being taken? */
 static inline int effect_is_on(const simulation *sim, int effect) {

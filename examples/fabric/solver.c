@@ -53,10 +53,25 @@ int solver_init(solver *s, int count) {
     return -1;
 }
 
+/* Frees what only block-Jacobi uses, and solver_defect. */
+static void drop_block_jacobi(solver *s) {
+    if (s->options.needs_defect)
+        return;
+    free(s->direction);
+    free(s->preconditioned);
+    free(s->inverse);
+    free(s->sum_direction);
+    free(s->sum_residual);
+    s->direction = s->preconditioned = NULL;
+    s->inverse = NULL;
+    s->sum_direction = s->sum_residual = NULL;
+}
+
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error) {
     s->options = *options;
     if (options->method == METHOD_DIRECT) {
         s->direct = direct_solver_new(A, error);
+        drop_block_jacobi(s);
         return s->direct ? 0 : -1;
     }
     if (options->preconditioner == PRECONDITIONER_BLOCK_JACOBI &&
@@ -67,8 +82,10 @@ int solver_choose(solver *s, const block_matrix *A, const solver_options *option
         s->domains = domain_solver_new(A);
     else
         s->packed = packed_solver_new(A, options);
-    if (s->domains || s->packed)
+    if (s->domains || s->packed) {
+        drop_block_jacobi(s);
         return 0;
+    }
     snprintf(error, 256, "out of memory for the preconditioner");
     return -1;
 }
@@ -90,8 +107,9 @@ static void filter(const constraints *c, int i, double r[3]) {
     if (c->given[i] == 0)
         return;
     const double whole[3] = {r[0], r[1], r[2]};
+    const vertex_constraint *of = constraint_at(c, i);
     for (int a = 0; a < 3; a++)
-        r[a] = vector_dot(c->S[i][a], whole);
+        r[a] = vector_dot(of->S[a], whole);
 }
 
 /* residual = S (b - product), preconditioned = P residual; returns r'Pr. Clears product. */
@@ -125,9 +143,10 @@ int solver_apply(const constraints *c, double (*dv)[3]) {
         if (c->given[i] == 0)
             continue;
         filter(c, i, dv[i]);
+        const double *z = constraint_at(c, i)->z;
         for (int a = 0; a < 3; a++) {
-            dv[i][a] += c->z[i][a];
-            which = c->z[i][a] != 0 ? DRIVEN : (which > CONSTRAINED ? which : CONSTRAINED);
+            dv[i][a] += z[a];
+            which = z[a] != 0 ? DRIVEN : (which > CONSTRAINED ? which : CONSTRAINED);
         }
     }
     return which;
@@ -200,11 +219,21 @@ static double iterate(solver *s, const constraints *c, double (*dv)[3], double *
     return solver_sum(s->sum_direction, s->chunks);
 }
 
+/* z of all vertices. */
+static void spread_given(const constraints *c, double (*z)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < c->count; i++)
+        for (int a = 0; a < 3; a++)
+            z[i][a] = constraint_change(c, i)[a];
+}
+
 /* |b - A z| in the preconditioner's norm, squared: what the residual is measured against. */
 static double reference_square(solver *s, const linear_system *system, const constraints *c,
                                int driven) {
-    if (driven)
-        half_product(&system->A, (const double(*)[3])c->z, s->product);
+    if (driven) {
+        spread_given(c, s->residual);
+        half_product(&system->A, (const double(*)[3])s->residual, s->product);
+    }
     return start_residual(s, c, (const double(*)[3])system->b);
 }
 
@@ -247,7 +276,8 @@ void solver_residual(solver *s, const linear_system *system, const constraints *
 void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
                                int which) {
     if (which == DRIVEN) {
-        solver_residual(s, system, c, (const double(*)[3])c->z);
+        spread_given(c, s->residual); /* read before it is written */
+        solver_residual(s, system, c, (const double(*)[3])s->residual);
         return;
     }
     copy((const double(*)[3])system->b, s->residual, s->count); /* z is 0 */

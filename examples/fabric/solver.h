@@ -45,6 +45,7 @@ typedef struct solver_options {
     preconditioner_kind preconditioner;
     solver_precision precision;
     solver_method method;
+    int needs_defect; /* solver_defect is called, too */
 } solver_options;
 
 typedef struct solver {
@@ -72,7 +73,8 @@ typedef struct solver_limits {
 
 /** For block-Jacobi conjugate gradients in double. 0, or -1: out of memory. */
 int solver_init(solver *s, int count);
-/** Other methods, after solver_init, for matrices of A's layout. A is kept by reference. 0, or -1
+/** Other methods, after solver_init, for matrices of A's layout; what only block-Jacobi and
+ *  solver_defect need is given back where neither is called for. A is kept by reference. 0, or -1
  *  with a message in error[256]. */
 int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error);
 void solver_free(solver *s);

@@ -81,10 +81,12 @@ static double entry(const block_matrix *A, const constraints *given, int i, int 
     const double(*a)[3] = (const double(*)[3])A->value[k];
     if (given->given[i] == 0 && given->given[j] == 0)
         return a[r][c];
-    double sum = i == j ? a[0][0] * ((r == c ? 1 : 0) - given->S[i][r][c]) : 0;
+    const double(*Si)[3] = constraint_projection(given, i),
+          (*Sj)[3] = constraint_projection(given, j);
+    double sum = i == j ? a[0][0] * ((r == c ? 1 : 0) - Si[r][c]) : 0;
     for (int p = 0; p < 3; p++)
         for (int q = 0; q < 3; q++)
-            sum += given->S[i][r][p] * a[p][q] * given->S[j][q][c];
+            sum += Si[r][p] * a[p][q] * Sj[q][c];
     return sum;
 }
 

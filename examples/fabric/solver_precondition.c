@@ -46,7 +46,7 @@ void preconditioner_build(const block_matrix *A, const constraints *c, double (*
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < A->row_count; i++) {
         double P[3][3];
-        invert_free((const double(*)[3])A->value[A->row_start[i]], (const double(*)[3])c->S[i],
+        invert_free((const double(*)[3])A->value[A->row_start[i]], constraint_projection(c, i),
                     c->given[i], P);
         for (int r = 0, m = 0; r < 3; r++)
             for (int k = r; k < 3; k++, m++)
@@ -62,12 +62,12 @@ void prefiltered_block(const block_matrix *A, const constraints *c, int i, int k
         return;
     }
     double half[3][3];
-    matrix3_multiply((const double(*)[3])c->S[i], (const double(*)[3])A->value[k], half);
-    matrix3_multiply_transposed((const double(*)[3])half, (const double(*)[3])c->S[j],
+    matrix3_multiply(constraint_projection(c, i), (const double(*)[3])A->value[k], half);
+    matrix3_multiply_transposed((const double(*)[3])half, constraint_projection(c, j),
                                 out); /* S' = S */
     if (i != j)
         return;
     for (int r = 0; r < 3; r++)
         for (int s = 0; s < 3; s++)
-            out[r][s] += A->value[k][0][0] * ((r == s ? 1 : 0) - c->S[i][r][s]);
+            out[r][s] += A->value[k][0][0] * ((r == s ? 1 : 0) - constraint_projection(c, i)[r][s]);
 }
