@@ -5,10 +5,6 @@
 #include "effects/drag.h"
 #include "simulation_state.h"
 
-static const unsigned triangle_effects = 1u << EFFECT_STRETCH | 1u << EFFECT_SHEAR |
-                                         1u << EFFECT_STRETCH_DAMPING | 1u << EFFECT_SHEAR_DAMPING;
-static const unsigned hinge_effects = 1u << EFFECT_BEND | 1u << EFFECT_BEND_DAMPING;
-
 static void visit(simulation *sim, int effect) {
     if (effect_is_on(sim, effect))
         sim->effects[effect].visited += sim->effects[effect].elements;
@@ -67,10 +63,9 @@ void forces_assemble(simulation *sim, const expansion *at) {
     system_reset(&sim->system, sim->mass, sim->scene->gravity, at->h);
     visit(sim, EFFECT_GRAVITY);
     sim->effects[EFFECT_GRAVITY].seconds += clock_seconds() - start;
-    if (sim->has_triangle_forces &&
-        ((unsigned)FABRIC_WITHOUT & triangle_effects) != triangle_effects)
+    if (sim->has_triangle_forces && (BUILT_WITH(EFFECT_STRETCH) || BUILT_WITH(EFFECT_SHEAR)))
         add_triangle_forces(sim, at);
-    if (sim->has_hinge_forces && ((unsigned)FABRIC_WITHOUT & hinge_effects) != hinge_effects)
+    if (sim->has_hinge_forces && BUILT_WITH(EFFECT_BEND))
         add_hinge_forces(sim, at);
     if (effect_is_on(sim, EFFECT_STRAIN_LIMIT)) {
         strain_limit_find(&sim->strain_limit, &sim->triangles, at->x);

@@ -148,8 +148,10 @@ void solveSystem(simulation *sim) {
         if (sim->solver_status != SOLVER_CONVERGED || n + 1 == most_solutions)
             return;
         const int contacts =
-            collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                                  read_only(sim->v), travel(sim));
+            BUILT_WITH(EFFECT_CONTACT) == 0
+                ? 0
+                : collisions_add_missed(&sim->collisions, simulation_time(sim), sim->h,
+                                        read_only(sim->x), read_only(sim->v), travel(sim));
         if (add_missed_forces(sim) == 0 && contacts == 0)
             return;
         if (contacts == 0)
@@ -206,7 +208,9 @@ int integrator_move(simulation *sim) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < count; i++)
         vector_add_scaled(sim->v[i], 1, mean[i], sim->v_next[i]);
-    const int unknown = sim->out_of_memory || keep_apart(sim) != 0;
+    const int unknown =
+        sim->out_of_memory ||
+        ((BUILT_WITH(EFFECT_CONTACT) || BUILT_WITH(EFFECT_SELF_COLLISION)) && keep_apart(sim) != 0);
 #pragma omp parallel for schedule(static) reduction(max : broken)
     for (int i = 0; i < count; i++) {
         vector_add_scaled(sim->x[i], sim->h, sim->v_next[i], sim->x_next[i]);
@@ -216,7 +220,8 @@ int integrator_move(simulation *sim) {
     }
     if (sim->integrator.kind == INTEGRATOR_MIDPOINT || sim->integrator.two_states)
         end_velocity(sim, mean);
-    collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
+    if (BUILT_WITH(EFFECT_PINS))
+        collisions_place_pins(&sim->collisions, end, sim->x_next, sim->v_next);
     return !broken && !unknown;
 }
 

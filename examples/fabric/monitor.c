@@ -77,6 +77,8 @@ static double energy_of_rounding(const monitored_step *start) {
 
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
     *m = (monitor){.scene = s};
+    if (!start->watched)
+        return;
     m->strain = triangle_greatest_strain(start->triangles, start->x);
     m->energy = kinetic_energy(start->collisions->vertex_count, start->mass, start->v) +
                 elastic_energy(start, start->x);
@@ -100,14 +102,9 @@ static int tolerates(monitor *m, const monitored_step *step, monitor_verdict ver
     return step->shortest;
 }
 
-monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
+/* Whether the step keeps to the scene's limits. */
+static monitor_verdict judge_limits(monitor *m, const monitored_step *step) {
     const monitor_limits *limits = &m->scene->limits;
-    memset(m->tolerated, 0, sizeof m->tolerated);
-    m->next_strain = triangle_greatest_strain(step->triangles, step->x_next);
-    if (!step->finite || !isfinite(m->next_strain))
-        return complain(m, STEP_NOT_FINITE, NAN, 0);
-    if (step->status != SOLVER_CONVERGED && !tolerates(m, step, STEP_NOT_SOLVED))
-        return complain(m, STEP_NOT_SOLVED, step->status, SOLVER_CONVERGED);
     if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
         !tolerates(m, step, STEP_STRAIN))
         return complain(m, STEP_STRAIN, m->next_strain - m->strain, limits->growth);
@@ -122,11 +119,25 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
     if (m->next_depth > limits->penetration && m->next_depth > m->depth &&
         !tolerates(m, step, STEP_PENETRATION))
         return complain(m, STEP_PENETRATION, m->next_depth, limits->penetration);
+    return STEP_GOOD;
+}
+
+monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
+    memset(m->tolerated, 0, sizeof m->tolerated);
+    m->next_strain = step->watched ? triangle_greatest_strain(step->triangles, step->x_next) : 0;
+    if (!step->finite || !isfinite(m->next_strain))
+        return complain(m, STEP_NOT_FINITE, NAN, 0);
+    if (step->status != SOLVER_CONVERGED && !tolerates(m, step, STEP_NOT_SOLVED))
+        return complain(m, STEP_NOT_SOLVED, step->status, SOLVER_CONVERGED);
+    if (step->watched) {
+        const monitor_verdict verdict = judge_limits(m, step);
+        if (verdict != STEP_GOOD)
+            return verdict;
+    }
     if (step->passing > 0 && !tolerates(m, step, STEP_PASSING))
         return complain(m, STEP_PASSING, step->passing, 0);
     return STEP_GOOD;
 }
-
 void monitor_accept(monitor *m) {
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         m->let_pass[k] += m->tolerated[k];

@@ -49,6 +49,7 @@ typedef struct monitored_step {
     const collisions *collisions;
     solver_status status;
     int passing;  /* pairs of the cloth that pass through each other in the step */
+    int watched;  /* else only `finite`, `status` and `passing` are looked at */
     int finite;   /* all of x_next and v_next */
     int shortest; /* the step cannot be halved any more */
 } monitored_step;

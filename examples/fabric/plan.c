@@ -77,6 +77,7 @@ void plan_make(simulation *sim) {
     set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
     set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);
     set_effect(sim, EFFECT_SELF_COLLISION, "self-collision", s->self_gap > 0, triangles);
+    set_effect(sim, EFFECT_MONITOR, "monitor", !s->limits.off, triangles);
     plan_return_to(sim, 0);
 }
 

@@ -23,6 +23,7 @@ enum {
     EFFECT_CONTACT,
     EFFECT_FRICTION, /* its seconds are within contact's */
     EFFECT_SELF_COLLISION,
+    EFFECT_MONITOR, /* not of the cloth's, but computed like one */
     EFFECT_COUNT
 };
 
@@ -30,6 +31,8 @@ enum {
 #ifndef FABRIC_WITHOUT
 #define FABRIC_WITHOUT 0
 #endif
+
+#define BUILT_WITH(effect) (((unsigned)FABRIC_WITHOUT >> (effect)&1u) == 0)
 
 /** Fills sim->effects, from the scene and the mesh, at time 0. */
 void plan_make(simulation *sim);

@@ -52,6 +52,7 @@ typedef struct monitor_limits {
     double growth;      /* of a triangle's strain in a step, */
     double strain;      /* where it ends above this */
     double penetration; /* m, of a vertex into a collider */
+    int off;            /* looks at none of these, only for what is not finite or not solved */
 } monitor_limits;
 
 /** Where the cloth comes from, */
@@ -102,6 +103,7 @@ typedef struct scene {
     int precision;           /* solver_precision of solver.h */
     double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
     int newton_iterations;   /* at most, in a step */
+    double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
     monitor_limits limits;
 } scene;
 

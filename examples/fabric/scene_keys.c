@@ -100,12 +100,19 @@ static const scene_key solution_keys[] = {
     {"newton_tolerance", VALUE_NUMBER, offsetof(scene, newton_tolerance), 0, 1, 0.0, 0.5, 1, 0,
      NULL, NULL, NULL},
     WHOLE(scene, newton_iterations, 0, BETWEEN(1, 1e6)),
+    NUMBER(scene, sleep, 0, NOT_NEGATIVE),
     END};
 
 #define LIMIT(name)                                                                                \
     { #name, VALUE_NUMBER, offsetof(scene, limits.name), 0, 1, POSITIVE, 0, NULL, NULL, NULL }
-static const scene_key monitor_keys[] = {LIMIT(energy), LIMIT(growth), LIMIT(strain),
-                                         LIMIT(penetration), END};
+static const char *const switches[] = {"on", "off", NULL};
+static const scene_key monitor_keys[] = {
+    {"watch", VALUE_CHOICE, offsetof(scene, limits.off), 0, 1, ANY, 0, switches, NULL, NULL},
+    LIMIT(energy),
+    LIMIT(growth),
+    LIMIT(strain),
+    LIMIT(penetration),
+    END};
 
 static const scene_key self_keys[] = {
     {"gap", VALUE_NUMBER, offsetof(scene, self_gap), 1, 1, NOT_NEGATIVE, 0, NULL, NULL, NULL},

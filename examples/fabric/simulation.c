@@ -12,6 +12,7 @@
 
 #include "clock.h"
 #include "integrator.h"
+#include "rest.h"
 #include "simulation_state.h"
 
 /* After this many steps in a row without trouble a halved length is doubled. */
@@ -19,6 +20,16 @@ enum { steps_before_growth = 3 };
 
 static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
+}
+
+static void find_contacts(simulation *sim) {
+    collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
+                      read_only(sim->v), read_only(sim->dv));
+    collisions_add_friction(&sim->collisions, sim->stage_h, read_only(sim->v), &sim->system);
+    if (collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints) != 0)
+        sim->out_of_memory = 1;
+    sim->effects[EFFECT_CONTACT].visited = sim->collisions.visits;
+    sim->effects[EFFECT_FRICTION].visited = sim->collisions.friction_visits;
 }
 
 void collisionDetection(simulation *sim) {
@@ -30,13 +41,8 @@ void collisionDetection(simulation *sim) {
             sim->dv[i][a] = scale * sim->guess[i][a];
     if (effect_is_on(sim, EFFECT_PINS))
         sim->effects[EFFECT_PINS].visited += sim->collisions.pinned;
-    collisions_detect(&sim->collisions, simulation_time(sim), sim->h, read_only(sim->x),
-                      read_only(sim->v), read_only(sim->dv));
-    collisions_add_friction(&sim->collisions, sim->stage_h, read_only(sim->v), &sim->system);
-    if (collisions_constrain(&sim->collisions, read_only(sim->v), &sim->constraints) != 0)
-        sim->out_of_memory = 1;
-    sim->effects[EFFECT_CONTACT].visited = sim->collisions.visits;
-    sim->effects[EFFECT_FRICTION].visited = sim->collisions.friction_visits;
+    if (BUILT_WITH(EFFECT_CONTACT) || BUILT_WITH(EFFECT_PINS))
+        find_contacts(sim);
     sim->effects[EFFECT_CONTACT].seconds += clock_seconds() - start;
 }
 
@@ -63,6 +69,7 @@ monitored_step simulation_monitored(simulation *sim) {
         .status = sim->solver_status,
         .passing = sim->self_collision.left + sim->collisions.met.left,
         .shortest = sim->ticks == 1,
+        .watched = effect_is_on(sim, EFFECT_MONITOR),
     };
 }
 
@@ -107,7 +114,12 @@ void updateSystem(simulation *sim) {
     const int finite = integrator_move(sim);
     monitored_step step = simulation_monitored(sim);
     step.finite = finite;
+    const double start = clock_seconds();
     const monitor_verdict verdict = monitor_judge(&sim->monitor, &step);
+    if (step.watched) {
+        sim->effects[EFFECT_MONITOR].visited += sim->effects[EFFECT_MONITOR].elements;
+        sim->effects[EFFECT_MONITOR].seconds += clock_seconds() - start;
+    }
     sim->verdict = verdict;
     sim->accepted = verdict == STEP_GOOD;
     if (sim->accepted)
@@ -134,6 +146,11 @@ static void complain(const simulation *sim, char *error) {
 
 int simulation_step(simulation *sim, char *error) {
     const long frame = sim->frame;
+    if (rest_lasts(sim)) {
+        sim->frame++;
+        sim->steps_slept++;
+        return 0;
+    }
     while (sim->frame == frame) {
         const int shortest = sim->ticks == 1;
         plan_follow(sim);
@@ -146,5 +163,6 @@ int simulation_step(simulation *sim, char *error) {
             return -1;
         }
     }
+    rest_watch(sim);
     return 0;
 }

@@ -45,6 +45,10 @@ void collisionDetection(simulation *sim);
 void solveSystem(simulation *sim);
 void updateSystem(simulation *sim);
 
+/** Makes what the first step would make room for, to be looked at; not for a simulation that is to
+ *  run. */
+void simulation_make_room(simulation *sim);
+
 /** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
  *  error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);
@@ -69,6 +73,7 @@ long simulation_iterations(const simulation *sim);        /* of conjugate gradie
 long simulation_newton_iterations(const simulation *sim); /* systems solved by Newton's method */
 long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
 long simulation_steps_rejected(const simulation *sim);
+long simulation_steps_slept(const simulation *sim); /* of the scene, through which it slept */
 /** *count: of those logged, at most MOST_REJECTIONS. */
 const rejection *simulation_rejections(const simulation *sim, int *count);
 long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
@@ -81,6 +86,7 @@ typedef struct run_faults {
     double deepest;                       /* m, of a vertex in a collider */
     long start_inside;                    /* vertices in a collider where the cloth starts, */
     double start_depth;                   /* m, the deepest of them */
+    int watched;          /* the monitor is on: else strain and depth are not known */
     long solved_directly; /* systems, because the conjugate gradients did not converge */
 } run_faults;
 

@@ -77,6 +77,7 @@ static void pass_time(archive *a, simulation *sim) {
     archive_long(a, &sim->frame);
     archive_int_within(a, &sim->ticks, 1, TICKS_PER_STEP);
     archive_int(a, &sim->easy_steps);
+    archive_int(a, &sim->slow_steps);
     archive_double(a, &sim->plan_time);
     if (a->mode != ARCHIVE_LOAD)
         return;
@@ -107,6 +108,7 @@ static void pass_counts(archive *a, simulation *sim) {
     archive_int_within(a, &sim->fallback.failed, 0, 1);
     archive_long(a, &sim->steps_taken);
     archive_long(a, &sim->steps_rejected);
+    archive_long(a, &sim->steps_slept);
     archive_long(a, &sim->plans_changed);
     archive_long(a, &sim->self_collision.visits);
     a->failed |=

@@ -78,7 +78,8 @@ static int build(simulation *sim, char *error) {
     if (allocate_state(sim) != 0 || triangle_elements_init(&sim->triangles, sim->mesh) != 0 ||
         (s->strain_limit > 0 && strain_limit_init(&sim->strain_limit, &sim->triangles,
                                                   s->strain_limit, s->stretch) != 0) ||
-        (sim->has_hinge_forces && hinge_elements_init(&sim->hinges, sim->mesh) != 0))
+        (sim->has_hinge_forces && hinge_elements_init(&sim->hinges, sim->mesh) != 0) ||
+        (s->bend > 0 && !s->limits.off && hinge_elements_look_ahead(&sim->hinges) != 0))
         return -1;
     share_mass(sim);
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
@@ -122,6 +123,12 @@ simulation *simulation_new(const mesh *m, const scene *s, char *error) {
     simulation_free(sim);
     snprintf(error, 256, "cannot simulate %d vertices: %.200s", m->vertex_count, reason);
     return NULL;
+}
+
+void simulation_make_room(simulation *sim) {
+    if (sim->effects[EFFECT_SELF_COLLISION].active)
+        self_collision_find(&sim->self_collision, sim->scene->step, (const double(*)[3])sim->x,
+                            (const double(*)[3])sim->guess);
 }
 
 void simulation_free(simulation *sim) {
@@ -185,6 +192,10 @@ long simulation_steps_rejected(const simulation *sim) {
     return sim->steps_rejected;
 }
 
+long simulation_steps_slept(const simulation *sim) {
+    return sim->steps_slept;
+}
+
 int simulation_log_rejections(simulation *sim) {
     if (!sim->rejections)
         sim->rejections = calloc(MOST_REJECTIONS, sizeof *sim->rejections);
@@ -208,6 +219,7 @@ run_faults simulation_faults(const simulation *sim) {
         .deepest = m->deepest,
         .start_inside = m->start_inside,
         .start_depth = m->start_depth,
+        .watched = sim->effects[EFFECT_MONITOR].active,
         .solved_directly = sim->fallback.solved,
     };
 }

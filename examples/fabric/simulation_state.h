@@ -66,11 +66,12 @@ struct simulation {
     monitor_verdict verdict;
     int accepted;   /* what updateSystem decided */
     int easy_steps; /* accepted in a row at this length */
+    int slow_steps; /* of the scene, in a row, that ended at rest (rest.h) */
 
     /* accounts */
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
-    long iterations, steps_taken, steps_rejected, plans_changed;
+    long iterations, steps_taken, steps_rejected, steps_slept, plans_changed;
     rejection *rejections; /* [MOST_REJECTIONS] the first ones; NULL: none so far */
 };
 
@@ -86,7 +87,7 @@ int simulation_log_rejections(simulation *sim);
 
 /** Does the effect act in the step being taken? */
 static inline int effect_is_on(const simulation *sim, int effect) {
-    return ((unsigned)FABRIC_WITHOUT >> effect & 1u) == 0 && sim->effects[effect].on;
+    return BUILT_WITH(effect) && sim->effects[effect].on;
 }
 
 /** What the monitor is to look at: the step being taken. */

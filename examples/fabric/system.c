@@ -66,7 +66,9 @@ static int find_columns(int rows, int list_count, const element_list *lists, int
         kept += count;
     }
     row_start[rows] = kept;
-    *column = wide;
+    *column = realloc(wide, sizeof *wide * ((size_t)kept + 1));
+    if (!*column)
+        *column = wide; /* as large as it was */
     wide = NULL;
     status = 0;
 done:

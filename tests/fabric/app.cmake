@@ -46,6 +46,9 @@ if(TARGET fabric)
     add_test(NAME fabric.app.gallery
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_gallery.sh $<TARGET_FILE:fabric-serial>
                      $<TARGET_FILE:fabric> ${scenes_folder} ${app_folder}/gallery)
+    add_test(NAME fabric.app.plan
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_plan.sh $<TARGET_FILE:fabric>)
+    set_tests_properties(fabric.app.plan PROPERTIES ENVIRONMENT FABRIC_SCENES=${scenes_folder})
     add_test(NAME fabric.app.translated
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_translated.sh $<TARGET_FILE:redcc>
                      ${PROJECT_SOURCE_DIR}/runtime/include ${PROJECT_SOURCE_DIR}/examples/fabric)

@@ -3,11 +3,13 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects self piles rules resume)
+foreach(name motion contact shape effects demand self piles rules resume)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
 endforeach()
+
+target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
 
 # script/fuzz runs many more of them.
 add_executable(random_scenes hard/random_scenes.c)
@@ -32,27 +34,37 @@ if(TARGET fabric_app)
            WORKING_DIRECTORY ${files_folder})
 endif()
 
-# Instructions of a build with the effects that do not act against one without them.
+# Instructions of a build with the effects that a sheet lacks against one without them.
 find_program(VALGRIND valgrind)
 if(VALGRIND AND NOT REDCC_SANITIZE)
-  # Bits of plan.h: bend, bend damping, strain limit, drag, wind, self-collision.
-  set(without "1<<EFFECT_BEND|1<<EFFECT_BEND_DAMPING|1<<EFFECT_STRAIN_LIMIT|1<<EFFECT_DRAG|1<<EFFECT_WIND|1<<EFFECT_SELF_COLLISION")
-  add_library(fabric_physics_without STATIC EXCLUDE_FROM_ALL ${FABRIC_PHYSICS_SOURCES})
-  target_compile_definitions(fabric_physics_without PRIVATE "FABRIC_WITHOUT=(${without})")
-  target_link_libraries(fabric_physics_without PUBLIC fabric_mesh fabric_flags m
-                        PRIVATE redcc_warnings)
-  foreach(which physics physics_without)
-    add_executable(effect_cost_${which} EXCLUDE_FROM_ALL hard/effect_cost.c)
-    target_link_libraries(effect_cost_${which} PRIVATE fabric_physics_tests fabric_${which}
-                          fabric_mesh redcc_warnings)
-  endforeach()
+  # effect_cost(SHEET EFFECT...): the effects as plan.h names them. Only the sources that ask what a
+  # build has are compiled anew.
+  set(asking forces.c integrator.c simulation.c simulation_state.c effects/triangle.c)
+  list(TRANSFORM asking PREPEND ${PROJECT_SOURCE_DIR}/examples/fabric/)
+  set_source_files_properties(${asking} PROPERTIES COMPILE_OPTIONS -Wno-unknown-pragmas)
+  add_executable(effect_cost EXCLUDE_FROM_ALL hard/effect_cost.c)
+  target_link_libraries(effect_cost PRIVATE fabric_physics_tests fabric_physics redcc_warnings)
+  set(effect_cost_targets effect_cost)
+  function(effect_cost sheet)
+    list(TRANSFORM ARGN PREPEND "1<<EFFECT_" OUTPUT_VARIABLE bits)
+    list(JOIN bits "|" bits)
+    add_executable(effect_cost_${sheet} EXCLUDE_FROM_ALL hard/effect_cost.c ${asking})
+    target_compile_definitions(effect_cost_${sheet} PRIVATE "FABRIC_WITHOUT=(${bits})")
+    target_link_libraries(effect_cost_${sheet} PRIVATE fabric_physics_tests fabric_physics
+                          redcc_warnings)
+    add_test(NAME fabric.hard.instructions_${sheet}
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/instructions.sh
+                     $<TARGET_FILE:effect_cost> $<TARGET_FILE:effect_cost_${sheet}> ${sheet})
+    set_tests_properties(fabric.hard.instructions_${sheet} PROPERTIES FIXTURES_REQUIRED effect_cost
+                         LABELS slow)
+    set(effect_cost_targets ${effect_cost_targets} effect_cost_${sheet} PARENT_SCOPE)
+  endfunction()
+  effect_cost(held BEND BEND_DAMPING STRAIN_LIMIT DRAG WIND SELF_COLLISION)
+  effect_cost(no-shear SHEAR SHEAR_DAMPING)
+  effect_cost(no-stretch STRETCH STRETCH_DAMPING)
+  effect_cost(unwatched MONITOR)
+  effect_cost(free PINS CONTACT FRICTION SELF_COLLISION)
   add_test(NAME fabric.hard.build_without
-           COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target
-                   effect_cost_physics effect_cost_physics_without)
-  add_test(NAME fabric.hard.instructions
-           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/instructions.sh
-                   $<TARGET_FILE:effect_cost_physics> $<TARGET_FILE:effect_cost_physics_without>)
+           COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target ${effect_cost_targets})
   set_tests_properties(fabric.hard.build_without PROPERTIES FIXTURES_SETUP effect_cost LABELS slow)
-  set_tests_properties(fabric.hard.instructions PROPERTIES FIXTURES_REQUIRED effect_cost
-                       LABELS slow)
 endif()

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "commands/commands.h"
+#include "output/memory.h"
 #include "plan.h"
 #include "simulation.h"
 
@@ -27,6 +28,22 @@ static void print_events(const scene *s) {
                k == MOST_EVENTS - 1 && count > MOST_EVENTS ? ", ..." : "");
     if (count > 0)
         putchar('\n');
+}
+
+/* What the process holds before there is a cloth, and what a run of it takes: that, and what is
+ * allocated by the time of the first step, all of which the steps use. */
+typedef struct memory_account {
+    double at_start, allocated_at_start; /* bytes */
+} memory_account;
+
+static void print_memory(const memory_account *before) {
+    const double allocated = memory_allocated();
+    if (allocated < 0)
+        return;
+    const double cloth = allocated - before->allocated_at_start;
+    const double held = before->at_start + cloth, most = memory_most();
+    printf("memory: the cloth takes %.2f MiB, a run %.2f MiB\n", mebibytes(cloth),
+           mebibytes(held > most ? held : most));
 }
 
 static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
@@ -53,14 +70,17 @@ static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
 static int plan(const scene *s) {
     char error[ERROR_SIZE] = "";
     mesh m = {0};
+    const memory_account before = {memory_most(), memory_allocated()};
     if (scene_mesh(s, &m, NULL, error) != 0) {
         fprintf(stderr, "%s: mesh: %s\n", s->name, error);
         return EXIT_FAILURE;
     }
     simulation *sim = simulation_new(&m, s, error);
-    if (sim)
+    if (sim) {
+        simulation_make_room(sim);
         print_plan(s, &m, sim);
-    else
+        print_memory(&before);
+    } else
         fprintf(stderr, "%s: %s\n", s->name, error);
     const int status = sim ? EXIT_SUCCESS : EXIT_FAILURE;
     simulation_free(sim);

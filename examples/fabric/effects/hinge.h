@@ -22,7 +22,7 @@ typedef struct hinge_elements {
     double *weight;   /* [count] */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
     /* What hinge_energy_at found last: where a step ends and the next begins angles are the same.
-     */
+       NULL until hinge_elements_look_ahead. */
     double *ahead;        /* [count] rad */
     double (*ahead_x)[3]; /* [vertices] m, at these positions */
     int vertices;         /* one above the hinges' greatest number */
@@ -37,6 +37,8 @@ typedef struct hinge_material {
 /** The mesh's hinges; those whose triangles have no rest area are left out. 0, or -1: out of
  *  memory. */
 int hinge_elements_init(hinge_elements *e, const mesh *m);
+/** Lets hinge_energy_at remember the angles it finds. 0, or -1: out of memory. */
+int hinge_elements_look_ahead(hinge_elements *e);
 /** Notes where A keeps each hinge's blocks. 0, or -1: out of memory. */
 int hinge_elements_place(hinge_elements *e, const block_matrix *A);
 void hinge_elements_free(hinge_elements *e);
@@ -51,7 +53,8 @@ void hinge_forces(const hinge_elements *e, const hinge_material *material, doubl
                   const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
 /** Energy at positions x, in J, with the angles nearest to those remembered, which stay; should
- *  hinge_update_angles be next, and at the same positions, it has nothing to do. */
+ *  hinge_update_angles be next, and at the same positions, it has nothing to do where angles are
+ *  looked at ahead. */
 double hinge_energy_at(hinge_elements *e, const hinge_material *material, const double (*x)[3]);
 
 /** Energy of the angles remembered, in J. */

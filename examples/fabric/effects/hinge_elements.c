@@ -64,12 +64,13 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
         e->vertices = e->vertex[n][3] >= e->vertices ? e->vertex[n][3] + 1 : e->vertices;
         e->count++;
     }
-    e->ahead = calloc(count, sizeof *e->ahead);
+    return 0;
+}
+
+int hinge_elements_look_ahead(hinge_elements *e) {
+    e->ahead = calloc((size_t)e->count + 1, sizeof *e->ahead);
     e->ahead_x = calloc((size_t)e->vertices + 1, sizeof *e->ahead_x);
-    if (e->ahead && e->ahead_x)
-        return 0;
-    hinge_elements_free(e);
-    return -1;
+    return e->ahead && e->ahead_x ? 0 : -1;
 }
 
 int hinge_elements_place(hinge_elements *e, const block_matrix *A) {
@@ -133,12 +134,13 @@ double hinge_energy_at(hinge_elements *e, const hinge_material *material, const 
     for (int chunk = 0; chunk < chunk_sum_chunks(e->count); chunk++)
         for (int t = chunk * chunk_sum_length(e->count); t < chunk_sum_end(e->count, chunk); t++) {
             const double angle = angle_at(e, t, x);
-            e->ahead[t] = angle;
+            if (e->ahead)
+                e->ahead[t] = angle;
             sum[chunk] += e->weight[t] * angle * angle;
         }
-    if (e->count > 0)
+    if (e->ahead && e->count > 0)
         memcpy(e->ahead_x, x, sizeof *e->ahead_x * (size_t)e->vertices);
-    e->has_ahead = 1;
+    e->has_ahead = e->ahead != NULL;
     return material->bend * chunk_sum_all(e->count, sum) / 2;
 }
 

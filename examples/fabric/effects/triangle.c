@@ -8,9 +8,8 @@
 
 /* The effects that this build has: FABRIC_WITHOUT leaves some out. */
 enum {
-    built_effects =
-        (((unsigned)FABRIC_WITHOUT >> EFFECT_STRETCH & 1u) == 0 ? TRIANGLE_STRETCH : 0) |
-        (((unsigned)FABRIC_WITHOUT >> EFFECT_SHEAR & 1u) == 0 ? TRIANGLE_SHEAR : 0)
+    built_effects = (BUILT_WITH(EFFECT_STRETCH) ? TRIANGLE_STRETCH : 0) |
+                    (BUILT_WITH(EFFECT_SHEAR) ? TRIANGLE_SHEAR : 0)
 };
 
 /* f and df, added where they belong: one statement each, the same in every loop. (A loop that is to

@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "output/fresh_file.h"
+#include "output/memory.h"
 
 const char *summary_phase_name(int phase_number) {
     static const char *const names[PHASE_COUNT] = {[PHASE_FORCES] = "forces",
@@ -63,37 +63,39 @@ static json_t *rejections_of(const simulation *sim) {
 /** What the run went on in spite of. */
 static json_t *faults_of(const simulation *sim) {
     const run_faults f = simulation_faults(sim);
-    return json_pack("{s:{s:I, s:I, s:I, s:I}, s:f, s:f, s:{s:I, s:f}, s:I}", "let_pass",
-                     "not solved", (json_int_t)f.not_solved, "strain", (json_int_t)f.strain,
-                     "penetration", (json_int_t)f.penetration, "passing", (json_int_t)f.passing,
-                     "greatest_strain", f.greatest_strain, "deepest", f.deepest, "starts_inside",
-                     "vertices", (json_int_t)f.start_inside, "deepest", f.start_depth,
-                     "solved_directly", (json_int_t)f.solved_directly);
-}
-
-/** That the process has held at any time, bytes. */
-static json_int_t most_memory(void) {
-    struct rusage used;
-    getrusage(RUSAGE_SELF, &used); /* cannot fail with these arguments */
-    return (json_int_t)used.ru_maxrss * 1024;
+    json_t *faults =
+        json_pack("{s:{s:I, s:I, s:I, s:I}, s:f, s:f, s:{s:I, s:f}, s:I}", "let_pass", "not solved",
+                  (json_int_t)f.not_solved, "strain", (json_int_t)f.strain, "penetration",
+                  (json_int_t)f.penetration, "passing", (json_int_t)f.passing, "greatest_strain",
+                  f.greatest_strain, "deepest", f.deepest, "starts_inside", "vertices",
+                  (json_int_t)f.start_inside, "deepest", f.start_depth, "solved_directly",
+                  (json_int_t)f.solved_directly);
+    if (!f.watched) { /* the monitor is off: nobody knows */
+        json_object_del(faults, "greatest_strain");
+        json_object_del(faults, "deepest");
+        json_object_del(faults, "starts_inside");
+    }
+    return faults;
 }
 
 static json_t *summary_of(const run_account *run) {
     const mesh *m = run->cloth;
     return json_pack(
-        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I}, s:I, s:I, s:f, s:f, s:f, s:I, "
+        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I, s:I}, s:I, s:I, s:f, s:f, s:f, "
+        "s:I, "
         "s:o, s:o, s:o, s:o, s:o}",
         "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
         run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
         m->edge_count, "hinges", m->hinge_count, "simulated_seconds", simulation_time(run->sim),
         "steps", "taken", (json_int_t)simulation_steps_taken(run->sim), "rejected",
-        (json_int_t)simulation_steps_rejected(run->sim), "cg_iterations",
+        (json_int_t)simulation_steps_rejected(run->sim), "slept",
+        (json_int_t)simulation_steps_slept(run->sim), "cg_iterations",
         (json_int_t)simulation_iterations(run->sim), "matrix_blocks",
         (json_int_t)simulation_matrix_blocks(run->sim), "mesh_seconds", run->mesh_seconds,
         "setup_seconds", run->setup_seconds, "step_seconds", run->step_seconds, "most_memory_bytes",
-        most_memory(), "phases", phases_of(run->sim), "effects", effects_of(run->sim, 1),
-        "inactive_effects", effects_of(run->sim, 0), "rejections", rejections_of(run->sim),
-        "faults", faults_of(run->sim));
+        (json_int_t)memory_most(), "phases", phases_of(run->sim), "effects",
+        effects_of(run->sim, 1), "inactive_effects", effects_of(run->sim, 0), "rejections",
+        rejections_of(run->sim), "faults", faults_of(run->sim));
 }
 
 int summary_write(const run_account *run, const char *path) {
