@@ -3,13 +3,15 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects demand self piles rules resume)
+foreach(name motion contact shape effects demand decisions self piles rules resume)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
 endforeach()
 
 target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
+target_compile_definitions(test_fabric_hard_decisions PRIVATE
+                           SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
 
 # script/fuzz runs many more of them.
 add_executable(random_scenes hard/random_scenes.c)
