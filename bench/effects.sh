@@ -65,6 +65,8 @@ step drag --set surroundings.drag=0.2
 step wind --set surroundings.wind='[1, 0, 0]'
 step pins --set pins='[{low: [-0.61, -0.61], high: [-0.59, -0.4]}]'
 measure "... but no bend" "${all[@]}" --set material.bend=0 --set material.bend_damping=0
+measure "... no shear" "${all[@]}" --set material.shear=0 --set material.shear_damping=0
+measure "... no monitor" "${all[@]}" --set monitor.watch=off
 step "strain limit" --set material.strain_limit=0.02
 step "far collider" --set colliders="[$far]"
 step "near collider" --set colliders="[$far, $ball]"

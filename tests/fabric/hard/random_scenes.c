@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Random hard scenes: random_scenes COUNT [SEED]. Sizes, stiffness, densities and steps over many
- * decades, broken meshes. Each scene runs in a process of its own: it must end finite and within
- * its energy, or be refused with a message. Exit 1 if one crashes, hangs, or does neither.
+ * Random hard scenes: random_scenes COUNT [SEED [driven]]. Sizes, stiffness, densities and steps
+ * over many decades, broken meshes, for three steps; `driven`: cloth as it is worn among bodies
+ * that move through it, for 40 steps. Each scene runs in a process of its own: it must end finite
+ * and within its energy, or be refused with a message. Exit 1 if one crashes, hangs, or does
+ * neither.
  */
 #include <math.h>
 #include <signal.h>
@@ -221,7 +223,7 @@ static int goes_on(const mesh *m, const scene *s) {
     return same;
 }
 
-static int run(const mesh *m, const scene *s, char *error) {
+static int run(const mesh *m, const scene *s, int steps, char *error) {
     simulation *sim = simulation_new(m, s, error);
     int outcome = FINISHED, driven = s->drag > 0 && vector_length(s->wind) > 0;
     if (!sim)
@@ -236,7 +238,7 @@ static int run(const mesh *m, const scene *s, char *error) {
         }
     const double first = energy_of(sim);
     double highest = height_of(sim);
-    for (int n = 0; n < 3 && outcome == FINISHED; n++) {
+    for (int n = 0; n < steps && outcome == FINISHED; n++) {
         if (simulation_step(sim, error) != 0) {
             outcome = error[0] ? REFUSED : SILENT;
             break;
@@ -285,15 +287,60 @@ static int run_scene(unsigned seed, char *error) {
     s.limits.penetration = 0.1 * size;
     if (mesh_clean(&m, found, error) == 0 && mesh_connect(&m, &non_manifold, error) == 0 &&
         mesh_check(&m, found) == 0)
-        outcome = run(&m, &s, error);
+        outcome = run(&m, &s, 3, error);
     if (outcome == FINISHED && is_resumed && !goes_on(&m, &s))
         outcome = NOT_THE_SAME;
     mesh_free(&m);
     return outcome;
 }
 
+/* A body of 0.02 to 0.3 m that starts above or below the sheet and moves through where it is. */
+static collider driven_body(unsigned *seed) {
+    collider c = {.kind = (collider_kind)(1 + any(seed, 3)), .friction = between(seed, 0, 1)};
+    const double side = one_in(seed, 2) ? 1 : -1, speed = pow(10, between(seed, -1, 1));
+    for (int a = 0; a < 3; a++) {
+        c.size[a] = 0.02 * pow(10, between(seed, 0, 1.2));
+        c.axis[a] = random_number(seed);
+        c.position[a] = a < 2 ? between(seed, 0, 0.5) : 0;
+        c.velocity[a] = 0.3 * speed * random_number(seed);
+    }
+    const double length = vector_length(c.axis), radius = 2 * vector_length(c.size);
+    for (int a = 0; a < 3; a++)
+        c.axis[a] /= length;
+    c.position[2] = side * (radius + 0.02);
+    c.velocity[2] = -side * speed;
+    c.gap = pow(10, between(seed, -3, -2));
+    return c;
+}
+
+/* Two or three bodies move through a sheet, which is held or falls, from both sides. */
+static int run_driven(unsigned seed, char *error) {
+    collider bodies[3];
+    pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 10}};
+    for (int k = 0; k < 8; k++)
+        random_number(&seed);
+    const int along = 6 + any(&seed, 8);
+    mesh m = cloth_sheet(along, along, 0.5 / along, 0.3, seed);
+    scene s = cloth_scene();
+    s.step = between(&seed, 0.005, 0.033);
+    s.stretch = pow(10, between(&seed, 1.5, 4));
+    s.shear = s.stretch * between(&seed, 0.02, 0.5);
+    s.bend = pow(10, between(&seed, -6, -3));
+    s.drag = one_in(&seed, 2) ? 0.2 : 0;
+    s.colliders = bodies;
+    s.collider_count = 2 + any(&seed, 2);
+    for (int n = 0; n < s.collider_count; n++)
+        bodies[n] = driven_body(&seed);
+    s.pins = &hold;
+    s.pin_count = any(&seed, 2);
+    s.self_gap = one_in(&seed, 2) ? 0.1 * 0.5 / along : 0;
+    const int outcome = run(&m, &s, 40, error);
+    cloth_free(&m);
+    return outcome;
+}
+
 /* In a process of its own; the message comes back through a pipe. */
-static int run_apart(unsigned seed, char *error) {
+static int run_apart(unsigned seed, int is_driven, char *error) {
     int ends[2], status;
     error[0] = '\0';
     if (pipe(ends) != 0)
@@ -302,7 +349,7 @@ static int run_apart(unsigned seed, char *error) {
     if (child == 0) {
         close(ends[0]);
         setrlimit(RLIMIT_CPU, &(struct rlimit){PATIENCE, PATIENCE + 1});
-        const int outcome = run_scene(seed, error);
+        const int outcome = is_driven ? run_driven(seed, error) : run_scene(seed, error);
         const ssize_t written = write(ends[1], error, strlen(error));
         _exit(written < 0 ? CRASHED : outcome);
     }
@@ -320,11 +367,12 @@ static int run_apart(unsigned seed, char *error) {
 int main(int argc, char **argv) {
     const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 30;
     const unsigned first = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1;
+    const int is_driven = argc > 3 && strcmp(argv[3], "driven") == 0;
     long sums[OUTCOME_COUNT] = {0};
     for (long n = 0; n < count; n++) {
         char error[256];
         const unsigned seed = first + (unsigned)n;
-        const int outcome = run_apart(seed, error);
+        const int outcome = run_apart(seed, is_driven, error);
         sums[outcome]++;
         if (outcome > REFUSED || (argc > 3 && outcome == REFUSED))
             printf("scene %u: %s: %s\n", seed, outcomes[outcome], error);
