@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "explain.h"
 #include "frontend/frontend.h"
-#include "options.h"
-#include "translate_file.h"
-#include "whole_program.h"
-#include "workers.h"
+#include "redcc/explain.h"
+#include "redcc/options.h"
+#include "redcc/translate_file.h"
+#include "redcc/whole_program.h"
+#include "redcc/workers.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 

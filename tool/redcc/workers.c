@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
-#include "workers.h"
+#include "redcc/workers.h"
 
 #include <errno.h>
 #include <signal.h>

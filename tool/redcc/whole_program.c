@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Two rounds, each with a process for a file: what the files' functions are, then the loops. */
-#include "whole_program.h"
+#include "redcc/whole_program.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,10 +8,10 @@
 #include <unistd.h>
 
 #include "analysis/reason.h"
-#include "compile_commands.h"
-#include "foreign.h"
-#include "translate_file.h"
-#include "workers.h"
+#include "redcc/compile_commands.h"
+#include "redcc/foreign.h"
+#include "redcc/translate_file.h"
+#include "redcc/workers.h"
 
 /* What a file's functions are, as text; of a file with more of them nothing is known. */
 enum { EXPORTS_SIZE = 1 << 20 };

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "options.h"
+#include "redcc/options.h"
 
 #include <string.h>
 
 #include "driver/files.h"
-#include "nearest.h"
+#include "redcc/nearest.h"
 #include "support/compiler_options.h"
 
 const char options_help[] =

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* memmem */
-#include "translate_file.h"
+#include "redcc/translate_file.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "analysis/reason.h"
-#include "compile_commands.h"
-#include "compilers.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
-#include "output.h"
-#include "self_check.h"
-#include "verify.h"
+#include "redcc/compile_commands.h"
+#include "redcc/compilers.h"
+#include "redcc/output.h"
+#include "redcc/self_check.h"
+#include "redcc/verify.h"
 
 static file_outcome fail(const char *path, const char *message) {
     if (path)
