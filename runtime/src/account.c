@@ -27,7 +27,7 @@ void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, 
 }
 
 void redcc_note_rule(struct statistics *statistics, enum rule rule) {
-    atomic_store_explicit(&statistics->last.rule, (int)rule, memory_order_relaxed);
+    atomic_store_explicit(&statistics->rule, (int)rule, memory_order_relaxed);
 }
 
 void redcc_note_serial(struct statistics *statistics) {
@@ -184,8 +184,8 @@ static void account_execution(struct execution *execution, double now) {
     statistics->watched += !built && redcc_reuse_skipped_sources(&execution->reuse) > 0;
     statistics->inspect_seconds += run->ready - execution->call.entered;
     statistics->execute_seconds += now - run->ready;
-    statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
-    statistics->executed += plan->executed;
+    statistics->extra.bytes = bytes > statistics->extra.bytes ? bytes : statistics->extra.bytes;
+    statistics->extra.executed += plan->executed;
     statistics->in_loops += plan->trip;
     statistics->last.stages = redcc_plan_stages(plan);
     statistics->last.trip = plan->trip;

@@ -42,7 +42,12 @@ struct last_execution {
     redcc_int length; /* how long it takes by the schedule, in iterations */
     bool compensated; /* its sums */
     atomic_int mode;  /* enum mode, of the last call */
-    atomic_int rule;  /* enum rule: the row of auto's table that decided last */
+};
+
+/** What executions in parallel took beside time. */
+struct extra_work {
+    size_t bytes;       /* the most that a plan took */
+    redcc_int executed; /* iterations, replicated ones counted */
 };
 
 /** The original loop, where it was timed. */
@@ -72,7 +77,8 @@ struct statistics {
     atomic_long calls;
     atomic_long fallback[REASON_COUNT];
     struct told_text overlap[REDCC_TEXTS]; /* of REASON_OVERLAP */
-    const struct method *method;           /* the last one used; NULL: none yet */
+    atomic_int rule;             /* enum rule: the row of auto's table that decided last */
+    const struct method *method; /* the last one used; NULL: none yet */
     int parameter;
     redcc_order order;
     int threads; /* of the last execution */
@@ -84,9 +90,8 @@ struct statistics {
     double inspect_seconds;
     double execute_seconds;
     struct timed_sequential sequential;
-    size_t extra_bytes; /* the most that a plan took */
-    redcc_int executed; /* iterations in parallel executions, replicated ones counted */
-    redcc_int in_loops; /* and not counted */
+    struct extra_work extra;
+    redcc_int in_loops; /* iterations in parallel executions, replicated ones not counted */
     struct last_execution last;
     struct validated validated;
 };

@@ -16,7 +16,7 @@ static const char *rule_slug(const struct statistics *statistics) {
                                         REDCC_RULE_LIST(REDCC_RULE)
 #undef REDCC_RULE
     };
-    return slugs[atomic_load(&statistics->last.rule)];
+    return slugs[atomic_load(&statistics->rule)];
 }
 
 static const char *mode_slug(const struct statistics *statistics) {
@@ -126,10 +126,10 @@ static void write_times(FILE *out, const struct statistics *it) {
 }
 
 static void write_work(FILE *out, const struct statistics *it) {
-    fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
-            it->executed, it->last.stages);
+    fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra.bytes,
+            it->extra.executed, it->last.stages);
     write_decimal(out, "replication",
-                  it->in_loops ? (double)it->executed / (double)it->in_loops : 1, 4);
+                  it->in_loops ? (double)it->extra.executed / (double)it->in_loops : 1, 4);
     const redcc_int modelled = it->last.length ? it->last.trip * 100 / it->last.length : 100;
     write_decimal(out, "modelled_speedup", (double)modelled / 100, 2);
 }
