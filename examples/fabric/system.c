@@ -66,9 +66,8 @@ static int find_columns(int rows, int list_count, const element_list *lists, int
         kept += count;
     }
     row_start[rows] = kept;
-    *column = realloc(wide, sizeof *wide * ((size_t)kept + 1));
-    if (!*column)
-        *column = wide; /* as large as it was */
+    int *narrow = realloc(wide, sizeof *wide * ((size_t)kept + 1));
+    *column = narrow ? narrow : wide;
     wide = NULL;
     status = 0;
 done:
