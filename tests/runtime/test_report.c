@@ -166,7 +166,8 @@ static void no_plan_is_lost_twice(void **unused) {
     fixture_begin(&fixture);
     run_until_reused(&fixture);
     struct reuse *reuse = &((struct loop_state *)fixture.described.loop.state)->execution.reuse;
-    shift_rows(&fixture);
+    for (long t = 1; t < fixture.problem.trip; t += 2) /* a sample is of what lies where it says */
+        fixture.problem.start[t] = fixture.problem.start[t - 1];
     for (int call = 0; call < 3; call++) {
         reuse->changed_source = -1;
         redcc_reuse_sample(reuse);
