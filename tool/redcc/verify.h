@@ -3,7 +3,7 @@
 #ifndef VERIFY_H
 #define VERIFY_H
 
-#include "options.h"
+#include "redcc/options.h"
 #include "support/source.h"
 
 /**

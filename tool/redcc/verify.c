@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "verify.h"
+#include "redcc/verify.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "driver/installation.h"
 #include "driver/process.h"
 #include "driver/temporary.h"
-#include "output.h"
+#include "redcc/output.h"
 
 /** The files of one verification, all in one temporary folder. */
 typedef struct workplace {
