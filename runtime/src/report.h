@@ -27,7 +27,7 @@ enum mode {
         MODE_COUNT
 };
 
-enum { REDCC_TEXTS = 8, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
+enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
 /** A text that names things of the user's, and how often it was true. */
 struct told_text {

@@ -86,7 +86,7 @@ for form in object parallel; do
 done
 ./object >expected
 for threads in 1 2 3 7; do
-    for method in auto localwrite spare-localwrite; do
+    for method in auto localwrite localwrite-steal; do
         REDCC_METHOD=$method OMP_NUM_THREADS=$threads ./parallel >found
         cmp expected found || fail "$method, $threads threads: another program"
     done
