@@ -312,6 +312,10 @@ static void the_report_says_what_was_done(void **unused) {
     (void)unused;
     json_t *report = report_of("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", "2000 5");
     const json_t *loops = json_object_get(report, "loops");
+    assert_true(number(report, "process") > 1);
+    assert_true(number(report, "started") > 1);
+    assert_true(number(report, "cores_lost") >= 0);
+    assert_true(json_is_real(json_object_get(report, "seconds")));
     assert_int_equal(json_array_size(loops), 1);
     const json_t *loop = json_array_get(loops, 0);
     assert_string_equal(json_string_value(json_object_get(loop, "file")), "springs.c");

@@ -211,6 +211,18 @@ static void modes_follow_the_calls(void **unused) {
     fixture_end(&fixture);
 }
 
+static void who_is_advised_to_sleep(void **unused) {
+    (void)unused;
+    assert_true(redcc_advises_sleep(100, 1, NULL, false));
+    assert_true(redcc_advises_sleep(20, 1, "active", false));
+    assert_false(redcc_advises_sleep(19, 1, NULL, false));
+    assert_false(redcc_advises_sleep(9, 0.01, NULL, false));
+    assert_true(redcc_advises_sleep(10, 0.01, NULL, false));
+    assert_false(redcc_advises_sleep(100, 1, "passive", false));
+    assert_false(redcc_advises_sleep(100, 1, "PASSIVE", false));
+    assert_false(redcc_advises_sleep(100, 1, NULL, true));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slug_is_documented),
@@ -219,6 +231,7 @@ int main(void) {
         cmocka_unit_test(a_lost_plan_has_the_array_that_had_changed),
         cmocka_unit_test(no_plan_is_lost_twice),
         cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
+        cmocka_unit_test(who_is_advised_to_sleep),
         cmocka_unit_test(modes_follow_the_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
