@@ -110,12 +110,12 @@ void in_a_branch_of_a_value(int n, const int *s, const int *z, const double *w, 
 /* ---- functions ---- */
 
 static int low_byte(const int *t, int i) {
-    unsigned char c = (unsigned char)i;
+    unsigned char c = i;
     return t[c];
 }
 
 static double narrow(const double *w, int i) {
-    short c = (short)i;
+    short c = i;
     return w[c];
 }
 
@@ -141,6 +141,42 @@ void stored_on_the_way(int n, const int *s, const double *w, double *h) {
         double v = at(&c, w, i);
         h[s[i]] += v;
     }
+}
+
+static int place_of(struct cursor *c, const int *t, int i) {
+    c->k = i;
+    return t[c->k];
+}
+
+void subscript_stored_on_the_way(int n, const int *t, double *h) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) not-verifiable
+        struct cursor c = {0};
+        int k = place_of(&c, t, i);
+        h[k] += 1;
+    }
+}
+
+static double unless(const double *w, const int *z, int i) {
+    if (z[i])
+        return 1;
+    return w[i];
+}
+
+void behind_a_return(int n, const int *s, const int *z, const double *w, double *h) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) sometimes=1
+        h[s[i]] += unless(w, z, i);
+    }
+}
+
+static int offset;
+
+static void add_behind(double *h, int k, double x) {
+    h[k + offset] += x;
+}
+
+void element_by_a_global(int n, const int *s, const double *w, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-updates
+        add_behind(h, s[i], w[i]);
 }
 
 static int find(const double *v, int from, double x) {
@@ -266,6 +302,10 @@ struct watched {
 void volatile_member(int n, const struct watched *q, double *h) {
     for (int i = 0; i < n; i++) // EXPECT: refuse volatile
         h[q[i].p.place] += 1;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse volatile
+        struct watched v = q[i];
+        h[v.plain] += 1;
+    }
 }
 
 struct open_first {
@@ -288,9 +328,32 @@ void open_array_behind(int n, const int *s, struct open_last *o) {
         o->v[s[i]] += o->w[i];
 }
 
-void restrict_assigned_later(int n, const int *s, const double *w, double *g) {
-    double *restrict h;
-    h = g;
+void fields_of_bytes(int n, const int *s, const char *bytes, struct two *h) {
     for (int i = 0; i < n; i++) // EXPECT: transform h(+) guards=1
-        h[s[i]] += w[i];
+        h[s[i]].x += ((const struct two *)(bytes + 8))[i].y;
+}
+
+void restrict_of_the_body(int n, const int *s, const double *w, double *h) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+,kept) guards=1
+        double *restrict p = h;
+        p[s[i]] += w[i];
+    }
+}
+
+static int table[64];
+
+static int looked_up(int k) {
+    return table[k & 63];
+}
+
+void hidden_table(int n, const int *s, double *h) {
+    int table[2] = {1, 2};
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+) not-verifiable
+        h[looked_up(s[i])] += table[i & 1];
+}
+
+void atomic_condition(int n, const int *s, const _Atomic int *z, double *h) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse volatile
+        if (z[i])
+            h[s[i]] += 1;
 }
