@@ -79,7 +79,7 @@ void stored_then_read(int n, const int *k, double *h, double *o) {
 
 void kept_value(int n, const int *k, double *h, double *out) {
     double last = 0;
-    for (int t = 0; t < n; t++) { // EXPECT: nothing
+    for (int t = 0; t < n; t++) { // EXPECT: refuse update-value-used
         last = h[k[t]] /= 2.0;
         *out = last;
     }

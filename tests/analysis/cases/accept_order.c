@@ -74,7 +74,7 @@ void integer_minima(int n, const int *s, const int *e, int *restrict h, const sh
 }
 
 void stored(int n, const int *s, double *h, double *restrict o) {
-    for (int i = 0; i < n; i++) { // EXPECT: transform h(+,kept)
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+,kept) guards=1
         h[i] = 0;
         h[s[i]] += 1.0;
     }

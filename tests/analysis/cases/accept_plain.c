@@ -109,7 +109,7 @@ int last_value(int n, const int *s, double *h) {
 }
 
 void other_operators(int n, const int *s, unsigned *a, unsigned *b, unsigned *c, unsigned *d) {
-    for (int i = 0; i < n; i++) { // EXPECT: transform a(*) b(&) c(|) d(^)
+    for (int i = 0; i < n; i++) { // EXPECT: transform a(*) b(&) c(|) d(^) guards=1
         a[s[i]] *= 3;
         b[s[i]] &= 7;
         c[s[i]] |= 8;

@@ -357,3 +357,13 @@ void atomic_condition(int n, const int *s, const _Atomic int *z, double *h) {
         if (z[i])
             h[s[i]] += 1;
 }
+
+void while_that_continues(int n, const int *s, const int *z, double *h) {
+    int t = 0;
+    while (t < n) { // EXPECT: refuse trip-count
+        if (z[t])
+            continue;
+        h[s[t]] += 1;
+        t++;
+    }
+}
