@@ -149,11 +149,13 @@ static void write_loop(FILE *out, const struct reported *loop) {
 static bool tell_validation(const struct reported *loop) {
     const struct validated *it = &loop->statistics.validated;
     if (it->passed_over > 0)
-        fprintf(stderr,
-                "redcc: validated: %s:%d (%s): %ld executions not compared: elements lie where "
-                "pointers in memory lead to, and no copy of them can be made\n",
-                loop->file ? loop->file : "", loop->line, loop->function ? loop->function : "",
-                it->passed_over);
+        fprintf(
+            stderr,
+            "redcc: validated: %s:%d (%s): %ld executions not compared: no copy of the "
+            "elements can be made before the loop (pointers in memory lead to them, or the loop "
+            "is binned)\n",
+            loop->file ? loop->file : "", loop->line, loop->function ? loop->function : "",
+            it->passed_over);
     if (it->executions == 0)
         return false;
     fprintf(stderr, "redcc: validated: %s:%d (%s): %ld executions compared, ",

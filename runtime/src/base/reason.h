@@ -27,6 +27,8 @@
     X(REASON_OUT_OF_STEP, "reduction arrays overlap out of step")                                  \
     X(REASON_LEVELS, "too many iterations or touches to be put in levels, or none")                \
     X(REASON_INSPECTOR, "the inspector did not tell all iterations")                               \
+    X(REASON_NO_BINS, "the translated loop has no form for binning")                               \
+    X(REASON_SPREAD, "subscripts lie too far apart for binning")                                   \
     X(REASON_OVERLAP, "something read overlaps a reduction array")
 
 enum reason {

@@ -54,6 +54,8 @@ struct method {
                        (ownership/graph/divide.h; else, as without it, by address), */
     bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
+    bool in_bins;   /* it needs neither inspection nor plan: updates are recorded, and applied bin
+                       by bin (bins/binning.h) */
     bool spares;    /* REDCC_SPARES spare owners go with each thread's own: whoever comes free first
                        executes what is theirs. (`owners` is not asked) */
 
@@ -70,7 +72,8 @@ struct method {
     uint32_t (*flags)(uint32_t owners);
     /** What `thread` executes, into plan->schedule[thread]; with spares the schedules are those of
      *  owners, and it fills those of its own and the spare ones behind it. Called by all threads at
-     *  once. False: no memory. NULL: the method is the sequential loop itself. */
+     *  once. False: no memory. NULL: the method is the sequential loop
+     *  itself, or in_bins. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
@@ -94,9 +97,15 @@ extern const struct method redcc_method_pe_dwa_lip;
 extern const struct method redcc_method_dwa_lip_fixed;
 extern const struct method redcc_method_expansion_fixed;
 extern const struct method redcc_method_atomic;
+extern const struct method redcc_method_binning;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
+
+/** Is it the sequential loop itself? NULL, auto, is not. */
+static inline bool redcc_is_serial(const struct method *method) {
+    return method && !method->prepare && !method->in_bins;
+}
 
 /** Do the first `length` letters of `text` name the method? */
 bool redcc_method_is_named(const struct method *method, const char *text, size_t length);
