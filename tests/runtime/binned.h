@@ -74,7 +74,10 @@ struct binned_loop {
             const redcc_bins to_0 = bins[0];                                                       \
             for (redcc_int t = worker->first; t < worker->last; t++) {                             \
                 const RECORD e = value[t];                                                         \
-                redcc_push(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                             \
+                if (EXACT && REDCC_ARE_COPIED(&to_0))                                              \
+                    redcc_update(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                       \
+                else                                                                               \
+                    redcc_push(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                         \
             }                                                                                      \
             if (worker->last == p->trip && redcc_claims_last(worker))                              \
                 __atomic_store_n(last, 1, __ATOMIC_RELAXED);                                       \

@@ -6,7 +6,8 @@
  *
  *     redcc_enter, redcc_join, redcc_inspect       as in runtime.h
  *     redcc_bins_next  each thread  hands out iterations whose updates are to be pushed
- *       redcc_push                  in the place of an update
+ *       redcc_push                  in the place of an update; or, where they are made on private
+ *                                   copies (REDCC_ARE_COPIED), redcc_update
  *       redcc_read                  of what is read and has no extent in `known`
  *     redcc_next, redcc_leave       as in runtime.h; redcc_next hands out, in its plain form, what
  *                                   could not be binned
@@ -45,7 +46,7 @@ typedef struct redcc_applied {
     const redcc_u16 *place; /**< [count + ahead] */
     const void *records;    /**< [count] */
     redcc_size count;
-    redcc_size ahead;     /**< so many places behind the one at hand may be prefetched */
+    redcc_size ahead;     /**< so many places behind the one at hand may be prefetched; or 0 */
     const void *operands; /**< what redcc_bins_next was given */
 } redcc_applied;
 
@@ -82,7 +83,7 @@ typedef struct redcc_bins {
     char *records;     /* by their numbers */
     redcc_u16 *places; /* by the records' numbers */
     char *lines;       /* write combining: of each bin the lines that are being filled; or 0 */
-    char *const *copy; /* private copies: of each array, of row `first`; or 0 */
+    char *copy[REDCC_STREAM_ARRAYS]; /* private copies: of each array, of row `first`; or 0 */
     const void *operands;
     struct redcc_bin_buffer *buffer;
 } redcc_bins;
@@ -129,7 +130,15 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
 
 /** Apply functions: what is wanted soon. */
 #define REDCC_APPLY_AHEAD(applied, k, row, tag_bits)                                               \
-    __builtin_prefetch(&(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)])
+    do {                                                                                           \
+        if ((applied)->ahead)                                                                      \
+            __builtin_prefetch(                                                                    \
+                &(row)[REDCC_PLACE_ROW((applied)->place[(k) + (applied)->ahead], tag_bits)]);      \
+    } while (0)
+
+/** Are the chunk's updates made on private copies? Then by redcc_update, else by redcc_push; of all
+ *  streams, or of none. Only where each stream is `exact`. */
+#define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
 #define REDCC_INLINE static __inline__ __attribute__((__always_inline__, __unused__))
 
@@ -156,15 +165,21 @@ REDCC_INLINE void redcc_prefetch_to_write(const void *address) {
 #endif
 }
 
-/* The update is made at once, on the thread's own copy. */
-REDCC_INLINE void redcc_update_copy(const redcc_bins *bins, const redcc_stream *stream,
-                                    redcc_size row, redcc_u32 tag, const void *record) {
+/** In the place of an update where REDCC_ARE_COPIED: it is made at once, on the thread's own copy;
+ *  otherwise as redcc_push. */
+REDCC_INLINE void redcc_update(const redcc_bins *bins, const redcc_stream *stream, redcc_int row,
+                               redcc_u32 tag, const void *record) {
+    const redcc_size into = (redcc_size)row - (redcc_size)bins->first;
     const redcc_u16 place = (redcc_u16)(tag << (REDCC_PLACE_BITS - stream->tag_bits));
     void *rows[REDCC_STREAM_ARRAYS];
     redcc_applied one;
     redcc_u32 array;
+    if (__builtin_expect(into >= bins->span, 0)) {
+        redcc_push_outside(bins->buffer, row);
+        return;
+    }
     for (array = 0; array < stream->array_count; array++)
-        rows[array] = bins->copy[array] + row * stream->rows[array];
+        rows[array] = bins->copy[array] + into * stream->rows[array];
     one.rows = rows;
     one.place = &place;
     one.records = record;
@@ -217,10 +232,6 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     redcc_u16 place;
     if (__builtin_expect(into >= bins->span, 0)) {
         redcc_push_outside(bins->buffer, row);
-        return;
-    }
-    if (bins->copy) {
-        redcc_update_copy(bins, stream, into, tag, record);
         return;
     }
     bin = into >> bins->shift;

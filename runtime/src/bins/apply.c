@@ -71,7 +71,7 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
         for (uint32_t a = 0; a < stream->array_count; a++) {
             const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
             const size_t bytes = binning->stream[s].window.rows * stream->rows[a];
-            rule->fill(binner->buffer[s].copy[a], bytes / rule->size);
+            rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
         }
     }
 }
@@ -87,7 +87,7 @@ static void merge_stream(const struct binning *binning, const struct binner *bin
         const size_t row = stream->rows[a];
         void *to = (void *)redcc_row_address(binning, stream, a, window.first + first);
         for (int t = 0; t < binner->threads; t++)
-            rule->merge(to, binning->binner[t]->buffer[s].copy[a] + (size_t)first * row,
+            rule->merge(to, binning->binner[t]->buffer[s].push.copy[a] + (size_t)first * row,
                         (size_t)(end - first) * row / rule->size);
     }
 }

@@ -24,10 +24,6 @@ struct parts {
     size_t bytes;
 };
 
-static bool is_combined(struct window window) {
-    return window.bins > redcc_bins_tuning.direct_bins;
-}
-
 static struct parts parts_of(const redcc_stream *stream, struct window window, uint32_t blocks) {
     const size_t records = (size_t)blocks * BLOCK;
     struct parts parts = {0};
@@ -36,7 +32,7 @@ static struct parts parts_of(const redcc_stream *stream, struct window window, u
     parts.next = parts.cursor + whole_lines(window.bins * sizeof(redcc_u32));
     parts.lines = parts.next + whole_lines(blocks * sizeof(uint32_t));
     parts.bytes = parts.lines;
-    if (is_combined(window))
+    if (window.combined)
         parts.bytes += (size_t)window.bins * REDCC_COMBINED_BYTES(stream->record);
     return parts;
 }
@@ -66,7 +62,6 @@ static void place_rows(struct redcc_bin_buffer *buffer, const redcc_stream *stre
     buffer->bins = window.bins;
     buffer->push = (redcc_bins){
         .first = window.first, .span = window.rows, .shift = window.shift, .buffer = buffer};
-    memset(buffer->copy, 0, sizeof buffer->copy);
 }
 
 bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
@@ -81,7 +76,7 @@ bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *str
     buffer->push.places = part(buffer, parts.places);
     buffer->push.cursor = part(buffer, parts.cursor);
     buffer->next = part(buffer, parts.next);
-    buffer->push.lines = is_combined(window) ? part(buffer, parts.lines) : NULL;
+    buffer->push.lines = window.combined ? part(buffer, parts.lines) : NULL;
     return true;
 }
 
@@ -96,10 +91,9 @@ bool redcc_buffer_shape_copies(struct redcc_bin_buffer *buffer, const redcc_stre
     buffer->blocks = 0;
     bytes = 0;
     for (uint32_t array = 0; array < stream->array_count; array++) {
-        buffer->copy[array] = part(buffer, bytes);
+        buffer->push.copy[array] = part(buffer, bytes);
         bytes += whole_lines(window.rows * stream->rows[array]);
     }
-    buffer->push.copy = buffer->copy;
     return true;
 }
 

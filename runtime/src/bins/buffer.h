@@ -24,7 +24,6 @@ struct redcc_bin_buffer {
     struct row_range outside; /* rows told that the bins do not hold: their records are missing */
     redcc_int told_outside;   /* how many */
     char *memory;
-    char *copy[REDCC_STREAM_ARRAYS]; /* private copies: of the window's rows; or NULL */
 };
 
 /** Some records of one bin, one after the other. */

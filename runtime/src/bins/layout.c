@@ -35,7 +35,7 @@ static bool cut_windows(struct binning *binning) {
         it->window = binning->copies && binning->round.failures < FAILURES_BEFORE_MARGIN
                          ? redcc_copied_window(it->rows)
                          : redcc_window(stream, it->rows, margin_of(binning, it->rows),
-                                        binning->call->threads, records);
+                                        binning->call->threads, it->rate, (double)left_of(binning));
         if (it->window.rows == 0)
             return false;
     }

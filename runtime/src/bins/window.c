@@ -2,7 +2,8 @@
 /**
  * A bin's rows are to fit half of a core's second-level cache while its records are applied. Up to
  * some 256 bins a thread can append to all of them directly; each has a cache line that is being
- * written, and a page.
+ * written, and a page. Where an iteration appends to many at once it waits for these lines to be
+ * read before they are written, which write combining spares.
  */
 #include "bins/window.h"
 
@@ -14,6 +15,7 @@ struct bins_tuning redcc_bins_tuning = {
     .bin_bytes = 512 * 1024,
     .bin_bits = REDCC_PLACE_BITS,
     .direct_bins = 288,
+    .direct_rate = 4,
     .round = INT64_MAX,
     .least_budget = (size_t)64 << 20,
     .copies_bytes = (size_t)4 << 20,
@@ -54,17 +56,20 @@ static uint32_t bits_of(const redcc_stream *stream, uint64_t rows, int threads, 
 }
 
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
-                           int threads, double records) {
+                           int threads, double rate, double iterations) {
     if (redcc_rows_empty(rows))
         rows = (struct row_range){0, 0};
     const uint64_t span = (uint64_t)rows.highest - (uint64_t)rows.lowest + 1;
     if (span == 0 || span > most_rows || margin > most_rows)
         return (struct window){0};
     const uint64_t count = span + 2 * margin;
-    const uint32_t bits = bits_of(stream, count, threads, records);
+    const uint32_t bits = bits_of(stream, count, threads, rate * iterations);
     if (bins_of(count, bits) > MOST_BINS)
         return (struct window){0};
-    return (struct window){.first = (redcc_int)((uint64_t)rows.lowest - margin),
+    const bool combined = bins_of(count, bits) > redcc_bins_tuning.direct_bins ||
+                          rate > redcc_bins_tuning.direct_rate;
+    return (struct window){.combined = combined,
+                           .first = (redcc_int)((uint64_t)rows.lowest - margin),
                            .rows = bins_of(count, bits) << bits,
                            .shift = bits,
                            .bins = (uint32_t)bins_of(count, bits)};

@@ -33,13 +33,15 @@ struct window {
     uint64_t rows;   /* 0: there is no window */
     uint32_t shift;  /* a bin has 2 ^ shift rows */
     uint32_t bins;
+    bool combined; /* records are pushed by write combining */
 };
 
 /** What may be tried otherwise, by tests. */
 struct bins_tuning {
     size_t bin_bytes;        /* of the rows of a bin, at most */
     uint32_t bin_bits;       /* a bin has 2 ^ that many rows, at most */
-    uint32_t direct_bins;    /* more of them are pushed by write combining */
+    uint32_t direct_bins;    /* more of them are pushed by write combining, */
+    double direct_rate;      /* as where an iteration has more records than this */
     redcc_int round;         /* iterations of a round, at most */
     size_t least_budget;     /* bytes of records, whatever the size of the arrays */
     size_t copies_bytes;     /* of the arrays, at most, for private copies to be made */
@@ -52,9 +54,10 @@ extern struct bins_tuning redcc_bins_tuning;
 size_t redcc_stream_row(const redcc_stream *stream);
 
 /** The window of `rows` and of `margin` rows on either side, in enough bins for `threads`, of which
- *  each is to have some hundreds of about `records` records. No window: they lie too far apart. */
+ *  each is to have some hundreds of `iterations` times `rate` records. No window: they lie too
+ *  far apart. */
 struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
-                           int threads, double records);
+                           int threads, double rate, double iterations);
 
 /** The same, for private copies: no bins. */
 struct window redcc_copied_window(struct row_range rows);
