@@ -67,6 +67,7 @@ struct round {
     redcc_int begin;
     redcc_int end;
     redcc_int most;                  /* iterations, of the rounds that follow */
+    bool shortened;                  /* memory had not sufficed */
     int failures;                    /* in turn */
     unsigned long long error_before; /* as *error, where it is thrown away */
 };

@@ -178,11 +178,10 @@ static enum bins_phase push_again(struct binning *binning) {
         exhausted |= doubled;
     }
     const redcc_int count = round->end - round->begin;
-    if (exhausted && count == 1)
-        return end_with(binning, REASON_NO_MEMORY);
-    if (exhausted)
-        round->most = count / 2;
-    else
+    if (exhausted) {
+        round->most = count > 1 ? count / 2 : 1;
+        round->shortened = true;
+    } else
         round->failures++;
     throw_away(binning);
     return lay_out(binning);
@@ -236,13 +235,22 @@ static void trim(struct binning *binning) {
     }
 }
 
+/* The iterations that had too many records may be over. */
+static enum bins_phase lengthen(struct binning *binning) {
+    struct round *round = &binning->round;
+    const redcc_int most = redcc_bins_tuning.round;
+    round->most = round->most < most / 2 ? 2 * round->most : most;
+    round->shortened = round->most < binning->call->request.trip - round->begin;
+    return lay_out(binning);
+}
+
 static enum bins_phase after_apply(struct binning *binning) {
     struct round *round = &binning->round;
     binning->rounds++;
     round->begin = round->end;
     round->failures = 0;
     if (round->begin < binning->call->request.trip)
-        return begin_round(binning);
+        return round->shortened ? lengthen(binning) : begin_round(binning);
     if (binning->rounds == 1)
         trim(binning);
     return BINS_OVER;
