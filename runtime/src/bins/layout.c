@@ -105,9 +105,9 @@ static bool take_copies(struct binning *binning) {
 
 /* Blocks for a share of so many iterations: the last one of each bin is half full. */
 static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
-    const double records = it->rate * iterations / REDCC_BLOCK_RECORDS;
-    const double most = UINT32_MAX / REDCC_BLOCK_RECORDS - 1; /* records have numbers of 32 bits */
-    const double blocks = records + 1.5 * it->window.bins + 2;
+    const double block = REDCC_BLOCK_RECORDS;
+    const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
+    const double blocks = it->rate * iterations / block + 1.5 * it->window.bins + 2;
     return (uint32_t)(blocks < most ? blocks : most);
 }
 
