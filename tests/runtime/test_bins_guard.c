@@ -113,6 +113,8 @@ static void push(const struct work *w, redcc_worker *worker) {
     }
 }
 
+static int fewer; /* threads than asked for, that OpenMP is made to give; 0: as many */
+
 static bool run(const struct work *w, int threads) {
     void *const bases[] = {w->count, w->sum, w->other};
     const redcc_extent known[] = {
@@ -120,7 +122,7 @@ static bool run(const struct work *w, int threads) {
         {(const char *)w->value, (const char *)(w->value + w->start[w->trip])}};
     redcc_call call;
     if (redcc_enter(&call, &loop.loop, w->trip, bases, known, NULL, threads, omp_in_parallel())) {
-#pragma omp parallel num_threads(call.threads)
+#pragma omp parallel num_threads(fewer ? fewer : call.threads)
         {
             redcc_worker worker;
             redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());
@@ -264,6 +266,39 @@ static void late_guard(void **unused) {
     reads_overlap_from(TRIP, 1000);
 }
 
+/* What is read in earlier rounds may be written in later ones: in the loop it is so as well. */
+static void reads_before_writes(void **unused) {
+    (void)unused;
+    struct work w = new_work(19, 3);
+    w.x = now.other;
+    for (int t = 0; t < TRIP; t++) {
+        w.m[t] = t < TRIP / 2 ? w.m[t] : ROWS + w.m[t] % X;
+        for (int n = w.start[t]; n < w.start[t + 1]; n++)
+            w.j[n] = t < TRIP / 2 ? 2 * X + w.j[n] / 2 : w.j[n] / 40;
+    }
+    redcc_bins_tuning.round = TRIP / 4;
+    for (int threads = 1; threads <= 5; threads++) {
+        assert_true(compare(&w, threads));
+        assert_int_equal(state()->binning.reason, REASON_NONE);
+        assert_int_equal(state()->binning.rounds, 4);
+    }
+    redcc_bins_tuning = usual;
+    free_work(&w);
+}
+
+static void fewer_threads_come(void **unused) {
+    (void)unused;
+    struct work w = new_work(29, 3);
+    for (int asked = 2; asked <= 8; asked++)
+        for (int given = 1; given <= asked; given += 3) {
+            fewer = given;
+            assert_true(compare(&w, asked));
+            assert_int_equal(state()->reported.statistics.threads, given);
+        }
+    fewer = 0;
+    free_work(&w);
+}
+
 static void streams_overlap(void **unused) {
     (void)unused;
     struct work w = new_work(4, 3);
@@ -381,6 +416,8 @@ static void rows_far_apart(void **unused) {
     assert_int_equal(redcc_window(&streams[1], (struct row_range){0, far}, 0, 2, 1, 1000).rows, 0);
     const struct row_range widest = {INT64_MIN, INT64_MAX};
     assert_int_equal(redcc_window(&streams[1], widest, 0, 2, 1, 1000).rows, 0);
+    const struct row_range many = {0, 1 << 20};
+    assert_int_equal(redcc_window(&streams[1], many, 0, 1, 1, 10).shift, 15); /* and a tag */
     struct work w = new_work(12, 1);
     w.other = (double *)(void *)all;
     w.k[0] = 0;
@@ -406,6 +443,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(records_of_several_arrays_and_updates),
         cmocka_unit_test(late_guard),
+        cmocka_unit_test(reads_before_writes),
+        cmocka_unit_test(fewer_threads_come),
         cmocka_unit_test(streams_overlap),
         cmocka_unit_test(memory_does_not_suffice),
         cmocka_unit_test(failing_memory),
