@@ -248,7 +248,7 @@ static void reads_overlap_from(redcc_int from, redcc_int round) {
         assert_true(state()->binning.round.begin <= from);
         if (binned && from < TRIP)
             assert_true(state()->binning.round.begin > from - round);
-        assert_string_equal(state()->reported.statistics.told[0].text,
+        assert_string_equal(state()->reported.statistics.overlap[0].text,
                             from < TRIP ? "'x' overlaps 'other'" : "");
     }
     redcc_bins_tuning = usual;
@@ -331,6 +331,29 @@ static void memory_does_not_suffice(void **unused) {
         redcc_bins_tuning = usual;
         free_work(&w);
     }
+}
+
+/* One iteration has half of all records: more than the blocks of a round hold. */
+static void records_are_many_all_at_once(void **unused) {
+    (void)unused;
+    struct work w = new_work(78, 15);
+    for (int t = TRIP / 2 + 1; t < TRIP; t++)
+        w.start[t] = w.start[TRIP];
+    for (int threads = 1; threads <= 3; threads++) {
+        redcc_bins_tuning.round = 200;
+        redcc_bins_tuning.least_budget = (size_t)8 << 20;
+        assert_true(compare(&w, threads));
+        assert_int_equal(state()->binning.reason, REASON_NONE);
+        assert_true(state()->binning.rounds > TRIP / 200);
+        redcc_bins_tuning.least_budget = (size_t)threads * 200000; /* not enough for that one */
+        redcc_loop_forget(&loop.loop);
+        assert_true(compare(&w, threads));
+        assert_int_equal(state()->binning.reason, REASON_NO_MEMORY);
+        assert_in_range(state()->binning.round.begin, 1, TRIP / 2);
+        redcc_loop_forget(&loop.loop);
+    }
+    redcc_bins_tuning = usual;
+    free_work(&w);
 }
 
 static void failing_memory(void **unused) {
@@ -447,6 +470,7 @@ int main(void) {
         cmocka_unit_test(fewer_threads_come),
         cmocka_unit_test(streams_overlap),
         cmocka_unit_test(memory_does_not_suffice),
+        cmocka_unit_test(records_are_many_all_at_once),
         cmocka_unit_test(failing_memory),
         cmocka_unit_test(memory_fails_in_the_middle),
         cmocka_unit_test(errors_of_functions),

@@ -61,6 +61,8 @@ struct method {
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
+    /** OPTIONAL; that text, of a value that is neither a number nor a letter. */
+    const char *(*spell)(int parameter);
     /** The value without a colon. */
     int usual;
 

@@ -20,9 +20,14 @@ static int parse(const char *text) {
     return strcmp(text, "copies") == 0 ? BINS_COPIES : 0;
 }
 
+static const char *spell(int parameter) {
+    return parameter == BINS_RECORDS ? "records" : "copies";
+}
+
 const struct method redcc_method_binning = {.name = "binning",
                                             .parameter = "records|copies",
                                             .keeps = REDCC_ORDER_SERIAL,
                                             .in_bins = true,
                                             .parse = parse,
+                                            .spell = spell,
                                             .usual = BINS_EITHER};
