@@ -80,7 +80,7 @@ struct binned_loop {
                     redcc_push(&to_0, &NAME##_streams[0], p->k[t], 0, &e);                         \
             }                                                                                      \
             if (worker->last == p->trip && redcc_claims_last(worker))                              \
-                __atomic_store_n(last, 1, __ATOMIC_RELAXED);                                       \
+                __atomic_fetch_add(last, 1, __ATOMIC_RELAXED);                                     \
         }                                                                                          \
     }                                                                                              \
     static void NAME##_execute(const struct binned_problem *p, redcc_worker *worker, int *last) {  \
@@ -98,7 +98,7 @@ struct binned_loop {
                     STATEMENT;                                                                     \
                 }                                                                                  \
                 if (end == p->trip && redcc_claims_last(worker))                                   \
-                    __atomic_store_n(last, 1, __ATOMIC_RELAXED);                                   \
+                    __atomic_fetch_add(last, 1, __ATOMIC_RELAXED);                                 \
             }                                                                                      \
         }                                                                                          \
     }                                                                                              \
