@@ -89,7 +89,11 @@ typedef struct redcc_bins {
 } redcc_bins;
 
 #if defined(__GNUC__)
+#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#pragma GCC visibility push(hidden)
+#else
 #pragma GCC visibility push(default) /* the library hides everything else */
+#endif
 #endif
 
 /**
