@@ -229,7 +229,7 @@ static void write_notes(FILE *out, const struct statistics *it) {
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told) {
     enum { MANY = 10, A_SECOND = 20 };
     const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');
-    return !sleeps && !told && lost >= MANY && (double)lost >= A_SECOND * seconds;
+    return !sleeps && !told && lost >= MANY && (double)lost >= (double)A_SECOND * seconds;
 }
 
 static void write_advice(FILE *out) {
