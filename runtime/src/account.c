@@ -92,8 +92,10 @@ static void account_refused(struct execution *execution, double now) {
         redcc_count_fallback(state, execution->reason);
     redcc_note_serial(statistics);
     statistics->inspect_seconds += now - execution->call.entered;
-    if (execution->reason == REASON_NO_MEMORY)
+    if (execution->reason == REASON_NO_MEMORY) {
         redcc_cache_drop_all(&state->cache);
+        redcc_bins_drop(&state->binning);
+    }
     if (execution->call.method)
         return;
     const struct outcome outcome = {.result = result_of(execution),
@@ -197,6 +199,39 @@ static void account_execution(struct execution *execution, double now) {
         tell_auto(execution, now);
 }
 
+/* Also where the loop went on sequentially after some rounds. */
+static void account_binned(struct execution *execution, double now) {
+    struct loop_state *state = execution->state;
+    struct statistics *statistics = &state->reported.statistics;
+    const struct binning *binning = &state->binning;
+    const struct call *call = &execution->call;
+    const redcc_int trip = call->request.trip, rest = trip - binning->round.begin;
+    if (execution->reason == REASON_OVERLAP)
+        count_overlap(execution);
+    else if (execution->reason != REASON_NONE)
+        redcc_count_fallback(state, execution->reason);
+    statistics->method = call->method;
+    statistics->parameter = call->parameter;
+    statistics->threads = call->threads;
+    statistics->inspect_seconds += execution->run.ready - call->entered;
+    statistics->execute_seconds += now - execution->run.ready;
+    redcc_note_mode(statistics, MODE_BINNED);
+    if (binning->bytes > statistics->extra.bytes)
+        statistics->extra.bytes = binning->bytes;
+    statistics->extra.executed += trip;
+    statistics->in_loops += trip;
+    statistics->last.stages = binning->rounds;
+    statistics->last.trip = trip;
+    statistics->last.length = rest + (trip - rest) / call->threads;
+    statistics->last.compensated = false;
+    statistics->validated.passed_over += call->validate;
+    count_nodes(execution, statistics);
+    redcc_trace(TRACE_EXECUTION, call->request.loop,
+                "%lld iterations by %d threads, %ld rounds of %s, %zu bytes; %.3g s", trip,
+                call->threads, binning->rounds, binning->copies ? "private copies" : "records",
+                binning->bytes, now - execution->run.ready);
+}
+
 bool redcc_account(struct execution *execution) {
     struct run *run = &execution->run;
     const struct request *request = &execution->call.request;
@@ -209,7 +244,9 @@ bool redcc_account(struct execution *execution) {
     redcc_count_lost(execution);
     if (run->plan)
         account_execution(execution, now);
+    else if (execution->binned)
+        account_binned(execution, now);
     else
         account_refused(execution, now);
-    return run->plan != NULL;
+    return run->plan != NULL || execution->binned;
 }

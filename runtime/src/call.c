@@ -26,6 +26,7 @@ static void state_free(struct loop_state *state) {
     redcc_memory_give(request->key);
     redcc_memory_give(execution->inspection.touched);
     redcc_memory_give(execution->inspection.sources);
+    redcc_memory_give(state->binning.stream);
     redcc_memory_give(state->reported.file);
     redcc_memory_give(state->reported.function);
     redcc_memory_give(state);
@@ -41,6 +42,10 @@ static void join_parts(struct loop_state *state) {
     execution->reuse.cache = &state->cache;
     execution->reuse.sources = inspection->sources;
     execution->reuse.written = inspection->touched;
+    state->binning.call = &execution->call;
+    state->binning.barrier = &execution->barrier;
+    state->binning.last_claimed = &execution->run.last_claimed;
+    state->binning.error = &execution->run.error;
 }
 
 static struct loop_state *state_new(redcc_loop *loop) {
@@ -59,8 +64,9 @@ static struct loop_state *state_new(redcc_loop *loop) {
     state->reported.function = redcc_memory_take_text(loop->function);
     state->reported.line = loop->line;
     join_parts(state);
-    if (!request->bases || !request->known || !request->key || !inspection->touched ||
-        !inspection->sources || !state->reported.file || !state->reported.function) {
+    if (!redcc_bins_new(&state->binning, loop) || !request->bases || !request->known ||
+        !request->key || !inspection->touched || !inspection->sources || !state->reported.file ||
+        !state->reported.function) {
         state_free(state);
         return NULL;
     }
@@ -132,11 +138,14 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_ORDER_NEEDED;
     if (is_always_planned(settings))
         return REASON_NONE;
+    const bool in_bins = settings->method && settings->method->in_bins;
+    if (in_bins && !redcc_binned_of(loop))
+        return REASON_NO_BINS;
     if (forked)
         return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
-    return threads < 2 ? REASON_ONE_THREAD : REASON_NONE;
+    return threads < 2 && !in_bins ? REASON_ONE_THREAD : REASON_NONE;
 }
 
 /* The state for this call: the loop's, which it acquires, or, where another thread holds that and
@@ -251,7 +260,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     }
     threads = redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
-    if (threads < (call->always_planned ? 1 : 2))
+    if (threads < (call->always_planned || (call->method && call->method->in_bins) ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
@@ -259,12 +268,13 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->asked = call->threads = threads;
     execution->inspection.inspector = state->inspector;
     execution->inspection.route = ROUTE_SERIAL;
-    execution->inspected = false;
+    execution->inspected = execution->binned = false;
     execution->reuse.hasher = state->hasher;
     execution->reuse.skipped_calls = execution->advice.skipped_calls;
     execution->reason = REASON_NONE;
     execution->woken = 0;
     redcc_run_begin(&execution->run);
+    redcc_bins_begin(&state->binning);
     execution->run.validated =
         call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
     return true;
@@ -344,7 +354,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
     if (trip <= 0)
         return 0;
-    if (settings->method && !settings->method->prepare)
+    if (redcc_is_serial(settings->method))
         return serially(state, REASON_NAMED);
     enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
     if (reason != REASON_NONE && !settings->method)
@@ -425,8 +435,13 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     runner->plan = NULL;
     runner->step = STEP_BEGIN;
     const bool as_asked = threads == execution->call.asked;
-    const bool too_few = threads == 1 && !execution->call.always_planned;
+    const bool in_bins = execution->call.method && execution->call.method->in_bins;
+    const bool too_few = threads == 1 && !execution->call.always_planned && !in_bins;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
+    if (in_bins) {
+        thread->stage = STAGE_BINS;
+        redcc_binner_join(thread->binner, threads);
+    }
     if (number == 0 && !as_asked) {
         execution->call.threads = threads;
         execution->reason = too_few ? REASON_ONE_THREAD : REASON_NONE;

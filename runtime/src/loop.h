@@ -10,6 +10,7 @@
 #define REDCC_LOOP_H
 
 #include "base/within.h"
+#include "bins/binning.h"
 #include "choose/advice.h"
 #include "execute/run.h"
 #include "inspect/inspection.h"
@@ -30,6 +31,7 @@ struct execution {
     bool inspected;              /* memory for the inspection is to be given back */
     const struct method *method; /* that the inspection arrives at */
     struct run run;
+    bool binned;        /* it was, all or the first rounds of it */
     enum stage stage;   /* that all threads go on with, after they met */
     enum reason reason; /* why there is no plan */
     double woken;       /* when the last thread of the region came, in seconds; 0: none did */
@@ -48,6 +50,7 @@ struct thread_state {
     bool moved;                 /* from another one, where it ran at the execution before */
     struct inspector inspector; /* sample, sweep, log, partition */
     struct hasher hasher;       /* verify, sweep, plan */
+    struct binner *binner;      /* of a loop that can be binned; or NULL */
 };
 
 _Static_assert(offsetof(struct thread_state, runner) == 0, "execute/executor.c goes by it");
@@ -59,6 +62,7 @@ struct loop_state {
     struct chooser chooser;
     struct plan_cache cache;
     struct execution execution;
+    struct binning binning;
     struct thread_state **thread; /* [thread_count] */
     struct inspector **inspector; /* [thread_count] theirs */
     struct hasher **hasher;       /* [thread_count] theirs */

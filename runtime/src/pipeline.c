@@ -358,6 +358,7 @@ static const struct stage_entry {
     [STAGE_JOIN] = {join, after_partition, STAGE_OVER},
     [STAGE_PLAN] = {prepare, after_prepare, STAGE_OVER},
     [STAGE_RUN] = {0},  /* redcc_next (execute/executor.c) */
+    [STAGE_BINS] = {0}, /* redcc_bins_next (binned.c) */
     [STAGE_OVER] = {0}, /* redcc_leave */
 };
 
@@ -385,6 +386,8 @@ int redcc_inspect(redcc_worker *worker) {
             return 1;
         thread->stage = progress == PROGRESS_PASS ? stage->passed : meet(thread, stage->then);
     }
+    if (thread->stage == STAGE_BINS)
+        return 0;
     if (thread->stage == STAGE_OVER) {
         thread->runner.step = STEP_END;
         return 0;

@@ -14,14 +14,15 @@
  *                    partition  of the graph      -> struct divide or struct levels
  *                    join       without stealable blocks after all
  *                    plan       who executes what -> struct plan                  plan/
+ *     redcc_bins_next  bins     instead of all that: records, by bins             bins/
  *     redcc_next     run        chunks, copies and their merge, hooks             execute/
  *     ------------------------------------------------------------------------------------------
  *     redcc_leave    counts for the report, tells auto, keeps the plan            account.c
  *
  * A stage is two functions in one table (pipeline.c): `each` is every thread's part, `then` is
  * done by one of them when all have done theirs, and returns the stage that follows. Whatever else
- * decides is in choose/. Rooms include one way: base, ownership, plan, {inspect, reuse, execute},
- * choose, and the files beside this one (script/rooms).
+ * decides is in choose/. Rooms include one way: base, ownership, plan, {inspect, reuse, execute,
+ * bins}, choose, and the files beside this one (script/rooms).
  */
 #ifndef REDCC_PIPELINE_H
 #define REDCC_PIPELINE_H
@@ -36,6 +37,7 @@ enum stage {
     STAGE_JOIN,
     STAGE_PLAN,
     STAGE_RUN,
+    STAGE_BINS, /* without inspection and plan */
     STAGE_OVER, /* nothing is to be done in parallel */
     STAGES
 };

@@ -18,7 +18,8 @@
     X(MODE_SEQUENTIAL, "sequential", "the original loop")                                          \
     X(MODE_TIMED, "timed", "the original loop, timed to compare with it")                          \
     X(MODE_BUILT, "built", "in parallel, by a plan made in that call")                             \
-    X(MODE_REUSED, "reused", "in parallel, by a plan kept from an earlier call")
+    X(MODE_REUSED, "reused", "in parallel, by a plan kept from an earlier call")                   \
+    X(MODE_BINNED, "binned", "in parallel, without a plan")
 
 enum mode {
 #define REDCC_MODE(id, slug, text) id,

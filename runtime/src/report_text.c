@@ -35,6 +35,8 @@ static void spell_method(char name[LONGEST_METHOD], const struct statistics *sta
     const struct method *method = statistics->method ? statistics->method : &redcc_method_serial;
     if (method->parameter && method->parameter[0] == 'N')
         snprintf(name, LONGEST_METHOD, "%s:%d", method->name, statistics->parameter);
+    else if (method->spell && statistics->parameter != method->usual)
+        snprintf(name, LONGEST_METHOD, "%s:%s", method->name, method->spell(statistics->parameter));
     else if (method->parameter && statistics->parameter != method->usual)
         snprintf(name, LONGEST_METHOD, "%s:%c", method->name, statistics->parameter);
     else

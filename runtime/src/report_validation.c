@@ -61,8 +61,8 @@ static void tell(const struct reported *loop) {
     if (it->passed_over > 0) {
         begin_line(loop);
         fprintf(stderr,
-                "%ld executions not compared: elements lie where pointers in memory lead to, and "
-                "no copy of them can be made\n",
+                "%ld executions not compared: no copy of the elements can be made before the loop "
+                "(pointers in memory lead to them, or the loop is binned)\n",
                 it->passed_over);
     }
     if (it->executions > 0)

@@ -7,9 +7,10 @@
 #include <assert.h>
 
 static bool has_all(const struct thread_state *thread) {
-    return thread->inspector.sources && thread->inspector.nowhere && thread->runner.base &&
-           thread->runner.owner && thread->runner.hooks.hook && thread->hasher.fingerprint &&
-           thread->hasher.partial;
+    const bool binned = thread->execution->state->binning.loop;
+    return (!binned || thread->binner) && thread->inspector.sources && thread->inspector.nowhere &&
+           thread->runner.base && thread->runner.owner && thread->runner.hooks.hook &&
+           thread->hasher.fingerprint && thread->hasher.partial;
 }
 
 static void thread_free(struct thread_state *thread) {
@@ -22,6 +23,8 @@ static void thread_free(struct thread_state *thread) {
     redcc_memory_give(thread->runner.hooks.hook);
     redcc_memory_give(thread->hasher.fingerprint);
     redcc_memory_give(thread->hasher.partial);
+    if (thread->binner)
+        redcc_binner_free(thread->binner, thread->execution->state->binning.loop);
     redcc_memory_give(thread);
 }
 
@@ -45,6 +48,8 @@ static struct thread_state *thread_new(struct loop_state *state, const redcc_loo
     runner->hooks.hook = redcc_memory_take_zeroed(arrays, sizeof *runner->hooks.hook);
     hasher->fingerprint = redcc_memory_take_zeroed(sources, sizeof *hasher->fingerprint);
     hasher->partial = redcc_memory_take_zeroed(sources, sizeof *hasher->partial);
+    if (state->binning.loop)
+        thread->binner = redcc_binner_new(state->binning.loop, number);
     if (has_all(thread))
         return thread;
     thread_free(thread);
@@ -60,7 +65,9 @@ static bool lengthen(struct loop_state *state, size_t count) {
     state->inspector = inspector ? inspector : state->inspector;
     struct hasher **hasher = redcc_memory_resize(state->hasher, count * sizeof(*hasher));
     state->hasher = hasher ? hasher : state->hasher;
-    return thread && inspector && hasher;
+    struct binner **binner = redcc_memory_resize(state->binning.binner, count * sizeof(*binner));
+    state->binning.binner = binner ? binner : state->binning.binner;
+    return thread && inspector && hasher && binner;
 }
 
 bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int count) {
@@ -74,6 +81,8 @@ bool redcc_threads_ensure(struct loop_state *state, const redcc_loop *loop, int 
         state->thread[state->thread_count] = thread;
         state->inspector[state->thread_count] = &thread->inspector;
         state->hasher[state->thread_count] = &thread->hasher;
+        state->binning.binner[state->thread_count] = thread->binner;
+        state->binning.binners = state->thread_count + 1;
     }
     return true;
 }
@@ -84,6 +93,9 @@ void redcc_threads_end(struct loop_state *state) {
     redcc_memory_give(state->thread);
     redcc_memory_give(state->inspector);
     redcc_memory_give(state->hasher);
+    redcc_memory_give(state->binning.binner);
+    state->binning.binner = NULL;
+    state->binning.binners = 0;
     state->thread = NULL;
     state->inspector = NULL;
     state->hasher = NULL;

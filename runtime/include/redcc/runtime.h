@@ -120,7 +120,9 @@ enum {
     /** Some update needs the order of each element kept: only methods that promise it will do. */
     REDCC_ORDER_NEEDED = 4,
     /** Iterations that touch no element are to be executed as well. */
-    REDCC_EVERY_ITERATION = 8
+    REDCC_EVERY_ITERATION = 8,
+    /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
+    REDCC_BINNED = 16
 };
 
 /** A loop, as the translator knows it; one static object for each. */

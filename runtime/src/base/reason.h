@@ -30,6 +30,8 @@
     X(REASON_OUT_OF_STEP, "out-of-step", "reduction arrays overlap out of step")                   \
     X(REASON_LEVELS, "levels", "too many iterations or touches to be put in levels, or none")      \
     X(REASON_INSPECTOR, "inspector", "the inspector did not tell all iterations")                  \
+    X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
+    X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {

@@ -5,6 +5,7 @@
  *     STEP_BEGIN: redcc_next comes for the first time; it begins, and goes on to
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
+ *     STEP_REST: a binned loop's that goes on sequentially, by the first thread  -> STEP_END
  */
 #include "execute/run.h"
 
@@ -138,6 +139,19 @@ static void begin_running(redcc_worker *worker) {
     }
 }
 
+void redcc_run_rest(redcc_worker *worker, redcc_int from) {
+    struct runner *runner = worker->execution;
+    const struct call *call = runner->run->call;
+    errno = 0;
+    runner->step = from < call->request.trip ? STEP_REST : STEP_END;
+    worker->position = from;
+    worker->base = runner->base;
+    worker->owner = runner->owner; /* not asked: nothing is guarded */
+    worker->run_end = NULL;
+    for (uint32_t array = 0; array < call->request.loop->array_count; array++)
+        runner->base[array] = call->request.bases[array];
+}
+
 /* Hands out all iterations in order. False: there are none left. */
 static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
@@ -151,9 +165,9 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
-/* The loop is executed; the first thread executes it once more, from what the arrays held
- * before. */
-static int next_to_check(redcc_worker *worker) {
+/* Of a loop that the first thread executes once more, from what the arrays held before, or of what
+ * is left of one. */
+static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     if (hand_out_in_order(worker))
         return 1;
@@ -297,9 +311,10 @@ static int next_chunk(redcc_worker *worker) {
         if (hand_out(worker))
             return 1;
         finish(worker);
-        return runner->step == STEP_CHECK ? next_to_check(worker) : 0;
+        return runner->step == STEP_CHECK ? next_in_order(worker) : 0;
+    case STEP_REST:
     case STEP_CHECK:
-        return next_to_check(worker);
+        return next_in_order(worker);
     case STEP_BEGIN:
     case STEP_END:
         break;
@@ -311,21 +326,26 @@ static int next_chunk(redcc_worker *worker) {
  * chunk in which one failed is kept, with its last iteration: 2 * (iteration + 1) + (ERANGE ? 1 :
  * 0). Of iterations that fail in both ways, and are executed by several threads, another may be the
  * last. */
-static void note_error(const redcc_worker *worker) {
-    const struct runner *runner = worker->execution;
+void redcc_note_error(struct run *run, redcc_int end) {
     const int error = errno;
-    if ((error != EDOM && error != ERANGE) || runner->step != STEP_EXECUTE)
+    if (error != EDOM && error != ERANGE)
         return;
-    const redcc_run *last = worker->run_end - 1;
-    const redcc_int end = worker->origin + last->begin + last->count_and_guard / 2;
     const unsigned long long noted = 2 * ((unsigned long long)end + 1) + (error == ERANGE ? 1 : 0);
-    atomic_ullong *latest = &runner->run->error;
+    atomic_ullong *latest = &run->error;
     unsigned long long before = atomic_load_explicit(latest, memory_order_relaxed);
     while (before < noted &&
            !atomic_compare_exchange_weak_explicit(latest, &before, noted, memory_order_relaxed,
                                                   memory_order_relaxed))
         ;
     errno = 0;
+}
+
+static void note_error(const redcc_worker *worker) {
+    const struct runner *runner = worker->execution;
+    if (runner->step != STEP_EXECUTE && runner->step != STEP_REST)
+        return;
+    const redcc_run *last = worker->run_end - 1;
+    redcc_note_error(runner->run, worker->origin + last->begin + last->count_and_guard / 2);
 }
 
 int redcc_error_of(struct run *run) {

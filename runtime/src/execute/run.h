@@ -29,6 +29,7 @@ struct run {
 enum step {
     STEP_BEGIN,
     STEP_EXECUTE, /* chunk by chunk */
+    STEP_REST,    /* of a binned loop: what is left, in order */
     STEP_CHECK,   /* validation: once more, in order */
     STEP_END
 };
@@ -53,6 +54,14 @@ struct runner {
 
 /** Before the threads begin. */
 void redcc_run_begin(struct run *run);
+
+/** Has the thread's redcc_next hand out what is left of the loop from iteration `from` on, in order
+ *  and in place; from == trip: nothing. */
+void redcc_run_rest(redcc_worker *worker, redcc_int from);
+
+/** errno is not 0 after iterations that end before `end`: notes it for redcc_error_of, and clears
+ *  it. */
+void redcc_note_error(struct run *run, redcc_int end);
 
 /** What mathematical functions called in the loop left in errno; 0: nothing. */
 int redcc_error_of(struct run *run);

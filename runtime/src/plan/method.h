@@ -54,11 +54,15 @@ struct method {
                        (ownership/graph/divide.h; else, as without it, by address), */
     bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
+    bool in_bins;   /* it needs neither inspection nor plan: updates are recorded, and applied bin
+                       by bin (bins/binning.h) */
     bool steals; /* REDCC_STEALABLE stealable owners go with each thread's own: who finishes early
                     executes what is theirs. (`owners` is not asked) */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
+    /** OPTIONAL; that text, of a value that is neither a number nor a letter. */
+    const char *(*spell)(int parameter);
     /** The value without a colon. */
     int usual;
 
@@ -70,7 +74,8 @@ struct method {
     uint32_t (*flags)(uint32_t owners);
     /** What `thread` executes, into plan->schedule[thread]; where it steals the schedules are those
      * of owners, and it fills those of its own and the stealable ones behind it. Called by all
-     * threads at once. False: no memory. NULL: the method is the sequential loop itself. */
+     * threads at once. False: no memory. NULL: the method is the sequential loop itself,
+     *  or in_bins. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
@@ -94,9 +99,15 @@ extern const struct method redcc_method_pe_dwa_lip;
 extern const struct method redcc_method_dwa_lip_fixed;
 extern const struct method redcc_method_expansion_fixed;
 extern const struct method redcc_method_atomic;
+extern const struct method redcc_method_binning;
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];
+
+/** Is it the sequential loop itself? NULL, auto, is not. */
+static inline bool redcc_is_serial(const struct method *method) {
+    return method && !method->prepare && !method->in_bins;
+}
 
 /** Do the first `length` letters of `text` name the method? */
 bool redcc_method_is_named(const struct method *method, const char *text, size_t length);

@@ -18,6 +18,7 @@ const struct method *const redcc_methods[] = {
     &redcc_method_pe_dwa_lip,
     &redcc_method_dwa_lip_fixed,
     &redcc_method_expansion_fixed,
+    &redcc_method_binning,
     NULL,
 };
 /* clang-format on */

@@ -1,0 +1,480 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * In-order binning on loops whose subscripts are new at each execution, written as redcc would
+ * write them, against the sequential loop and LOCALWRITE, which inspects each time.
+ *
+ *   OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
+ *
+ * Each round executes every course once, at the same subscripts, into an array of its own that
+ * keeps its contents: the bits of all arrays are compared after each round. Prints lines
+ *
+ *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
+ *
+ * seconds are medians; speed-ups are medians of the rounds' own, lowest and highest of them; best
+ * is the least time of the sequential loop over the least of this one; cpu is the sequential loop's
+ * processor time over this one's for a thread, which other jobs disturb less; extra memory as a
+ * share of the array.
+ */
+#include "base/bins_kind.h"
+#include "loop.h"
+#include "redcc/bins.h"
+#include "settings.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+
+enum { SETS = 3, MOST_ROUNDS = 101 };
+
+/* What a loop reads, new in each of the sets. */
+struct data {
+    redcc_int trip;
+    size_t rows;
+    const int *k;     /* subscripts, or neighbours */
+    const int *start; /* [trip + 1] of the neighbours */
+    const double *value;
+    const float *part;
+    const double (*x)[3];
+};
+
+static unsigned long long random_state = 88172645463325252u;
+
+static uint64_t next_random(void) {
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return random_state;
+}
+
+static double unit_random(void) {
+    return (double)(next_random() >> 11) * 0x1p-53;
+}
+
+/* ---- the forms of a body --------------------------------------------------------------------- */
+
+#define PLAIN(N, row, contribution)                                                                \
+    do {                                                                                           \
+        const N##_record e = contribution;                                                         \
+        N##_update(&R[row], &e);                                                                   \
+    } while (0)
+#define GUARDED(N, row, contribution)                                                              \
+    do {                                                                                           \
+        if (redcc_owns(&own, &R[row]))                                                             \
+            PLAIN(N, row, contribution);                                                           \
+    } while (0)
+#define PUSHED(N, row, contribution)                                                               \
+    do {                                                                                           \
+        const N##_record e = contribution;                                                         \
+        redcc_push(&to_0, &N##_streams[0], row, 0, &e);                                            \
+    } while (0)
+#define COPIED(N, row, contribution)                                                               \
+    do {                                                                                           \
+        const N##_record e = contribution;                                                         \
+        redcc_update(&to_0, &N##_streams[0], row, 0, &e);                                          \
+    } while (0)
+#define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
+
+/* BODY(UPDATE) is the loop's body for iteration t of *d; BYTES those of a record. */
+#define KERNEL(N, ROW, BYTES, OPERATION, TYPE, EXACT, BODY)                                        \
+    static void N##_apply(const redcc_applied *applied) {                                          \
+        ROW *const rows = applied->rows[0];                                                        \
+        const N##_record *const records = applied->records;                                        \
+        for (redcc_size n = 0; n < applied->count; n++) {                                          \
+            REDCC_APPLY_AHEAD(applied, n, rows, 0);                                                \
+            N##_update(&rows[applied->place[n]], &records[n]);                                     \
+        }                                                                                          \
+    }                                                                                              \
+    static const redcc_array N##_arrays[] = {{"R", OPERATION, TYPE, sizeof(ROW), sizeof(ROW)}};    \
+    static const redcc_source N##_sources[] = {{"data", 1}};                                       \
+    static const redcc_stream N##_streams[] = {                                                    \
+        {N##_apply, 1, {0}, {sizeof(ROW)}, BYTES, 0, EXACT}};                                      \
+    static redcc_binned N##_loop = {{"binning.c", __LINE__, #N, REDCC_ORDER_SERIAL, REDCC_BINNED,  \
+                                     1, N##_arrays, 1, N##_sources, 0, 0},                         \
+                                    1,                                                             \
+                                    N##_streams};                                                  \
+    static __attribute__((noinline)) void N##_sequential(const struct data *its, void *array) {    \
+        const struct data mine = *its, *const d = &mine;                                           \
+        ROW *const R = array;                                                                      \
+        for (redcc_int t = 0; t < d->trip; t++)                                                    \
+            BODY(PLAIN)                                                                            \
+    }                                                                                              \
+    static __attribute__((noinline)) void N##_execute(redcc_worker *given, struct data mine) {     \
+        const struct data *const d = &mine;                                                        \
+        redcc_worker worker = *given;                                                              \
+        while (redcc_next(&worker)) {                                                              \
+            ROW *const R = worker.base[0];                                                         \
+            const redcc_owner own = worker.owner[0];                                               \
+            for (const redcc_run *run = worker.run; run != worker.run_end; run++) {                \
+                redcc_int t = worker.origin + run->begin;                                          \
+                const redcc_int end = t + run->count_and_guard / 2;                                \
+                if (!(run->count_and_guard & 1))                                                   \
+                    for (; t < end; t++)                                                           \
+                        BODY(PLAIN)                                                                \
+                else                                                                               \
+                    for (; t < end; t++)                                                           \
+                        BODY(GUARDED)                                                              \
+            }                                                                                      \
+        }                                                                                          \
+    }                                                                                              \
+    static bool N##_parallel(const struct data *its, void *array, int threads) {                   \
+        void *const bases[] = {array};                                                             \
+        const redcc_extent known[] = {{(const char *)its, (const char *)(its + 1)}};               \
+        redcc_call call;                                                                           \
+        if (redcc_enter(&call, &N##_loop.loop, its->trip, bases, known, NULL, threads, 0)) {       \
+            _Pragma("omp parallel num_threads(call.threads)") {                                    \
+                redcc_worker worker;                                                               \
+                redcc_bins bins[1];                                                                \
+                ROW *const R = array;                                                              \
+                const struct data mine = *its, *const d = &mine; /* firstprivate */                \
+                redcc_join(&worker, &call, omp_get_thread_num(), omp_get_num_threads());           \
+                while (redcc_inspect(&worker))                                                     \
+                    for (redcc_int t = worker.first; t < worker.last; t += worker.stride) {        \
+                        BODY(TOLD)                                                                 \
+                        redcc_iteration_done(&worker);                                             \
+                    }                                                                              \
+                while (redcc_bins_next(&worker, bins, NULL)) {                                     \
+                    const redcc_bins to_0 = bins[0];                                               \
+                    const redcc_int last = worker.last;                                            \
+                    redcc_int t = worker.first;                                                    \
+                    if (EXACT && REDCC_ARE_COPIED(&to_0))                                          \
+                        for (; t < last; t++)                                                      \
+                            BODY(COPIED)                                                           \
+                    else                                                                           \
+                        for (; t < last; t++)                                                      \
+                            BODY(PUSHED)                                                           \
+                }                                                                                  \
+                N##_execute(&worker, mine);                                                        \
+            }                                                                                      \
+        }                                                                                          \
+        return redcc_leave(&call);                                                                 \
+    }
+
+/* ---- kernels --------------------------------------------------------------------------------- */
+
+typedef double doubles_record;
+static inline void doubles_update(double *r, const double *e) {
+    *r += *e;
+}
+#define DOUBLES(UPDATE) UPDATE(doubles, d->k[t], d->value[t]);
+KERNEL(doubles, double, sizeof(double), REDCC_SUM, REDCC_DOUBLE, 0, DOUBLES)
+
+typedef float floats_record;
+static inline void floats_update(float *r, const float *e) {
+    *r += *e;
+}
+#define FLOATS(UPDATE) UPDATE(floats, d->k[t], d->part[t]);
+KERNEL(floats, float, sizeof(float), REDCC_SUM, REDCC_FLOAT, 0, FLOATS)
+
+typedef int counts_record; /* nothing of it is kept */
+static inline void counts_update(int *r, const int *e) {
+    (void)e;
+    (*r)++;
+}
+#define COUNTS(UPDATE) UPDATE(counts, d->k[t], 0);
+KERNEL(counts, int, 0, REDCC_SUM, REDCC_INT32, 1, COUNTS)
+
+/* Cloud in cell: a particle's charge goes to the corners of its cell. */
+enum { SIDE = 128 };
+typedef double charge_record;
+static inline void charge_update(double *r, const double *e) {
+    *r += *e;
+}
+#define CORNER(UPDATE, dx, dy, dz)                                                                 \
+    UPDATE(charge, cell + (dx) + SIDE * ((dy) + SIDE * (dz)),                                      \
+           (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz));
+#define CHARGE(UPDATE)                                                                             \
+    {                                                                                              \
+        const double *const p = d->x[t];                                                           \
+        const int ix = (int)p[0], iy = (int)p[1], iz = (int)p[2];                                  \
+        const double fx = p[0] - ix, fy = p[1] - iy, fz = p[2] - iz;                               \
+        const int cell = ix + SIDE * (iy + SIDE * iz);                                             \
+        (void)fx, (void)fy, (void)fz;                                                              \
+        CORNER(UPDATE, 0, 0, 0)                                                                    \
+        CORNER(UPDATE, 1, 0, 0)                                                                    \
+        CORNER(UPDATE, 0, 1, 0)                                                                    \
+        CORNER(UPDATE, 1, 1, 0)                                                                    \
+        CORNER(UPDATE, 0, 0, 1)                                                                    \
+        CORNER(UPDATE, 1, 0, 1)                                                                    \
+        CORNER(UPDATE, 0, 1, 1)                                                                    \
+        CORNER(UPDATE, 1, 1, 1)                                                                    \
+    }
+KERNEL(charge, double, sizeof(double), REDCC_SUM, REDCC_DOUBLE, 0, CHARGE)
+
+/* Half neighbour lists: each pair once. */
+typedef struct {
+    double c[3];
+} forces_record;
+static inline void forces_update(forces_record *r, const forces_record *e) {
+    for (int c = 0; c < 3; c++)
+        r->c[c] += e->c[c];
+}
+static inline forces_record force(const double *a, const double *b) {
+    const double v[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    const double q = 1 / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + 0.01), s = q * q * q;
+    const double f = s * (s - 0.5) * q;
+    return (forces_record){{f * v[0], f * v[1], f * v[2]}};
+}
+#define FORCES(UPDATE)                                                                             \
+    {                                                                                              \
+        forces_record all = {{0, 0, 0}};                                                           \
+        for (int n = d->start[t]; n < d->start[t + 1]; n++) {                                      \
+            const forces_record f = force(d->x[t], d->x[d->k[n]]);                                 \
+            all.c[0] += f.c[0], all.c[1] += f.c[1], all.c[2] += f.c[2];                            \
+            const forces_record back = {{-f.c[0], -f.c[1], -f.c[2]}};                              \
+            (void)back;                                                                            \
+            UPDATE(forces, d->k[n], back);                                                         \
+        }                                                                                          \
+        UPDATE(forces, t, all);                                                                    \
+    }
+KERNEL(forces, forces_record, sizeof(forces_record), REDCC_SUM, REDCC_OTHER_TYPE, 0, FORCES)
+
+/* ---- data ------------------------------------------------------------------------------------ */
+
+enum { TRIP = 10000000, MILLION = 1 << 20 };
+enum pattern { RANDOM, SORTED, BANDED };
+
+/* Vectors of the last kernel; the values are shared by all sets. */
+static double *values;
+static float *parts;
+
+static void make_values(void) {
+    if (values)
+        return;
+    values = malloc(TRIP * sizeof *values);
+    parts = malloc(TRIP * sizeof *parts);
+    for (int t = 0; t < TRIP; t++) {
+        values[t] = unit_random() - 0.5;
+        parts[t] = (float)values[t];
+    }
+}
+
+static void make_subscripts(struct data *d, enum pattern pattern, size_t rows) {
+    int *k = malloc(TRIP * sizeof *k);
+    make_values();
+    for (redcc_int t = 0; t < TRIP; t++) {
+        const uint64_t any = next_random();
+        const uint64_t here = (uint64_t)t * rows / TRIP;
+        const uint64_t near = here + any % 4096;
+        k[t] = (int)(pattern == RANDOM   ? any % rows
+                     : pattern == SORTED ? here
+                                         : (near < rows ? near : rows - 1));
+    }
+    *d = (struct data){.trip = TRIP, .rows = rows, .k = k, .value = values, .part = parts};
+}
+
+static void make_particles(struct data *d) {
+    enum { PARTICLES = 2 * MILLION };
+    double(*x)[3] = malloc(PARTICLES * sizeof *x);
+    for (int p = 0; p < PARTICLES; p++)
+        for (int c = 0; c < 3; c++)
+            x[p][c] = unit_random() * (SIDE - 1.001);
+    *d = (struct data){.trip = PARTICLES, .rows = SIDE * SIDE * SIDE, .x = (const double(*)[3])x};
+}
+
+/* Atoms on a lattice, each with half of its 26 neighbours, numbered at random. */
+static void make_neighbours(struct data *d) {
+    enum { EDGE = 80, ATOMS = EDGE * EDGE * EDGE };
+    int *name = malloc(ATOMS * sizeof *name), *at = malloc(ATOMS * sizeof *at);
+    int *start = malloc((ATOMS + 1) * sizeof *start), *k = malloc(13 * ATOMS * sizeof *k);
+    double(*x)[3] = malloc(ATOMS * sizeof *x);
+    for (int a = 0; a < ATOMS; a++)
+        name[a] = a;
+    for (int a = ATOMS - 1; a > 0; a--) {
+        const int b = (int)(next_random() % (uint64_t)(a + 1)), other = name[a];
+        name[a] = name[b];
+        name[b] = other;
+    }
+    for (int a = 0; a < ATOMS; a++)
+        at[name[a]] = a;
+    start[0] = 0;
+    for (int i = 0; i < ATOMS; i++) {
+        const int a = at[i], here[3] = {a % EDGE, a / EDGE % EDGE, a / EDGE / EDGE};
+        int count = start[i];
+        for (int c = 0; c < 3; c++)
+            x[i][c] = here[c] + 0.1 * unit_random();
+        for (int n = 14; n < 27; n++) {
+            const int u = here[0] + n % 3 - 1, v = here[1] + n / 3 % 3 - 1, w = here[2] + n / 9 - 1;
+            if (u >= 0 && u < EDGE && v >= 0 && v < EDGE && w < EDGE)
+                k[count++] = name[u + EDGE * (v + EDGE * w)];
+        }
+        start[i + 1] = count;
+    }
+    free(name);
+    free(at);
+    *d = (struct data){
+        .trip = ATOMS, .rows = ATOMS, .k = k, .start = start, .x = (const double(*)[3])x};
+}
+
+static void free_data(struct data *d) {
+    free((void *)d->k);
+    free((void *)d->start);
+    free((void *)d->x);
+}
+
+/* ---- measuring ------------------------------------------------------------------------------- */
+
+struct kernel {
+    const char *name;
+    size_t rows, row;
+    enum pattern pattern;
+    int most_threads; /* 0: any number */
+    void (*sequential)(const struct data *, void *);
+    bool (*parallel)(const struct data *, void *, int);
+    redcc_binned *loop;
+};
+
+#define OF(N, ROW) sizeof(ROW), RANDOM, 0, N##_sequential, N##_parallel, &N##_loop
+#define ORDERED(N, ROW, PATTERN) sizeof(ROW), PATTERN, 0, N##_sequential, N##_parallel, &N##_loop
+static const struct kernel kernels[] = {
+    {"doubles-16M", (size_t)16 * MILLION, OF(doubles, double)},
+    {"floats-16M", (size_t)16 * MILLION, OF(floats, float)},
+    {"counters-16M", (size_t)16 * MILLION, OF(counts, int)},
+    {"charge-128^3", 0, OF(charge, double)},
+    {"half-neighbours-shuffled", 0, OF(forces, forces_record)},
+    {"histogram-4096", 4096, OF(counts, int)},
+    {"doubles-16M-sorted", (size_t)16 * MILLION, ORDERED(doubles, double, SORTED)},
+    {"doubles-16M-banded", (size_t)16 * MILLION, ORDERED(doubles, double, BANDED)},
+    {"doubles-64k", 65536, OF(doubles, double)},
+    {"doubles-1M", MILLION, OF(doubles, double)},
+    {"doubles-64M", (size_t)64 * MILLION, OF(doubles, double)},
+    {"floats-16M-one-thread", (size_t)16 * MILLION, sizeof(float), RANDOM, 1, floats_sequential,
+     floats_parallel, &floats_loop},
+};
+enum { KERNELS = sizeof kernels / sizeof *kernels };
+
+static int kind = BINS_EITHER; /* REDCC_METHOD=binning:records and binning:copies ask for others */
+
+struct course {
+    const char *name;
+    const struct method *method; /* NULL: the sequential loop */
+    char *array;
+    double wall[MOST_ROUNDS], cpu[MOST_ROUNDS];
+    size_t extra; /* bytes */
+};
+
+static double clock_of(clockid_t clock) {
+    struct timespec now;
+    clock_gettime(clock, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void execute(const struct kernel *kernel, struct course *course, const struct data *d,
+                    int threads, int round) {
+    struct settings *settings = (struct settings *)redcc_settings();
+    const double wall = clock_of(CLOCK_MONOTONIC), cpu = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+    settings->method = course->method;
+    settings->parameter = kind;
+    if (!course->method)
+        kernel->sequential(d, course->array);
+    else if (!kernel->parallel(d, course->array, threads))
+        kernel->sequential(d, course->array);
+    const struct loop_state *state = kernel->loop->loop.state;
+    if (course->method == &redcc_method_binning && state->binning.bytes > course->extra)
+        course->extra = state->binning.bytes;
+    course->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
+    course->cpu[round] =
+        (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) / (course->method ? threads : 1);
+}
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(const double *values_of, int count) {
+    double sorted[MOST_ROUNDS];
+    memcpy(sorted, values_of, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, ascending);
+    return count % 2 ? sorted[count / 2] : (sorted[count / 2 - 1] + sorted[count / 2]) / 2;
+}
+
+static double extreme(const double *values_of, int count, int sign) {
+    double found = values_of[0];
+    for (int i = 1; i < count; i++)
+        found = sign * values_of[i] > sign * found ? values_of[i] : found;
+    return found;
+}
+
+/* The first round is not counted: pages are made in it. */
+static void print(const struct kernel *kernel, const struct course *serial,
+                  const struct course *course, int threads, int rounds, size_t bytes) {
+    double ratio[MOST_ROUNDS];
+    const int count = rounds - 1;
+    for (int r = 0; r < count; r++)
+        ratio[r] = serial->wall[r + 1] / course->wall[r + 1];
+    printf("%s,%s,%d,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", kernel->name, course->name,
+           threads, median(serial->wall + 1, count), median(course->wall + 1, count),
+           median(ratio, count), extreme(ratio, count, -1), extreme(ratio, count, 1),
+           extreme(serial->wall + 1, count, -1) / extreme(course->wall + 1, count, -1),
+           median(serial->cpu + 1, count) / median(course->cpu + 1, count),
+           100 * (double)course->extra / (double)bytes);
+    fflush(stdout);
+}
+
+static void make(const struct kernel *kernel, struct data *d) {
+    if (kernel->loop == &charge_loop)
+        make_particles(d);
+    else if (kernel->loop == &forces_loop)
+        make_neighbours(d);
+    else
+        make_subscripts(d, kernel->pattern, kernel->rows);
+}
+
+static int measure(const struct kernel *kernel, int rounds, int threads) {
+    struct course courses[] = {{.name = "serial"},
+                               {.name = "binning", .method = &redcc_method_binning},
+                               {.name = "localwrite", .method = &redcc_method_localwrite}};
+    const int count = threads > 1 ? 3 : 2;
+    struct data sets[SETS];
+    for (int s = 0; s < SETS; s++)
+        make(kernel, &sets[s]);
+    const size_t bytes = sets[0].rows * kernel->row;
+    int bad = 0;
+    for (int c = 0; c < count; c++)
+        courses[c].array = calloc(1, bytes);
+    for (int round = 0; round < rounds; round++) {
+        for (int c = 0; c < count; c++)
+            execute(kernel, &courses[c], &sets[round % SETS], threads, round);
+        for (int c = 1; c < count; c++)
+            bad |= memcmp(courses[0].array, courses[c].array, bytes) != 0;
+    }
+    if (bad)
+        fprintf(stderr, "binning: %s: other bits\n", kernel->name);
+    for (int c = 1; c < count; c++)
+        print(kernel, &courses[0], &courses[c], threads, rounds, bytes);
+    redcc_loop_forget(&kernel->loop->loop);
+    for (int c = 0; c < count; c++)
+        free(courses[c].array);
+    for (int s = 0; s < SETS; s++)
+        free_data(&sets[s]);
+    return bad;
+}
+
+static bool is_wanted(const char *name, int count, char **names) {
+    bool wanted = count == 0;
+    for (int i = 0; i < count; i++)
+        wanted |= strcmp(name, names[i]) == 0;
+    return wanted;
+}
+
+int main(int count, char **arguments) {
+    const int rounds = count > 1 ? atoi(arguments[1]) : 12;
+    int bad = 0;
+    if (redcc_settings()->method == &redcc_method_binning)
+        kind = redcc_settings()->parameter;
+    if (rounds < 2 || rounds > MOST_ROUNDS) {
+        fprintf(stderr, "binning: 2 to %d rounds\n", MOST_ROUNDS);
+        return 2;
+    }
+    for (int n = 0; n < KERNELS; n++) {
+        const int most = kernels[n].most_threads, threads = omp_get_max_threads();
+        if (is_wanted(kernels[n].name, count > 2 ? count - 2 : 0, arguments + 2))
+            bad |= measure(&kernels[n], rounds, most && most < threads ? most : threads);
+    }
+    return bad;
+}

@@ -1,0 +1,15 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# In-order binning on loops whose subscripts are new at each execution (bench/binning.c), against the
+# sequential loop and LOCALWRITE, which inspects each time; bits compared in every round.
+#   ROUNDS=13 KERNELS="doubles-16M ..." (none: all)
+. bench/common.sh
+read -r -a kernels <<<"${KERNELS:-}"
+cmake --build --preset release --target bench_binning >/dev/null
+program=$(find "$build" -name bench_binning -type f)
+csv=$results/binning.csv
+export OMP_NUM_THREADS=${OMP_NUM_THREADS:-$(nproc)} OMP_WAIT_POLICY=passive
+load_note
+echo "kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent" >"$csv"
+"$program" "${ROUNDS:-13}" "${kernels[@]}" | tee -a "$csv"
+echo "kept: $csv"

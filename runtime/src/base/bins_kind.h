@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What REDCC_METHOD=binning, binning:records and binning:copies ask for. */
+#ifndef REDCC_BINS_KIND_H
+#define REDCC_BINS_KIND_H
+
+enum bins_kind { BINS_EITHER = 1, BINS_RECORDS, BINS_COPIES };
+
+#endif

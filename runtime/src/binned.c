@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Binned loops in the pipeline: what bins/ does, and what it leaves to the others. */
+#include "loop.h"
+
+#include "base/clock.h"
+
+#include <errno.h>
+
+/* All threads know the same of what came of it. */
+static void end(struct thread_state *thread, redcc_worker *worker) {
+    struct execution *execution = thread->execution;
+    const struct binning *binning = &execution->state->binning;
+    const redcc_int trip = execution->call.request.trip;
+    const bool begun = binning->round.begin > 0;
+    redcc_run_rest(worker, thread->thread == 0 && begun ? binning->round.begin : trip);
+    if (thread->thread > 0)
+        return;
+    execution->binned = begun;
+    execution->reason = binning->reason;
+    execution->inspection.overlap = binning->overlap;
+}
+
+int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands) {
+    struct thread_state *thread = worker->execution;
+    if (!thread || thread->stage != STAGE_BINS || thread->runner.step != STEP_BEGIN)
+        return 0;
+    struct execution *execution = thread->execution;
+    struct run *run = &execution->run;
+    if (worker->last == 0) { /* for the first time */
+        errno = 0;
+        if (thread->thread == 0)
+            run->ready = redcc_seconds();
+    } else if (errno) {
+        redcc_note_error(run, worker->last);
+    }
+    if (redcc_bins_step(&execution->state->binning, thread->binner, worker, bins, operands))
+        return 1;
+    end(thread, worker);
+    return 0;
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Bringing records, or private copies, into the arrays. */
+#include "bins/binning.h"
+
+#include "base/share.h"
+#include "plan/elements.h"
+
+/* All threads' records of one bin, in the order of the loop. */
+static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
+                      const void *operands) {
+    const redcc_stream *stream = &binning->loop->streams[s];
+    const struct window window = binning->stream[s].window;
+    const redcc_int first = window.first + ((redcc_int)bin << window.shift);
+    void *rows[REDCC_STREAM_ARRAYS];
+    for (uint32_t array = 0; array < stream->array_count; array++)
+        rows[array] = (void *)redcc_row_address(binning, stream, array, first);
+    for (int t = 0; t < binning->call->threads; t++) {
+        const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
+        struct records records;
+        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);) {
+            const redcc_applied applied = {.rows = rows,
+                                           .place = records.place,
+                                           .records = records.record,
+                                           .count = records.count,
+                                           .ahead = REDCC_RECORDS_AHEAD,
+                                           .operands = operands};
+            stream->apply(&applied);
+        }
+    }
+}
+
+/* Dynamic scheduling: a thread that is done takes the next bin, of whichever stream. */
+void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands) {
+    (void)binner;
+    uint32_t s = 0, before = 0; /* bins of the streams before */
+    for (;;) {
+        const uint32_t next =
+            atomic_fetch_add_explicit(&binning->next_bin, 1, memory_order_relaxed);
+        while (s < binning->loop->stream_count && next - before >= binning->stream[s].window.bins)
+            before += binning->stream[s++].window.bins;
+        if (s == binning->loop->stream_count)
+            return;
+        apply_bin(binning, s, next - before, operands);
+    }
+}
+
+/* ---- private copies -------------------------------------------------------------------------- */
+
+static const struct element_rule *rule_of(const struct binning *binning, uint32_t array) {
+    const redcc_array *it = &binning->loop->loop.arrays[array];
+    return it->type <= REDCC_UINT64
+               ? redcc_element_rule((redcc_operator)it->operation, (redcc_type)it->type)
+               : NULL;
+}
+
+bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream) {
+    if (!stream->exact)
+        return false;
+    for (uint32_t a = 0; a < stream->array_count; a++) {
+        const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
+        if (!rule || stream->rows[a] % rule->size != 0 ||
+            (uintptr_t)binning->call->request.bases[stream->arrays[a]] % rule->size != 0)
+            return false;
+    }
+    return true;
+}
+
+void redcc_private_fill(const struct binning *binning, const struct binner *binner) {
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
+        const redcc_stream *stream = &binning->loop->streams[s];
+        for (uint32_t a = 0; a < stream->array_count; a++) {
+            const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
+            const size_t bytes = binning->stream[s].window.rows * stream->rows[a];
+            rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
+        }
+    }
+}
+
+/* A share of the rows, copy after copy. */
+static void merge_stream(const struct binning *binning, const struct binner *binner, uint32_t s) {
+    const redcc_stream *stream = &binning->loop->streams[s];
+    const struct window window = binning->stream[s].window;
+    const redcc_int first = redcc_share((redcc_int)window.rows, binner->threads, binner->thread);
+    const redcc_int end = redcc_share((redcc_int)window.rows, binner->threads, binner->thread + 1);
+    for (uint32_t a = 0; a < stream->array_count; a++) {
+        const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
+        const size_t row = stream->rows[a];
+        void *to = (void *)redcc_row_address(binning, stream, a, window.first + first);
+        for (int t = 0; t < binner->threads; t++)
+            rule->merge(to, binning->binner[t]->buffer[s].push.copy[a] + (size_t)first * row,
+                        (size_t)(end - first) * row / rule->size);
+    }
+}
+
+void redcc_private_merge(const struct binning *binning, const struct binner *binner) {
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+        merge_stream(binning, binner, s);
+}

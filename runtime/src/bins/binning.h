@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * In-order binning (propagation blocking): an executor without an inspection, for loops whose
+ * subscripts change. The iterations are executed in rounds.
+ *
+ *     measure  where nothing is known: some iterations, to see which rows and how many records
+ *     push     each thread executes its share of the round's iterations, in order, and appends a
+ *              record of each update to the bin of its row; nothing of the arrays is written
+ *     guard    does what was read in the round overlap what it is to write? (one thread)
+ *     apply    each bin is taken by one thread, which applies its records: the first thread's, the
+ *              second's, ..., each as they were appended
+ *
+ * So each element gets its updates in the order of the loop, at every number of threads. A round of
+ * which records are missing (rows outside of the bins, no more memory) is thrown away and executed
+ * again, with other bins or fewer iterations. Where that is of no use, or the guard says no, the
+ * rest of the loop runs sequentially: nothing of the round was written.
+ *
+ * In small arrays of integers, whose updates may be made in any order, each thread has a private
+ * copy of the rows instead, and makes its updates at once; the copies are brought in at the end.
+ *
+ * Rooms: window (rows and bins), buffer (records), layout (sizes, memory), guard, apply, rounds.
+ */
+#ifndef REDCC_BINNING_H
+#define REDCC_BINNING_H
+
+#include "base/barrier.h"
+#include "base/bins_kind.h"
+#include "base/call.h"
+#include "base/reason.h"
+#include "bins/buffer.h"
+#include "ownership/overlap.h"
+
+enum bins_phase {
+    BINS_START,
+    BINS_MEASURE,
+    BINS_PUSH,
+    BINS_APPLY,
+    BINS_OVER /* `begin` iterations are done */
+};
+
+/** One thread's part. What only it writes; others look after the barrier. */
+struct binner {
+    int thread;
+    int threads;
+    enum bins_phase phase;
+    bool begun;      /* its part of the phase */
+    redcc_int begin; /* its share of the round, or of the loop to be measured */
+    redcc_int end;
+    redcc_int next;                  /* handed out up to here */
+    int sample;                      /* stretches of iterations handed out to be measured */
+    redcc_int measured;              /* iterations in them */
+    redcc_extent *sources;           /* [source_count] told by redcc_read, in this round */
+    struct redcc_bin_buffer *buffer; /* [stream_count] */
+};
+
+/** A stream, as far as it is known; kept between executions. */
+struct binned_stream {
+    struct row_range rows; /* that were told */
+    double
+        rate; /* records an iteration, of the thread that has most, and some more; 0: not known */
+    struct window window;
+    double cut_for; /* records that the window was cut for; 0: it is to be cut */
+};
+
+/** The iterations of a round. */
+struct round {
+    redcc_int begin;
+    redcc_int end;
+    redcc_int most;                  /* iterations, of the rounds that follow */
+    bool shortened;                  /* memory had not sufficed */
+    int failures;                    /* in turn */
+    unsigned long long error_before; /* as *error, where it is thrown away */
+};
+
+struct binning {
+    const struct call *call;
+    const redcc_binned *loop; /* NULL: it has no form for bins */
+    struct barrier *barrier;
+    struct binner **binner; /* [binners] of each thread */
+    int binners;
+    struct binned_stream *stream; /* [stream_count] */
+    enum bins_phase phase;
+    struct round round;
+    bool copies;        /* private ones, in this execution */
+    int cut_threads;    /* that the windows were cut for */
+    bool denies_copies; /* the guard found them to be too coarse */
+    atomic_uint next_bin;
+    atomic_int failed;        /* in this round, by some thread */
+    atomic_int *last_claimed; /* of the execution */
+    atomic_ullong *error;     /* of the execution */
+    enum reason reason;       /* why the rest is sequential; NONE: all is done */
+    struct overlap overlap;   /* of REASON_OVERLAP */
+    long rounds;
+    size_t bytes;
+};
+
+/** The loop's descriptor for bins; NULL: it has none. */
+static inline const redcc_binned *redcc_binned_of(const redcc_loop *loop) {
+    return loop->flags & REDCC_BINNED ? (const redcc_binned *)(const void *)loop : NULL;
+}
+
+/** Where a row of a stream's array is. */
+static inline uintptr_t redcc_row_address(const struct binning *binning, const redcc_stream *stream,
+                                          uint32_t array, redcc_int row) {
+    return (uintptr_t)binning->call->request.bases[stream->arrays[array]] +
+           (uintptr_t)row * stream->rows[array];
+}
+
+/* ---- layout.c -------------------------------------------------------------------------------- */
+
+/** Cuts windows and takes memory for rounds of what is left of the loop, by what is known of the
+ *  streams; by the thread that entered the loop. NONE, or why it cannot be. */
+enum reason redcc_bins_lay_out(struct binning *binning);
+
+/* ---- guard.c --------------------------------------------------------------------------------- */
+
+/** Bins first to end - 1 hold all that the round will write of stream `s`; end == 0: nothing. */
+struct used_bins {
+    uint32_t first;
+    uint32_t end;
+};
+struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s);
+
+/** May the records of the round be applied, or the copies be brought in? NONE, or why not. */
+enum reason redcc_bins_guard(struct binning *binning);
+
+/* ---- apply.c --------------------------------------------------------------------------------- */
+
+/** The thread's part of applying all records. operands: the program's. */
+void redcc_bins_apply(struct binning *binning, const struct binner *binner, const void *operands);
+
+/** Sets the thread's private copies to what changes nothing. */
+void redcc_private_fill(const struct binning *binning, const struct binner *binner);
+
+/** The thread's part of bringing all threads' copies in. */
+void redcc_private_merge(const struct binning *binning, const struct binner *binner);
+
+/** Can the stream's updates be made on private copies, at the places of this call? */
+bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream);
+
+/* ---- rounds.c -------------------------------------------------------------------------------- */
+
+/** The state of a loop that was never executed. False: no memory. */
+bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
+
+/** A thread joins an execution of `threads` threads. */
+void redcc_binner_join(struct binner *binner, int threads);
+
+/** Begins an execution. One thread. */
+void redcc_bins_begin(struct binning *binning);
+
+/** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over. */
+bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
+                     redcc_bins *bins, const void *operands);
+
+/** A thread's part of a loop; NULL: no memory. And its end. */
+struct binner *redcc_binner_new(const redcc_binned *loop, int thread);
+void redcc_binner_free(struct binner *binner, const redcc_binned *loop);
+
+/** Gives back the memory that records and copies are kept in. */
+void redcc_bins_drop(struct binning *binning);
+
+#endif

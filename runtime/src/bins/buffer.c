@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "bins/buffer.h"
+
+#include "base/memory.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum { LINE = REDCC_CACHE_LINE, BLOCK = REDCC_BLOCK_RECORDS };
+
+static size_t whole_lines(size_t bytes) {
+    return (bytes + LINE - 1) / LINE * LINE;
+}
+
+/* ---- where what lies in the memory ----------------------------------------------------------- */
+
+/* Offsets of the parts, and the bytes of all. */
+struct parts {
+    size_t records;
+    size_t places;
+    size_t cursor;
+    size_t next;
+    size_t lines;
+    size_t bytes;
+};
+
+static struct parts parts_of(const redcc_stream *stream, struct window window, uint32_t blocks) {
+    const size_t records = (size_t)blocks * BLOCK;
+    struct parts parts = {0};
+    parts.places = parts.records + whole_lines(records * stream->record);
+    parts.cursor = parts.places + whole_lines((records + REDCC_RECORDS_AHEAD) * sizeof(redcc_u16));
+    parts.next = parts.cursor + whole_lines(window.bins * sizeof(redcc_u32));
+    parts.lines = parts.next + whole_lines(blocks * sizeof(uint32_t));
+    parts.bytes = parts.lines;
+    if (window.combined)
+        parts.bytes += (size_t)window.bins * REDCC_COMBINED_BYTES(stream->record);
+    return parts;
+}
+
+size_t redcc_buffer_bytes(const redcc_stream *stream, struct window window, uint32_t blocks) {
+    return parts_of(stream, window, blocks).bytes;
+}
+
+/* ---- its life -------------------------------------------------------------------------------- */
+
+static void *part(const struct redcc_bin_buffer *buffer, size_t offset) {
+    return buffer->memory + offset;
+}
+
+/* Memory of so many bytes, the old one where it is large enough. */
+static bool provide(struct redcc_bin_buffer *buffer, size_t bytes) {
+    if (buffer->memory && redcc_memory_size(buffer->memory) >= bytes + LINE)
+        return true;
+    redcc_buffer_end(buffer); /* before: both might not fit */
+    buffer->memory = redcc_memory_take(bytes);
+    return buffer->memory != NULL;
+}
+
+static void place_rows(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
+                       struct window window) {
+    buffer->stream = stream;
+    buffer->bins = window.bins;
+    buffer->push = (redcc_bins){
+        .first = window.first, .span = window.rows, .shift = window.shift, .buffer = buffer};
+}
+
+bool redcc_buffer_shape(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
+                        struct window window, uint32_t blocks) {
+    assert(blocks > window.bins);
+    const struct parts parts = parts_of(stream, window, blocks);
+    if (!provide(buffer, parts.bytes))
+        return false;
+    place_rows(buffer, stream, window);
+    buffer->blocks = blocks;
+    buffer->push.records = part(buffer, parts.records);
+    buffer->push.places = part(buffer, parts.places);
+    buffer->push.cursor = part(buffer, parts.cursor);
+    buffer->next = part(buffer, parts.next);
+    buffer->push.lines = window.combined ? part(buffer, parts.lines) : NULL;
+    return true;
+}
+
+bool redcc_buffer_shape_copies(struct redcc_bin_buffer *buffer, const redcc_stream *stream,
+                               struct window window) {
+    size_t bytes = 0;
+    for (uint32_t array = 0; array < stream->array_count; array++)
+        bytes += whole_lines(window.rows * stream->rows[array]);
+    if (!provide(buffer, bytes))
+        return false;
+    place_rows(buffer, stream, window);
+    buffer->blocks = 0;
+    bytes = 0;
+    for (uint32_t array = 0; array < stream->array_count; array++) {
+        buffer->push.copy[array] = part(buffer, bytes);
+        bytes += whole_lines(window.rows * stream->rows[array]);
+    }
+    return true;
+}
+
+void redcc_buffer_end(struct redcc_bin_buffer *buffer) {
+    redcc_memory_give(buffer->memory);
+    buffer->memory = NULL;
+    buffer->blocks = 0;
+}
+
+static void forget_outside(struct redcc_bin_buffer *buffer) {
+    buffer->exhausted = false;
+    buffer->outside = redcc_no_rows;
+    buffer->told_outside = 0;
+}
+
+void redcc_buffer_clear(struct redcc_bin_buffer *buffer) {
+    forget_outside(buffer);
+    buffer->used = buffer->bins;
+    for (uint32_t bin = 0; buffer->blocks > 0 && bin < buffer->bins; bin++)
+        buffer->push.cursor[bin] = bin * BLOCK + redcc_bin_offset(bin);
+}
+
+void redcc_buffer_measure(struct redcc_bin_buffer *buffer, const redcc_stream *stream) {
+    forget_outside(buffer);
+    place_rows(buffer, stream, (struct window){0});
+}
+
+/* ---- pushing --------------------------------------------------------------------------------- */
+
+void redcc_push_outside(struct redcc_bin_buffer *buffer, redcc_int row) {
+    buffer->outside = redcc_rows_union(buffer->outside, (struct row_range){row, row});
+    buffer->told_outside++;
+}
+
+/* Without a block that is free the last one is written once more: the round is lost. */
+redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redcc_u32 record) {
+    (void)bin;
+    const uint32_t block = (record - 1) / BLOCK;
+    assert(record > 0 && record % BLOCK == 0 && block < buffer->used);
+    if (buffer->used == buffer->blocks) {
+        buffer->exhausted = true;
+        return block * BLOCK;
+    }
+    buffer->next[block] = buffer->used;
+    return buffer->used++ * BLOCK;
+}
+
+/* The lines at `line` of which the records before number `end` of the bin's last block are not
+ * written yet. */
+static void write_rest(char *to, const char *line, uint32_t end, uint32_t per_line, size_t bytes) {
+    const uint32_t begun = end % per_line;
+    memcpy(to + (size_t)(end - begun) * bytes, line, begun * bytes);
+}
+
+void redcc_buffer_finish(struct redcc_bin_buffer *buffer) {
+    if (!buffer->push.lines)
+        return;
+    const uint32_t record = buffer->stream->record;
+    for (uint32_t bin = 0; bin < buffer->bins; bin++) {
+        const char *line = buffer->push.lines + (size_t)bin * REDCC_COMBINED_BYTES(record);
+        const uint32_t end = buffer->push.cursor[bin];
+        if (record)
+            write_rest(buffer->push.records, line, end, REDCC_LINE_RECORDS(record), record);
+        write_rest((char *)buffer->push.places, line + REDCC_LINES_BYTES(record), end,
+                   REDCC_LINE_PLACES, sizeof(redcc_u16));
+    }
+#if defined(__x86_64__) && defined(__SSE2__)
+    __asm__ volatile("sfence" : : : "memory"); /* lines were written past the caches */
+#endif
+}
+
+/* ---- what was pushed ------------------------------------------------------------------------- */
+
+redcc_int redcc_buffer_count(const struct redcc_bin_buffer *buffer) {
+    redcc_int count = (redcc_int)(buffer->used - buffer->bins) * BLOCK;
+    for (uint32_t bin = 0; bin < buffer->bins; bin++)
+        count += (redcc_int)(buffer->push.cursor[bin] % BLOCK) - (redcc_int)redcc_bin_offset(bin);
+    return count;
+}
+
+bool redcc_bin_is_used(const struct redcc_bin_buffer *buffer, uint32_t bin) {
+    return buffer->push.cursor[bin] != bin * BLOCK + redcc_bin_offset(bin);
+}
+
+bool redcc_bin_records(const struct redcc_bin_buffer *buffer, uint32_t bin, uint32_t *block,
+                       struct records *records) {
+    const uint32_t cursor = buffer->push.cursor[bin], last = cursor / BLOCK;
+    if (*block == last)
+        return false;
+    const uint32_t here = *block == UINT32_MAX ? bin : buffer->next[*block];
+    const uint32_t from = here == bin ? redcc_bin_offset(bin) : 0;
+    const uint32_t to = here == last ? cursor % BLOCK : BLOCK;
+    const size_t first = (size_t)here * BLOCK + from;
+    *block = here;
+    records->place = buffer->push.places + first;
+    records->record = buffer->push.records + first * buffer->stream->record;
+    records->count = to - from;
+    return true;
+}

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The late guard. All records of a round are there and nothing is written: what it reads and what
+ * it will write is known exactly. Writes of earlier rounds came before these reads in the
+ * sequential loop too.
+ */
+#include "bins/binning.h"
+
+#include "base/memory.h"
+
+static uint32_t place_of(const redcc_stream *stream, redcc_u16 place) {
+    return REDCC_PLACE_ROW(place, stream->tag_bits);
+}
+
+static bool is_used(const struct binning *binning, uint32_t s, uint32_t bin) {
+    for (int t = 0; t < binning->call->threads; t++)
+        if (redcc_bin_is_used(&binning->binner[t]->buffer[s], bin))
+            return true;
+    return false;
+}
+
+struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s) {
+    struct used_bins used = {0, 0};
+    for (uint32_t bin = 0; bin < binning->stream[s].window.bins; bin++)
+        if (is_used(binning, s, bin)) {
+            used.first = used.end == 0 ? bin : used.first;
+            used.end = bin + 1;
+        }
+    return used;
+}
+
+/* The lowest and the highest place in a bin, by all threads' records. */
+static struct row_range places_in(const struct binning *binning, uint32_t s, uint32_t bin) {
+    struct row_range found = redcc_no_rows;
+    for (int t = 0; t < binning->call->threads; t++) {
+        const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
+        struct records records;
+        for (uint32_t block = UINT32_MAX; redcc_bin_records(buffer, bin, &block, &records);)
+            for (size_t k = 0; k < records.count; k++) {
+                const redcc_int row = place_of(buffer->stream, records.place[k]);
+                found = redcc_rows_union(found, (struct row_range){row, row});
+            }
+    }
+    return found;
+}
+
+/* The rows that the round will write: exact, or of whole bins. */
+static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
+    const struct window window = binning->stream[s].window;
+    if (binning->copies)
+        return redcc_window_rows(window);
+    const struct used_bins used = redcc_used_bins(binning, s);
+    if (used.end == 0)
+        return redcc_no_rows;
+    const redcc_int low = window.first + ((redcc_int)used.first << window.shift);
+    const redcc_int end = window.first + ((redcc_int)used.end << window.shift);
+    if (!exact)
+        return (struct row_range){low, end - 1};
+    return (struct row_range){low + places_in(binning, s, used.first).lowest,
+                              end - ((redcc_int)1 << window.shift) +
+                                  places_in(binning, s, used.end - 1).highest};
+}
+
+/* By array of the loop: [array_count]. */
+static void find_written(const struct binning *binning, bool exact, struct range *written) {
+    for (uint32_t array = 0; array < binning->loop->loop.array_count; array++)
+        written[array] = redcc_nowhere;
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
+        const redcc_stream *stream = &binning->loop->streams[s];
+        const struct row_range rows = written_rows(binning, s, exact);
+        for (uint32_t a = 0; !redcc_rows_empty(rows) && a < stream->array_count; a++) {
+            struct range *range = &written[stream->arrays[a]];
+            const struct range more = {redcc_row_address(binning, stream, a, rows.lowest),
+                                       redcc_row_address(binning, stream, a, rows.highest + 1)};
+            *range = redcc_range_union(*range, more);
+        }
+    }
+}
+
+static struct range range_of(redcc_extent extent) {
+    return extent.end ? (struct range){(uintptr_t)extent.first, (uintptr_t)extent.end}
+                      : redcc_nowhere;
+}
+
+/* What the loop is known to read, or the round was told to have read: [source_count]. */
+static void find_read(const struct binning *binning, struct range *read) {
+    for (uint32_t source = 0; source < binning->loop->loop.source_count; source++) {
+        read[source] = range_of(binning->call->request.known[source]);
+        for (int t = 0; t < binning->call->threads; t++)
+            read[source] =
+                redcc_range_union(read[source], range_of(binning->binner[t]->sources[source]));
+    }
+}
+
+static bool are_apart(const struct range *written, uint32_t count) {
+    for (uint32_t a = 0; a < count; a++)
+        for (uint32_t b = 0; b < a; b++)
+            if (redcc_ranges_overlap(written[a], written[b]))
+                return false;
+    return true;
+}
+
+static enum reason ask(struct binning *binning, bool exact, struct range *written,
+                       struct range *read) {
+    const redcc_loop *loop = &binning->loop->loop;
+    find_written(binning, exact, written);
+    if (!redcc_ranges_are_apart(read, loop->source_count, written, loop->array_count,
+                                &binning->overlap))
+        return REASON_OVERLAP;
+    return are_apart(written, loop->array_count) ? REASON_NONE : REASON_OUT_OF_STEP;
+}
+
+enum reason redcc_bins_guard(struct binning *binning) {
+    const redcc_loop *loop = &binning->loop->loop;
+    struct range *written = redcc_memory_take(loop->array_count * sizeof *written);
+    struct range *read = redcc_memory_take(loop->source_count * sizeof *read);
+    enum reason reason = REASON_NO_MEMORY;
+    if (written && read) {
+        find_read(binning, read);
+        reason = ask(binning, false, written, read);
+        if (reason != REASON_NONE && !binning->copies)
+            reason = ask(binning, true, written, read);
+    }
+    redcc_memory_give(written);
+    redcc_memory_give(read);
+    return reason;
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * How large rounds are: as large as memory allows, since a round brings each line of the arrays
+ * that it updates from memory and back once. Records may take 0.6 of the bytes of the arrays, and
+ * 64 MB, in all.
+ */
+#include "bins/binning.h"
+
+#include "base/memory.h"
+
+enum { MARGIN_SHIFT = 6, MARGIN_ROWS = 64, FAILURES_BEFORE_MARGIN = 4, MOST_FAILURES = 24 };
+
+/* Of the rows told an outer one may be missing; after failures, more of them. */
+static uint64_t margin_of(const struct binning *binning, struct row_range rows) {
+    if (redcc_rows_empty(rows))
+        return MARGIN_ROWS;
+    const int failures = binning->round.failures;
+    const uint64_t span = (uint64_t)rows.highest - (uint64_t)rows.lowest;
+    return (span >> MARGIN_SHIFT) * (uint64_t)(1 + failures * failures) + MARGIN_ROWS;
+}
+
+static redcc_int left_of(const struct binning *binning) {
+    return binning->call->request.trip - binning->round.begin;
+}
+
+/* A window that held all rows stays, so that what was taken for it does. */
+static bool cut_windows(struct binning *binning) {
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
+        const redcc_stream *stream = &binning->loop->streams[s];
+        struct binned_stream *it = &binning->stream[s];
+        const double records = it->rate * (double)left_of(binning) + 1;
+        if (it->cut_for > 0 && records < 4 * it->cut_for && records > it->cut_for / 16)
+            continue;
+        it->cut_for = records;
+        it->window = binning->copies && binning->round.failures < FAILURES_BEFORE_MARGIN
+                         ? redcc_copied_window(it->rows)
+                         : redcc_window(stream, it->rows, margin_of(binning, it->rows),
+                                        binning->call->threads, it->rate, (double)left_of(binning));
+        if (it->window.rows == 0)
+            return false;
+    }
+    return true;
+}
+
+/* Bytes of the arrays, as far as rows were told. */
+static size_t bytes_of_arrays(const struct binning *binning) {
+    size_t bytes = 0;
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
+        const struct row_range rows = binning->stream[s].rows;
+        if (!redcc_rows_empty(rows))
+            bytes += ((uint64_t)rows.highest - (uint64_t)rows.lowest + 1) *
+                     redcc_stream_row(&binning->loop->streams[s]);
+    }
+    return bytes;
+}
+
+/* Are private copies the better way? Their merge must not be more work than the updates. */
+static bool wants_copies(const struct binning *binning) {
+    const int kind = binning->call->parameter;
+    double rows = 0, records = 0;
+    size_t bytes = 0;
+    if (kind == BINS_RECORDS || binning->denies_copies)
+        return false;
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
+        const redcc_stream *stream = &binning->loop->streams[s];
+        const struct window window = redcc_copied_window(binning->stream[s].rows);
+        if (!redcc_private_possible(binning, stream) || window.rows == 0)
+            return false;
+        rows += (double)window.rows;
+        bytes += window.rows * redcc_stream_row(stream);
+        records += binning->stream[s].rate * (double)left_of(binning);
+    }
+    if (bytes > redcc_bins_tuning.least_budget / (size_t)binning->call->threads)
+        return false;
+    return kind == BINS_COPIES || (binning->call->threads > 1 && records > rows &&
+                                   bytes <= redcc_bins_tuning.copies_bytes);
+}
+
+/* Other windows go with it. */
+static void recut(struct binning *binning) {
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+        binning->stream[s].cut_for = 0;
+}
+
+static void choose_kind(struct binning *binning, bool copies) {
+    if (copies != binning->copies || binning->cut_threads != binning->call->threads ||
+        binning->round.failures > 0)
+        recut(binning);
+    binning->copies = copies;
+    binning->cut_threads = binning->call->threads;
+}
+
+static bool take_copies(struct binning *binning) {
+    bool taken = true;
+    for (int t = 0; taken && t < binning->call->threads; t++)
+        for (uint32_t s = 0; taken && s < binning->loop->stream_count; s++)
+            taken =
+                redcc_buffer_shape_copies(&binning->binner[t]->buffer[s],
+                                          &binning->loop->streams[s], binning->stream[s].window);
+    binning->round.most = left_of(binning);
+    return taken;
+}
+
+/* ---- records --------------------------------------------------------------------------------- */
+
+/* Blocks for a share of so many iterations: the last one of each bin is half full. */
+static uint32_t blocks_for(const struct binned_stream *it, double iterations) {
+    const double block = REDCC_BLOCK_RECORDS;
+    const double most = (double)UINT32_MAX / block - 1; /* records have numbers of 32 bits */
+    const double blocks = it->rate * iterations / block + 1.5 * it->window.bins + 2;
+    return (uint32_t)(blocks < most ? blocks : most);
+}
+
+static double bytes_for(const struct binning *binning, double iterations) {
+    double bytes = 0;
+    for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+        bytes += (double)redcc_buffer_bytes(&binning->loop->streams[s], binning->stream[s].window,
+                                            blocks_for(&binning->stream[s], iterations));
+    return bytes * binning->call->threads;
+}
+
+/* Iterations of a thread's share whose records take so many bytes, at most `most`; below 1: none
+ * do. */
+static double share_for(const struct binning *binning, double budget, double most) {
+    double low = 0, high = most;
+    if (bytes_for(binning, high) <= budget)
+        return high;
+    for (int halvings = 0; halvings < 40; halvings++) {
+        const double middle = (low + high) / 2;
+        if (bytes_for(binning, middle) <= budget)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static bool take_blocks(struct binning *binning, double share) {
+    for (int t = 0; t < binning->call->threads; t++)
+        for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+            if (!redcc_buffer_shape(&binning->binner[t]->buffer[s], &binning->loop->streams[s],
+                                    binning->stream[s].window,
+                                    blocks_for(&binning->stream[s], share)))
+                return false;
+    return true;
+}
+
+static bool take_records(struct binning *binning) {
+    const redcc_int left = left_of(binning), most = binning->round.most;
+    const double threads = binning->call->threads;
+    double wanted = (double)(left < most ? left : most) / threads + 1;
+    double budget = 0.6 * (double)bytes_of_arrays(binning) + (double)redcc_bins_tuning.least_budget;
+    for (;; budget /= 2) {
+        wanted = share_for(binning, budget, wanted);
+        if (wanted < 1)
+            return false;
+        if (take_blocks(binning, wanted))
+            break;
+        redcc_bins_drop(binning);
+    }
+    const redcc_int round = (redcc_int)wanted * binning->call->threads;
+    binning->round.most = round < most ? round : most;
+    return true;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------- */
+
+static size_t bytes_held(const struct binning *binning) {
+    size_t bytes = 0;
+    for (int t = 0; t < binning->call->threads; t++)
+        for (uint32_t s = 0; s < binning->loop->stream_count; s++)
+            bytes += redcc_memory_size(binning->binner[t]->buffer[s].memory);
+    return bytes;
+}
+
+/* One thread gains only where the arrays do not fit the caches. */
+static bool is_for_several(const struct binning *binning) {
+    return binning->call->threads > 1 || binning->call->parameter != BINS_EITHER ||
+           bytes_of_arrays(binning) >= redcc_bins_tuning.one_thread_bytes;
+}
+
+enum reason redcc_bins_lay_out(struct binning *binning) {
+    if (binning->round.failures > MOST_FAILURES)
+        return REASON_SPREAD;
+    choose_kind(binning, binning->round.begin == 0 && wants_copies(binning));
+    if (!cut_windows(binning))
+        return REASON_SPREAD;
+    if (!is_for_several(binning))
+        return REASON_ONE_THREAD;
+    bool taken = binning->copies && take_copies(binning);
+    if (!taken && binning->copies) {
+        redcc_bins_drop(binning);
+        choose_kind(binning, false);
+        if (!cut_windows(binning))
+            return REASON_SPREAD;
+    }
+    taken = taken || take_records(binning);
+    if (!taken)
+        redcc_bins_drop(binning);
+    const size_t bytes = bytes_held(binning);
+    binning->bytes = bytes > binning->bytes ? bytes : binning->bytes;
+    return taken ? REASON_NONE : REASON_NO_MEMORY;
+}

@@ -1,0 +1,347 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The phases of a binned loop, which binning.h draws. */
+#include "bins/binning.h"
+
+#include "base/memory.h"
+#include "base/share.h"
+
+#include <assert.h>
+#include <string.h>
+
+enum {
+    CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed */
+    STRETCHES = 64, /* of each thread's share are measured, */
+    STRETCH = 64,   /* so many iterations each */
+    LEAST_CHUNK = 512
+};
+
+/* Than was seen may come; while a rate holds as much of what is seen, it stays, and memory with it.
+ */
+static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0.9;
+
+static uint32_t stream_count(const struct binning *binning) {
+    return binning->loop->stream_count;
+}
+
+/* ---- each thread's part ---------------------------------------------------------------------- */
+
+static void hand_out(const struct binning *binning, struct binner *binner, redcc_worker *worker,
+                     redcc_bins *bins, redcc_int first, redcc_int last) {
+    assert(0 <= first && first < last && last <= binning->call->request.trip);
+    worker->first = first;
+    worker->last = last;
+    worker->stride = 1;
+    worker->sources = binner->sources;
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        bins[s] = binner->buffer[s].push;
+}
+
+static void begin_share(const struct binning *binning, struct binner *binner, redcc_int begin,
+                        redcc_int end) {
+    binner->begun = true;
+    binner->begin = begin + redcc_share(end - begin, binner->threads, binner->thread);
+    binner->end = begin + redcc_share(end - begin, binner->threads, binner->thread + 1);
+    binner->next = binner->begin;
+    memset(binner->sources, 0, binning->loop->loop.source_count * sizeof *binner->sources);
+}
+
+/* Stretches of the thread's share, evenly spread, the first and the last iterations among them. */
+static bool next_stretch(struct binning *binning, struct binner *binner, redcc_worker *worker,
+                         redcc_bins *bins) {
+    if (!binner->begun) {
+        begin_share(binning, binner, 0, binning->call->request.trip);
+        binner->sample = 0;
+        binner->measured = 0;
+        for (uint32_t s = 0; s < stream_count(binning); s++)
+            redcc_buffer_measure(&binner->buffer[s], &binning->loop->streams[s]);
+    }
+    const redcc_int share = binner->end - binner->begin;
+    const bool whole = share <= STRETCHES * STRETCH;
+    if (share == 0 || binner->sample == (whole ? 1 : STRETCHES))
+        return false;
+    const redcc_int first =
+        binner->begin + (whole ? 0 : (share - STRETCH) / (STRETCHES - 1) * binner->sample);
+    const redcc_int last = binner->sample == STRETCHES - 1 || whole ? binner->end : first + STRETCH;
+    const redcc_int from = whole || binner->sample < STRETCHES - 1 ? first : binner->end - STRETCH;
+    binner->sample++;
+    binner->measured += last - from;
+    hand_out(binning, binner, worker, bins, from, last);
+    return true;
+}
+
+static bool has_failed(const struct binning *binning, const struct binner *binner) {
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        if (redcc_buffer_failed(&binner->buffer[s]))
+            return true;
+    return false;
+}
+
+static void begin_push(struct binning *binning, struct binner *binner) {
+    begin_share(binning, binner, binning->round.begin, binning->round.end);
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        redcc_buffer_clear(&binner->buffer[s]);
+    if (binning->copies)
+        redcc_private_fill(binning, binner);
+}
+
+/* The next chunk of the thread's share of the round. */
+static bool next_chunk(struct binning *binning, struct binner *binner, redcc_worker *worker,
+                       redcc_bins *bins) {
+    if (!binner->begun)
+        begin_push(binning, binner);
+    else if (has_failed(binning, binner))
+        atomic_store_explicit(&binning->failed, 1, memory_order_relaxed);
+    const redcc_int left = binner->end - binner->next;
+    if (left == 0 || atomic_load_explicit(&binning->failed, memory_order_relaxed)) {
+        for (uint32_t s = 0; s < stream_count(binning); s++)
+            redcc_buffer_finish(&binner->buffer[s]);
+        return false;
+    }
+    const redcc_int first = binner->next;
+    binner->next += left < CHUNK + LEAST_CHUNK ? left : CHUNK;
+    hand_out(binning, binner, worker, bins, first, binner->next);
+    return true;
+}
+
+/* ---- between the phases: the thread that entered the loop, while the others wait ------------- */
+
+/* What the body has done as if it were for good is undone. */
+static void throw_away(struct binning *binning) {
+    atomic_store_explicit(binning->error, binning->round.error_before, memory_order_relaxed);
+    atomic_store_explicit(binning->last_claimed, 0, memory_order_relaxed);
+}
+
+static enum bins_phase end_with(struct binning *binning, enum reason reason) {
+    throw_away(binning);
+    binning->reason = reason;
+    return BINS_OVER;
+}
+
+/* What is left, in rounds of about equal size. */
+static enum bins_phase begin_round(struct binning *binning) {
+    struct round *round = &binning->round;
+    const redcc_int left = binning->call->request.trip - round->begin;
+    const redcc_int rounds = (left - 1) / round->most + 1;
+    assert(left > 0 && round->most > 0);
+    round->end = round->begin + (left - 1) / rounds + 1;
+    round->error_before = atomic_load_explicit(binning->error, memory_order_relaxed);
+    atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
+    atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
+    return BINS_PUSH;
+}
+
+static enum bins_phase lay_out(struct binning *binning) {
+    const enum reason reason = redcc_bins_lay_out(binning);
+    return reason == REASON_NONE ? begin_round(binning) : end_with(binning, reason);
+}
+
+static enum bins_phase after_start(struct binning *binning) {
+    for (uint32_t s = 0; s < stream_count(binning); s++)
+        if (binning->stream[s].rate == 0)
+            return BINS_MEASURE;
+    return lay_out(binning);
+}
+
+static enum bins_phase after_measure(struct binning *binning) {
+    const double never = 1.0 / 1024;
+    throw_away(binning);
+    for (uint32_t s = 0; s < stream_count(binning); s++) {
+        struct binned_stream *it = &binning->stream[s];
+        it->rate = never;
+        for (int t = 0; t < binning->call->threads; t++) {
+            const struct binner *binner = binning->binner[t];
+            const struct redcc_bin_buffer *buffer = &binner->buffer[s];
+            if (binner->measured == 0)
+                continue;
+            const double rate =
+                measured_more * (double)buffer->told_outside / (double)binner->measured;
+            it->rate = rate > it->rate ? rate : it->rate;
+            it->rows = redcc_rows_union(it->rows, buffer->outside);
+        }
+    }
+    return lay_out(binning);
+}
+
+/* Records are missing: the round is executed again, for more rows or by fewer iterations. */
+static enum bins_phase push_again(struct binning *binning) {
+    struct round *round = &binning->round;
+    bool exhausted = false;
+    for (uint32_t s = 0; s < stream_count(binning); s++) {
+        struct binned_stream *it = &binning->stream[s];
+        bool doubled = false;
+        for (int t = 0; t < binning->call->threads; t++) {
+            const struct redcc_bin_buffer *buffer = &binning->binner[t]->buffer[s];
+            it->rows = redcc_rows_union(it->rows, buffer->outside);
+            doubled |= buffer->exhausted;
+        }
+        it->rate *= doubled ? 2 : 1;
+        exhausted |= doubled;
+    }
+    const redcc_int count = round->end - round->begin;
+    if (exhausted) {
+        round->most = count > 1 ? count / 2 : 1;
+        round->shortened = true;
+    } else
+        round->failures++;
+    throw_away(binning);
+    return lay_out(binning);
+}
+
+/* What the round tells of those that follow. */
+static void learn(struct binning *binning) {
+    for (uint32_t s = 0; s < stream_count(binning); s++) {
+        struct binned_stream *it = &binning->stream[s];
+        double most = 0;
+        for (int t = 0; t < binning->call->threads; t++) {
+            const struct binner *binner = binning->binner[t];
+            const redcc_int share = binner->end - binner->begin;
+            const double rate =
+                share ? (double)redcc_buffer_count(&binner->buffer[s]) / (double)share : 0;
+            most = rate > most ? rate : most;
+        }
+        if (most > it->rate || most < kept_down_to * it->rate)
+            it->rate = most > 0 ? pushed_more * most : it->rate;
+    }
+}
+
+static enum bins_phase after_push(struct binning *binning) {
+    for (int t = 0; t < binning->call->threads; t++)
+        if (has_failed(binning, binning->binner[t]))
+            return push_again(binning);
+    const enum reason reason = redcc_bins_guard(binning);
+    if (reason != REASON_NONE && binning->copies) { /* the guard sees more of records */
+        binning->denies_copies = true;
+        throw_away(binning);
+        return lay_out(binning);
+    }
+    if (reason != REASON_NONE)
+        return end_with(binning, reason);
+    if (!binning->copies)
+        learn(binning);
+    return BINS_APPLY;
+}
+
+/* Where most bins were not used, fewer do for the executions that follow. */
+static void trim(struct binning *binning) {
+    for (uint32_t s = 0; !binning->copies && s < stream_count(binning); s++) {
+        struct binned_stream *it = &binning->stream[s];
+        const struct window window = it->window;
+        const struct used_bins used = redcc_used_bins(binning, s);
+        if (used.end == 0 || used.end - used.first > window.bins / 4 * 3)
+            continue;
+        it->cut_for = 0;
+        it->rows = (struct row_range){window.first + ((redcc_int)used.first << window.shift),
+                                      window.first + ((redcc_int)used.end << window.shift) - 1};
+    }
+}
+
+/* The iterations that had too many records may be over. */
+static enum bins_phase lengthen(struct binning *binning) {
+    struct round *round = &binning->round;
+    const redcc_int most = redcc_bins_tuning.round;
+    round->most = round->most < most / 2 ? 2 * round->most : most;
+    round->shortened = round->most < binning->call->request.trip - round->begin;
+    return lay_out(binning);
+}
+
+static enum bins_phase after_apply(struct binning *binning) {
+    struct round *round = &binning->round;
+    binning->rounds++;
+    round->begin = round->end;
+    round->failures = 0;
+    if (round->begin < binning->call->request.trip)
+        return round->shortened ? lengthen(binning) : begin_round(binning);
+    if (binning->rounds == 1)
+        trim(binning);
+    return BINS_OVER;
+}
+
+static enum bins_phase (*const then[])(struct binning *) = {[BINS_START] = after_start,
+                                                            [BINS_MEASURE] = after_measure,
+                                                            [BINS_PUSH] = after_push,
+                                                            [BINS_APPLY] = after_apply};
+_Static_assert(sizeof then / sizeof *then == BINS_OVER, "what follows each phase");
+
+/* All meet; memory is taken and decisions are made by the thread that entered the loop. */
+static void meet(struct binning *binning, struct binner *binner) {
+    redcc_barrier_wait(binning->barrier, binner->threads);
+    if (binner->thread == 0)
+        binning->phase = then[binner->phase](binning);
+    redcc_barrier_wait(binning->barrier, binner->threads);
+    binner->phase = binning->phase;
+    binner->begun = false;
+}
+
+bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,
+                     redcc_bins *bins, const void *operands) {
+    for (; binner->phase != BINS_OVER; meet(binning, binner)) {
+        if (binner->phase == BINS_APPLY && binning->copies)
+            redcc_private_merge(binning, binner);
+        else if (binner->phase == BINS_APPLY)
+            redcc_bins_apply(binning, binner, operands);
+        const bool handed = binner->phase == BINS_MEASURE
+                                ? next_stretch(binning, binner, worker, bins)
+                            : binner->phase == BINS_PUSH ? next_chunk(binning, binner, worker, bins)
+                                                         : false;
+        for (uint32_t s = 0; handed && s < stream_count(binning); s++)
+            bins[s].operands = operands;
+        if (handed)
+            return true;
+    }
+    return false;
+}
+
+/* ---- begin and end --------------------------------------------------------------------------- */
+
+bool redcc_bins_new(struct binning *binning, const redcc_loop *loop) {
+    binning->loop = redcc_binned_of(loop);
+    if (!binning->loop)
+        return true;
+    binning->stream = redcc_memory_take_zeroed(stream_count(binning), sizeof *binning->stream);
+    for (uint32_t s = 0; binning->stream && s < stream_count(binning); s++)
+        binning->stream[s].rows = redcc_no_rows;
+    return binning->stream != NULL;
+}
+
+void redcc_binner_join(struct binner *binner, int threads) {
+    binner->threads = threads;
+    binner->phase = BINS_START;
+    binner->begun = false;
+}
+
+void redcc_bins_begin(struct binning *binning) {
+    binning->phase = BINS_START;
+    binning->round = (struct round){.most = redcc_bins_tuning.round};
+    binning->reason = REASON_NONE;
+    binning->rounds = 0;
+    binning->bytes = 0;
+}
+
+struct binner *redcc_binner_new(const redcc_binned *loop, int thread) {
+    struct binner *binner = redcc_memory_take_zeroed(1, sizeof *binner);
+    if (!binner)
+        return NULL;
+    binner->thread = thread;
+    binner->sources = redcc_memory_take_zeroed(loop->loop.source_count, sizeof *binner->sources);
+    binner->buffer = redcc_memory_take_zeroed(loop->stream_count, sizeof *binner->buffer);
+    if (binner->sources && binner->buffer)
+        return binner;
+    redcc_binner_free(binner, loop);
+    return NULL;
+}
+
+void redcc_binner_free(struct binner *binner, const redcc_binned *loop) {
+    if (!binner)
+        return;
+    for (uint32_t s = 0; binner->buffer && s < loop->stream_count; s++)
+        redcc_buffer_end(&binner->buffer[s]);
+    redcc_memory_give(binner->sources);
+    redcc_memory_give(binner->buffer);
+    redcc_memory_give(binner);
+}
+
+void redcc_bins_drop(struct binning *binning) {
+    for (int t = 0; binning->loop && t < binning->binners; t++)
+        for (uint32_t s = 0; s < stream_count(binning); s++)
+            redcc_buffer_end(&binning->binner[t]->buffer[s]);
+}

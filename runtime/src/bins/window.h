@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** How the rows of a stream's arrays are divided into bins. */
+#ifndef REDCC_WINDOW_H
+#define REDCC_WINDOW_H
+
+#include "redcc/bins.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Rows told, [lowest, highest]; none where highest < lowest. */
+struct row_range {
+    redcc_int lowest;
+    redcc_int highest;
+};
+
+static const struct row_range redcc_no_rows = {INT64_MAX, INT64_MIN};
+
+static inline bool redcc_rows_empty(struct row_range rows) {
+    return rows.highest < rows.lowest;
+}
+
+/** The smallest range that holds both. */
+static inline struct row_range redcc_rows_union(struct row_range a, struct row_range b) {
+    return (struct row_range){a.lowest < b.lowest ? a.lowest : b.lowest,
+                              a.highest > b.highest ? a.highest : b.highest};
+}
+
+/** Consecutive rows, bin after bin. */
+struct window {
+    redcc_int first; /* row of the first bin's place 0 */
+    uint64_t rows;   /* 0: there is no window */
+    uint32_t shift;  /* a bin has 2 ^ shift rows */
+    uint32_t bins;
+    bool combined; /* records are pushed by write combining */
+};
+
+/** What may be tried otherwise, by tests. */
+struct bins_tuning {
+    size_t bin_bytes;        /* of the rows of a bin, at most */
+    uint32_t bin_bits;       /* a bin has 2 ^ that many rows, at most */
+    uint32_t direct_bins;    /* more of them are pushed by write combining, */
+    double direct_rate;      /* as where an iteration has more records than this */
+    redcc_int round;         /* iterations of a round, at most */
+    size_t least_budget;     /* bytes of records, whatever the size of the arrays */
+    size_t copies_bytes;     /* of the arrays, at most, for private copies to be made */
+    size_t one_thread_bytes; /* of the arrays, at least, for one thread to bin them */
+};
+
+extern struct bins_tuning redcc_bins_tuning;
+
+/** Bytes of the rows of all arrays of a stream, at one subscript. */
+size_t redcc_stream_row(const redcc_stream *stream);
+
+/** The window of `rows` and of `margin` rows on either side, in enough bins for `threads`, of which
+ *  each is to have some hundreds of `iterations` times `rate` records. No window: they lie too
+ *  far apart. */
+struct window redcc_window(const redcc_stream *stream, struct row_range rows, uint64_t margin,
+                           int threads, double rate, double iterations);
+
+/** The same, for private copies: no bins. */
+struct window redcc_copied_window(struct row_range rows);
+
+/** The rows of a window. */
+static inline struct row_range redcc_window_rows(struct window window) {
+    return window.rows == 0
+               ? redcc_no_rows
+               : (struct row_range){window.first, window.first + (redcc_int)(window.rows - 1)};
+}
+
+#endif
