@@ -303,12 +303,18 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 static _Thread_local struct {
     const redcc_loop *loop; /* NULL: none */
     redcc_int trip;
+    long call; /* of the loop, by number */
     double began;
 } original;
+
+static long calls_of(const struct loop_state *state) {
+    return atomic_load_explicit(&state->reported.statistics.calls, memory_order_relaxed);
+}
 
 static void time_original(const redcc_loop *loop, redcc_int trip) {
     original.loop = loop;
     original.trip = trip;
+    original.call = calls_of(loop->state);
     original.began = redcc_seconds();
 }
 
@@ -325,6 +331,8 @@ void redcc_sequential_done(redcc_loop *loop) {
             &state->chooser,
             &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
             REASON_NONE);
+        if (calls_of(state) == original.call) /* no other call's arguments are there */
+            redcc_advise_timed(&state->chooser, &state->execution.reuse, seconds);
         release(state);
     }
     errno = error;

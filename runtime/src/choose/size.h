@@ -9,6 +9,8 @@
 /** A way is worth a trial below this, of the other's time: medians of executions of one loop differ
  *  by 3 to 5 % without a cause. */
 static const double redcc_better = 0.95;
+/** Below this one execution shows it: twice the noise of a busy machine. */
+static const double redcc_clear = 0.8;
 
 enum { REDCC_REST_MOST = 1 << 20 /* calls */ };
 

@@ -10,6 +10,7 @@ struct estimate {
                        spare ones behind it included */
     double spared;  /* of the iterations: what is executed once more because of spare owners */
     double touches; /* of an iteration */
+    double rows;    /* ... at different addresses */
     double changes; /* of the iterations: those that touch other owners than the one sampled before.
                        Those in between may be alike: no more than these begin a run, about */
 };

@@ -145,6 +145,24 @@ void redcc_reuse_sample(struct reuse *reuse) {
     reuse->sampled = hash;
 }
 
+bool redcc_reuse_fingerprint(const struct reuse *reuse, struct fingerprint *all) {
+    const struct request *request = &reuse->call->request;
+    *all = redcc_fingerprint(NULL, 0);
+    if (!(request->loop->flags & REDCC_VERIFIABLE))
+        return false;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const redcc_extent known = request->known[s];
+        if (!request->loop->sources[s].is_subscript)
+            continue;
+        if (!known.end)
+            return false;
+        const struct fingerprint parts[] = {
+            *all, redcc_fingerprint(known.first, (size_t)(known.end - known.first))};
+        *all = redcc_fingerprint_join(parts, 2);
+    }
+    return true;
+}
+
 /* ---- are its subscripts what they were? --------------------------------------------------------
  */
 
