@@ -20,9 +20,10 @@ struct simulation {
     struct kept_plan plan[PLANS];
     int clock;
     int steady;
-    int last;      /* subscripts of the call before; -1: none */
-    double excess; /* the largest that one execution may have over the sequential one */
-    double lent;   /* the largest loan, seconds */
+    int last;       /* subscripts of the call before; -1: none */
+    double excess;  /* the largest that one execution may have over the sequential one */
+    double lent;    /* the largest loan, seconds */
+    double longest; /* sequential execution, seconds */
     struct simulated so_far;
 };
 
@@ -109,9 +110,8 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
 }
 
 static void note_loan(struct simulation *it, const struct simulated_call *call) {
-    const double loan = it->state->ledger.loan;
-    it->lent = loan > it->lent ? loan : it->lent;
-    it->so_far.loan = fmax(it->so_far.loan, loan / call->sequential);
+    it->lent = fmax(it->lent, it->state->ledger.loan);
+    it->longest = fmax(it->longest, call->sequential);
 }
 
 static void inspect(struct simulation *it, const struct simulated_call *call,
@@ -191,6 +191,7 @@ struct simulated simulate(const struct trace *trace) {
         widen_allowance(&it, &trace->call[c]);
         carry_out(&it, &trace->call[c]);
         result->allowance = it.excess + it.lent;
+        result->loan = it.lent / it.longest;
         const double ratio = (result->total - result->allowance) / result->sequential;
         if (ratio > result->worst_prefix)
             result->worst_prefix = ratio;

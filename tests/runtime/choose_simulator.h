@@ -41,7 +41,7 @@ struct simulated {
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
     double allowance;    /**< the bound's additive constant: the largest excess of one execution
                               over the sequential one, a block, and the largest loan */
-    double loan;         /**< the largest, in sequential executions */
+    double loan;         /**< the largest, over the longest sequential execution */
     int set_ups;         /**< begun */
     int parallel;        /**< executions by a plan */
 };

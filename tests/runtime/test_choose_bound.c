@@ -245,7 +245,7 @@ static void subscripts_that_change(void **unused) {
                 check(trace, name,
                       (struct asked){1 + share,
                                      costly           ? 1.03
-                                     : every[e] == 20 ? 1.06
+                                     : every[e] == 20 ? 1.1
                                                       : 1.2,
                                      costly || every[e] == 1 ? hidden ? 8 : 4 : 0});
             }

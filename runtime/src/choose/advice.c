@@ -85,34 +85,34 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
 }
 
 /* Bytes of subscripts that are where the call says. */
-static double bytes_to_check(const struct request *request) {
+static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
     double bytes = 0;
-    for (uint32_t s = 0; s < request->loop->source_count; s++)
-        if (request->loop->sources[s].is_subscript && request->known[s].end)
-            bytes += (double)(request->known[s].end - request->known[s].first);
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (loop->sources[s].is_subscript && known[s].end)
+            bytes += (double)(known[s].end - known[s].first);
     return bytes;
 }
 
-/* All subscripts are compared once, where the sample has not shown a change. */
-static bool are_the_same(const struct chooser *chooser, const struct reuse *reuse) {
+static bool are_the_same(const struct chooser *chooser, const struct request *request) {
     struct fingerprint all;
-    return redcc_reuse_fingerprint(reuse, &all) && redcc_fingerprint_equal(all, chooser->all);
+    return redcc_reuse_fingerprint(request->loop, request->known, &all) &&
+           redcc_fingerprint_equal(all, chooser->all);
 }
 
 static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) {
     const uint64_t sampled = reuse->sampled;
     chooser->steady = sampled == 0 ? -1 : chooser->sampled == sampled ? chooser->steady + 1 : 0;
     chooser->sampled = sampled;
-    chooser->verified = chooser->steady > 0 &&
-                        (chooser->remembered ? are_the_same(chooser, reuse) : chooser->verified);
+    chooser->verified = chooser->remembered ? are_the_same(chooser, &reuse->call->request)
+                                            : chooser->verified && chooser->steady > 0;
     chooser->remembered = false;
 }
 
-void redcc_advise_timed(struct chooser *chooser, const struct reuse *reuse, double seconds) {
-    const struct request *request = &reuse->call->request;
-    chooser->remembered = redcc_advice_rule(chooser, request->trip) == RULE_FIRST &&
-                          bytes_to_check(request) * byte_compared < compared_most * seconds &&
-                          redcc_reuse_fingerprint(reuse, &chooser->all);
+void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                        redcc_int trip, double seconds) {
+    chooser->remembered = redcc_timings_of(&chooser->state, trip) == 1 &&
+                          bytes_to_check(loop, known) * byte_compared < compared_most * seconds &&
+                          redcc_reuse_fingerprint(loop, known, &chooser->all);
 }
 
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
@@ -189,7 +189,7 @@ static struct findings begin_findings(const struct chooser *chooser,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
-        .checked = bytes_to_check(&call->request)};
+        .checked = bytes_to_check(loop, call->request.known)};
 }
 
 /* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, spared and

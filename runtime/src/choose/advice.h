@@ -53,9 +53,10 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, str
 /** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
-/** The original loop was timed, and its arguments are still `reuse`'s: where it is its first time
- * and comparing all subscripts costs next to nothing, keeps their fingerprint for the next call. */
-void redcc_advise_timed(struct chooser *chooser, const struct reuse *reuse, double seconds);
+/** The original loop was timed, and redcc_tell knows. Where it was the first time, and comparing
+ * all subscripts costs next to nothing, keeps their fingerprint for the next call. */
+void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                        redcc_int trip, double seconds);
 
 /** Of the sample: what of it auto goes by. */
 bool redcc_wants_estimate(const struct inspection *inspection);

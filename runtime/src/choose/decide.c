@@ -15,8 +15,12 @@ static const double first_look = 0.5e-3;
 
 /* A loan is at most so many executions: what cutting the access graph of a heavy loop takes. */
 static const double loan_most = 1.25;
-/* It is given where so many executions by the plan are expected to repay the set-up, */
+/* It is given where so many executions by the plan are expected to repay the set-up, and all
+ * subscripts were compared with those of the call before; */
 static const double repaid_within = 3;
+/* where their samples were the same in so many calls in a row, so many, */
+enum { SURE = 8 };
+static const double repaid_by_sample = 2;
 /* or where the first one will: then it does not matter whether the subscripts stay. */
 static const double repaid_at_once = 0.9;
 /* Executions that count when ways are compared for a loan: with less each, the second execution
@@ -47,7 +51,7 @@ static struct decision reuse(struct size_state *size, enum way way, enum rule ru
 static double room_for(const struct choice_state *state, const struct size_state *size,
                        long long trip, enum way way) {
     const double usual = redcc_usual(&size->sequential);
-    const bool is_clear = size->prospect[way].execution < redcc_clear * usual;
+    const bool is_clear = redcc_expected(size, way) < redcc_clear * usual;
     return redcc_credit(state) - (is_clear ? 0 : reserve * usual * (double)trip);
 }
 
@@ -79,8 +83,9 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
     double least_cost = current * horizon;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const struct prospect *it = &size->prospect[way];
-        const double set_up = set_up_of(it), cost = set_up + it->execution * horizon;
-        if (!it->possible || it->execution >= redcc_better * current || cost >= least_cost ||
+        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double cost = set_up + each * horizon;
+        if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
             set_up > room_for(state, size, trip, way) || set_up * factor > size->set_ups.since)
             continue;
         best = way;
@@ -98,14 +103,17 @@ static bool may_borrow(const struct choice_state *state, const struct size_state
 /* The best way that is worth a loan; SEQUENTIAL: none. */
 static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
-    const double repaid = now->verified ? repaid_within : repaid_at_once;
+    const double repaid = now->verified         ? repaid_within
+                          : now->steady >= SURE ? repaid_by_sample
+                                                : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
     double least_cost = usual * soon * trip;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const struct prospect *it = &size->prospect[way];
-        const double set_up = set_up_of(it), cost = set_up + it->execution * soon * trip;
-        if (!it->possible || it->execution >= redcc_clear * usual || cost >= least_cost ||
-            set_up > loan_most * usual * trip || set_up > repaid * (usual - it->execution) * trip)
+        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double cost = set_up + each * soon * trip;
+        if (!it->possible || each >= redcc_clear * usual || cost >= least_cost ||
+            set_up > loan_most * usual * trip || set_up > repaid * (usual - each) * trip)
             continue;
         best = way;
         least_cost = cost;
@@ -119,9 +127,9 @@ static enum way kept_way(const struct size_state *size, const struct situation *
                          double least_each) {
     enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        if (now->kept[way] == KEPT_FITS && size->prospect[way].execution < least_each) {
+        if (now->kept[way] == KEPT_FITS && redcc_expected(size, way) < least_each) {
             best = way;
-            least_each = size->prospect[way].execution;
+            least_each = redcc_expected(size, way);
         }
     return best;
 }
@@ -270,8 +278,9 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
 
 struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
     struct size_state *size = redcc_size_of(state, now->trip);
-    if (size->threads != now->threads)
-        *size = (struct size_state){.threads = now->threads};
+    if (size->threads > 0 && size->threads != now->threads)
+        *size = (struct size_state){0};
+    size->threads = now->threads;
     size->rest.calls++;
     if (is_resting(size))
         return (struct decision){
@@ -328,6 +337,7 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
         note_prospect(&size->prospect[way], &prospect[way]);
     size->looked = true;
     size->look = spent;
+    size->looked_at = redcc_usual(&size->sequential);
     const double current = size->stand == STAND_PARALLEL ? size->prospect[size->way].execution
                                                          : redcc_usual(&size->sequential);
     struct decision decision = set_up(state, size, now, current);

@@ -130,6 +130,7 @@ struct size_state {
     int threads;
     bool looked;      /* the prospects are known */
     double look;      /* seconds that a sample took; 0: none was taken */
+    double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     struct timings sequential;
     struct prospect prospect[WAY_COUNT];
@@ -145,7 +146,7 @@ struct ledger {
     double loan; /* that may be lost beyond the credit, until it is repaid or its plan fails */
 };
 
-enum { REDCC_SIZES = 48 };
+enum { REDCC_SIZES = 40 };
 
 /** All that is known of a loop; zeroes at first. */
 struct choice_state {
@@ -175,6 +176,9 @@ double redcc_credit(const struct choice_state *state);
 
 /** Seconds of a sequential execution, as they were lately: the median of three. 0: not known. */
 double redcc_usual_sequential(const struct choice_state *state, long long trip);
+
+/** How many sequential executions of this size were timed. */
+long redcc_timings_of(const struct choice_state *state, long long trip);
 
 /** The row that decided last at this size. */
 enum rule redcc_rule_of(const struct choice_state *state, long long trip);

@@ -35,6 +35,10 @@ double redcc_next_factor(const struct set_ups *set_ups);
 /** set_ups->misses, the last one included. */
 int redcc_next_misses(const struct set_ups *set_ups);
 
+/** Seconds an iteration by a plan of that way. Estimates follow the sequential loop, whose first
+ *  execution takes longer than others. */
+double redcc_expected(const struct size_state *size, enum way way);
+
 bool redcc_some_way_is_better(const struct size_state *size);
 
 /** Begins to compare two ways. */
