@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "choose/prospects.h"
 #include "problem.h"
+#include "unmade.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -129,7 +130,7 @@ static void changed_subscripts_are_not_inspected_at_once(void **unused) {
     assert_true(call_right(&problem, &described));
     assert_true(call_right(&problem, &described));
     struct loop_state *state = described.loop.state;
-    problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
+    problem.row[TRIP / 2 + 1] = 0;         /* which the sample does not see */
     state->chooser.state.ledger.overhead = /* next to no credit, and no loan while less than that */
         0.05 * state->chooser.state.ledger.sequential - 1e-9;
     assert_false(call_right(&problem, &described));
@@ -180,6 +181,61 @@ static void short_loops_are_left_alone(void **unused) {
     }
     assert_int_equal(size_of(&described)->stand, STAND_SHORT);
     assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_LITTLE_WORK]), 10);
+    end(&problem, &described);
+}
+
+/* ... and have no state; one word says when they are timed again. */
+static void short_loops_have_no_state(void **unused) {
+    (void)unused;
+    void *word = NULL;
+    assert_true(redcc_is_unmade(word));
+    assert_true(redcc_unmade_call(&word, 1000));
+    assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
+    for (int calls = 16; calls < 4096; calls = calls < 1024 ? 2 * calls : 4096) {
+        for (int call = 0; call < calls; call++) {
+            assert_true(redcc_is_unmade(word));
+            assert_false(redcc_unmade_call(&word, 1000));
+        }
+        assert_true(redcc_unmade_call(&word, 1000));
+        assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
+    }
+    assert_false(redcc_unmade_call(&word, 10)); /* which is shorter still */
+    assert_true(redcc_unmade_call(&word, 1000000));
+    assert_true(redcc_unmade_timed(&word, 1000000, 1e-3));
+    struct loop_state *state = NULL; /* another thread was quicker */
+    void *made = &state;
+    assert_false(redcc_is_unmade(made));
+    assert_true(redcc_unmade_call(&made, 1000));
+    assert_true(redcc_unmade_timed(&made, 1000, 1e-5));
+    assert_ptr_equal(made, &state);
+}
+
+/* All subscripts are compared where that costs little, once. */
+static void subscripts_are_compared(void **unused) {
+    (void)unused;
+    struct problem problem;
+    struct described described;
+    begin(&problem, &described, true);
+    assert_false(call_right(&problem, &described));
+    const redcc_extent known[] = {
+        {(const char *)problem.start, (const char *)(problem.start + TRIP + 1)},
+        {(const char *)problem.row, (const char *)(problem.row + TRIP)},
+        {(const char *)problem.other, (const char *)(problem.other + TRIP)},
+        {0, 0}};
+    struct loop_state *state = described.loop.state;
+    struct chooser *chooser = &state->chooser;
+    redcc_advise_timed(chooser, &described.loop, known, TRIP, 1e-6);
+    assert_false(chooser->remembered); /* it would take longer than a fiftieth of the loop */
+    redcc_advise_timed(chooser, &described.loop, known, TRIP, 1);
+    assert_true(chooser->remembered);
+    struct fingerprint before = chooser->all, now;
+    assert_true(redcc_reuse_fingerprint(&described.loop, known, &now));
+    assert_true(redcc_fingerprint_equal(before, now));
+    problem.row[TRIP / 2 + 1]++;
+    assert_true(redcc_reuse_fingerprint(&described.loop, known, &now));
+    assert_false(redcc_fingerprint_equal(before, now));
+    const redcc_extent unknown[] = {known[0], {known[1].first, NULL}, known[2], {0, 0}};
+    assert_false(redcc_reuse_fingerprint(&described.loop, unknown, &now));
     end(&problem, &described);
 }
 
@@ -260,6 +316,8 @@ int main(void) {
         cmocka_unit_test(changed_subscripts_are_not_inspected_at_once),
         cmocka_unit_test(an_inspection_ends_at_its_deadline),
         cmocka_unit_test(short_loops_are_left_alone),
+        cmocka_unit_test(short_loops_have_no_state),
+        cmocka_unit_test(subscripts_are_compared),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
         cmocka_unit_test(the_decision_table_is_documented),

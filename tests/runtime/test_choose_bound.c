@@ -186,6 +186,31 @@ static void noise(void **unused) {
     }
 }
 
+/* Other draws of the same noise: the rule is steady. */
+static void noise_of_many_kinds(void **unused) {
+    (void)unused;
+    for (int gain = 0; gain < 4; gain++) {
+        double worst = 0, sum = 0;
+        for (unsigned seed = 1; seed <= 100; seed++) {
+            struct trace *trace = ordinary(2000);
+            random_state = seed * 0x9e3779b97f4a7c15u;
+            for (int c = 0; c < trace->count; c++) {
+                const double parallel = between(0.7, 1.3) * (1 + 0.3 * gain);
+                scale(&trace->call[c], between(0.7, 1.3), parallel);
+            }
+            const struct simulated it = simulate(trace);
+            worst = fmax(worst, it.total / it.best);
+            sum += it.total / it.best;
+            assert_true(it.worst_prefix <= (1 + share) * 1.06);
+            free(trace);
+        }
+        if (getenv("CHOOSE_SHOW"))
+            printf("noise %d, 100 draws: total/best %.4f at most, %.4f on average\n", gain, worst,
+                   sum / 100);
+        assert_true(worst <= 1.28 && sum / 100 <= 1.08);
+    }
+}
+
 static void drift(void **unused) {
     (void)unused;
     for (int both = 0; both < 3; both++) {
@@ -347,19 +372,20 @@ static struct digits random_digits(void) {
 static void random_loops(void **unused) {
     (void)unused;
     random_state = 88172645463325252u;
-    double worst = 0, worst_best = 0;
+    double worst = 0, best[2] = {0, 0}; /* without noise, and with */
     for (int loop = 0; loop < 10000; loop++) {
         const struct digits digits = random_digits();
         struct trace *trace = loop_of(&digits, loop % 2 ? 0.3 * uniform() : 0);
         const struct simulated it = simulate(trace);
         worst = fmax(worst, it.worst_prefix);
-        worst_best = fmax(worst_best, (it.total - it.allowance) / it.best);
+        best[loop % 2] = fmax(best[loop % 2], (it.total - it.allowance) / it.best);
         free(trace);
     }
     if (getenv("CHOOSE_SHOW"))
-        printf("random: prefix %.4f, total/best %.4f\n", worst, worst_best);
+        printf("random: prefix %.4f, total/best %.4f and %.4f\n", worst, best[0], best[1]);
     assert_true(worst <= 1 + share);
-    assert_true(worst_best <= fastest * (1 + share));
+    assert_true(best[0] <= fastest * (1 + share));
+    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise makes plans faster still */
 }
 
 /* What a search is to make large. */
@@ -423,16 +449,16 @@ static void loops_made_to_be_bad(void **unused) {
     }
 }
 
-/* What the search has found in 200,000 steps. */
+/* What the search has found in 400,000 steps. */
 static void the_worst_found(void **unused) {
     (void)unused;
     static const struct digits worst[] = {
-        {"31574003010090",
-         "61118129762416815212072848395677765603904273820073773699759098912646293554489086817091651"
-         "299894897199950456334276073632",
-         "10100010011100101010000010010001000110110010011001111001111100011000110110001011110111010"
-         "111111111011101011110010100110"},
-        {"49009009057789", "02313210123030003", "10000000000000000"}};
+        {"91591006016003",
+         "89568108885387879713243338805533607599076024998923173390481324712161519625398593472487868"
+         "514454978182316867626313809032",
+         "10100101011011011111101100000001110011011111101101111000010010111000001110100001000000100"
+         "101110001111001010111011010001"},
+        {"41504019005600", "10221101100000331310210122011222", "10000000000000000000000000000000"}};
     random_state = 1;
     const double sequential = badness(&worst[0], false), best = badness(&worst[1], true);
     if (getenv("CHOOSE_SHOW"))
@@ -448,6 +474,7 @@ int main(void) {
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
         cmocka_unit_test(noise),
+        cmocka_unit_test(noise_of_many_kinds),
         cmocka_unit_test(drift),
         cmocka_unit_test(a_neighbour),
         cmocka_unit_test(what_was_faster_no_longer_is),

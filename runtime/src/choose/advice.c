@@ -135,7 +135,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .timed = decision.timed,
                             .skipped_calls = chooser->skipped,
                             .rule = decision.rule};
-    chooser->skipped = decision.action == ACTION_REUSE ? 0 : chooser->skipped + 1;
+    chooser->skipped = decision.action == ACTION_SEQUENTIAL ? chooser->skipped + 1 : 0;
     if (decision.action == ACTION_SEQUENTIAL)
         advice.reason = reason_for(chooser, decision.rule);
     else if (decision.action == ACTION_INSPECT)

@@ -9,9 +9,11 @@ static const double share = 0.05;
  * LOCALWRITE on loops without runs took up to 1.6 times the sequential loop, but there estimates
  * say so; else no more than 1.25 times. */
 static const double reserve = 0.25;
-/* Before any sample was taken: 1024 iterations of some touches, and waking threads. 0.2 to 0.7 ms
- * where data is shuffled. */
-static const double first_look = 0.5e-3;
+/* Before any sample was taken: 1024 iterations of some touches, 0.2 to 0.7 ms where data is
+ * shuffled, and starting threads. */
+static const double first_look = 1e-3;
+/* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
+static const double unknown = 4;
 
 /* A loan is at most so many executions: what cutting the access graph of a heavy loop takes. */
 static const double loan_most = 1.25;
@@ -76,9 +78,9 @@ static double horizon_of(const struct size_state *size) {
 /* The way that is the cheapest, set-up included, over the executions to come; of those that the
  * credit allows and that are better than `current` seconds an iteration. SEQUENTIAL: none. */
 static enum way best_way(const struct choice_state *state, const struct size_state *size,
-                         long long trip, double current) {
-    const double horizon = horizon_of(size) * (double)trip;
-    const double factor = redcc_next_factor(&size->set_ups);
+                         const struct situation *now, double current) {
+    const double horizon = horizon_of(size) * (double)now->trip;
+    const double factor = redcc_next_factor(&size->set_ups) * (now->steady < 0 ? unknown : 1);
     enum way best = WAY_SEQUENTIAL;
     double least_cost = current * horizon;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
@@ -86,7 +88,7 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
         const double set_up = set_up_of(it), each = redcc_expected(size, way);
         const double cost = set_up + each * horizon;
         if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
-            set_up > room_for(state, size, trip, way) || set_up * factor > size->set_ups.since)
+            set_up > room_for(state, size, now->trip, way) || set_up * factor > size->set_ups.since)
             continue;
         best = way;
         least_cost = cost;
@@ -146,7 +148,7 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
     if (way != WAY_SEQUENTIAL)
         state->ledger.loan = loan_most * redcc_usual(&size->sequential) * (double)now->trip;
     else
-        way = best_way(state, size, now->trip, current);
+        way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
         return sequentially(size, RULE_SAVING);
     const double allowed = room_for(state, size, now->trip, way);
@@ -232,7 +234,7 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
         size->comparison.incumbents_turn = true;
         return sequentially(size, RULE_COMPARING);
     }
-    const enum way way = best_way(state, size, now->trip, current);
+    const enum way way = best_way(state, size, now, current);
     if (way != WAY_SEQUENTIAL && way != size->way && now->kept[way] != KEPT_FITS)
         return set_up(state, size, now, current);
     const enum way kept = kept_way(size, now, redcc_better * current);
