@@ -3,7 +3,7 @@
 
 /* Seconds, on the machines of bench/results. They are first estimates: what a set-up has taken, and
  * what executions take, comes in their place as soon as it is known. */
-static const double touch_told = 1.5e-9; /* of a thread: a touch, where iterations follow alike, */
+static const double touch_told = 1e-9; /* of a thread: a touch, where iterations follow alike, */
 static const double iteration_apart = 45e-9; /* one that has other owners than the last: 37 to 60 */
 static const double graph_row = 40e-9;       /* cutting the access graph, a row: of the threads, */
 static const double graph_row_alone = 15e-9; /* and while they wait */
@@ -12,7 +12,7 @@ static const double frequent = 0.25; /* runs, of the iterations: all touches are
 static const double run_begun = 3e-9;
 static const double byte_copied = 0.15e-9;    /* of a copy that is filled and brought in, */
 static const double new_byte_copied = 0.6e-9; /* and that the system has to find a page for */
-static const double byte_checked = 0.1e-9;
+static const double byte_checked = 0.05e-9;
 static const double contended = 1.1;  /* times as long as alone, side by side: 1.05 to 1.4 */
 static const double scattered = 1.15; /* where an owner's rows do not lie together */
 static const double guarded = 1.1;    /* where most iterations ask who owns what they write */
