@@ -14,6 +14,28 @@ static void describe_array(buffer *out, const reduction_array *array) {
                   op && array->order_is_kept ? "," : "", array->order_is_kept ? "kept" : "");
 }
 
+/* How the sources are known before anything is written, and what of the slice is short. */
+static void describe_sources(buffer *out, const loop_facts *facts) {
+    unsigned subscripts = 0, told = 0, checked = 0, sometimes = 0;
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        subscripts += facts->sources[i].is_subscript;
+        told += facts->sources[i].extent == EXTENT_TOUCHED;
+        checked += facts->sources[i].is_checked;
+        sometimes += facts->sources[i].is_sometimes;
+    }
+    buffer_format(out, " subscripts=%u told=%u checked=%u sometimes=%u spans=%u", subscripts, told,
+                  checked, sometimes, facts->span_count);
+}
+
+static void describe_scalars(buffer *out, const loop_facts *facts) {
+    static const char *const types[] = {
+        [OPERAND_INTEGER] = "integer", [OPERAND_FLOAT] = "float", [OPERAND_DOUBLE] = "double"};
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        buffer_format(out, " %s=%s%s", facts->scalars[i].variable->name,
+                      types[facts->scalars[i].operand],
+                      facts->scalars[i].is_conditional ? "-sometimes" : "");
+}
+
 const char *expectation_describe(arena *a, const loop_verdict *verdict) {
     buffer out = {0};
     const loop_facts *facts = verdict->facts;
@@ -42,6 +64,10 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
         for (unsigned i = 0; i < facts->array_count; i++)
             if (facts->arrays[i].is_interleaved)
                 buffer_format(&out, " interleaved=%s", facts->arrays[i].name);
+        describe_sources(&out, facts);
+        describe_scalars(&out, facts);
+        if (facts->sets_errno)
+            buffer_text(&out, " sets-errno");
     }
     const char *text = arena_copy(a, out.data, out.length);
     buffer_free(&out);

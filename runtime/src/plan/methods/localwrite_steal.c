@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * LOCALWRITE with work stealing: each thread owns most of an equal share of the arrays. The rest of
+ * the shares is cut into stealable blocks, which no thread owns. A thread that finishes early
+ * steals these blocks one by one, the larger ones first. So no thread waits long for one that had
+ * more expensive iterations, or that lost its core for a while.
+ *
+ * Every block is executed whole and in ascending order, by whichever thread: each element gets its
+ * contributions in the order of the loop. The overhead: iterations that write to several blocks.
+ */
+#include "plan/methods/localwrite.h"
+
+static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
+    const uint32_t own = redcc_own_schedule(plan, thread);
+    bool enough = redcc_localwrite_select(plan, evidence, own, thread);
+    for (uint32_t block = 1; enough && block <= REDCC_STEALABLE; block++)
+        enough = redcc_localwrite_select(plan, evidence, own + block, -1);
+    return enough;
+}
+
+const struct method redcc_method_localwrite_steal = {.name = "localwrite-steal",
+                                                     .alias = "spare-localwrite",
+                                                     .keeps = REDCC_ORDER_SERIAL,
+                                                     .steals = true,
+                                                     .prepare = prepare};
+
+/* The same with owners cut from the access graph. */
+const struct method redcc_method_graph_localwrite_steal = {.name = "graph-localwrite-steal",
+                                                           .alias = "spare-graph-localwrite",
+                                                           .keeps = REDCC_ORDER_SERIAL,
+                                                           .by_graph = true,
+                                                           .steals = true,
+                                                           .prepare = prepare};

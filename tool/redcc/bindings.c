@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/bindings.h"
+
+#include <string.h>
+
+typedef struct comparison {
+    const ir_unit *before;
+    const emit_result *written;
+} comparison;
+
+/* ---- places -------------------------------------------------------------------------------- */
+
+int written_loop_at(const emit_result *written, uint32_t offset) {
+    for (unsigned i = 0; i < written->loop_count; i++)
+        if (offset >= written->loops[i].begin && offset < written->loops[i].end)
+            return (int)i;
+    return -1;
+}
+
+/** The piece of the loop's text in which this byte of it lies; NULL: it is the translator's own. */
+static const origin *origin_at(const written_loop *loop, uint32_t at) {
+    unsigned low = 0, high = loop->origins.items.count;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (loop->origins.items.items[middle].end <= at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const origin *found = low < loop->origins.items.count ? &loop->origins.items.items[low] : NULL;
+    return found && found->begin <= at ? found : NULL;
+}
+
+/** Where a byte outside of the loops stood before. */
+static uint32_t place_before(const emit_result *written, uint32_t offset) {
+    const written_loop *last = NULL; /* the last one that ends before */
+    for (unsigned i = 0; i < written->loop_count && written->loops[i].end <= offset; i++)
+        last = &written->loops[i];
+    if (last)
+        return offset - last->end + last->replaced.end;
+    const written_loop *first = &written->loops[0];
+    return offset - first->begin + first->replaced.begin;
+}
+
+/* ---- declarations -------------------------------------------------------------------------- */
+
+/** The compiler's word for what has no name says where it stands. */
+static bool has_name(const ir_declared *declared) {
+    return declared->name[0] && !strchr(declared->name, '(');
+}
+
+/** Is what was found in the written text what is meant in the program? What stands in for a
+ * variable in the generated text counts as the variable. */
+static bool is_meant(const comparison *c, const ir_declared *found, const ir_declared *meant) {
+    if (!found || !meant)
+        return false;
+    if (has_name(found) && has_name(meant) && strcmp(found->name, meant->name) != 0)
+        return false;
+    if (found->is_external && meant->is_external)
+        return has_name(found);
+    if (found->file || meant->file)
+        return found->file && meant->file && strcmp(found->file, meant->file) == 0 &&
+               found->offset == meant->offset;
+    const int number = written_loop_at(c->written, found->offset);
+    if (number < 0)
+        return place_before(c->written, found->offset) == meant->offset;
+    const written_loop *loop = &c->written->loops[number];
+    const origin *from = origin_at(loop, found->offset - loop->begin);
+    if (!from || from->kind == ORIGIN_TYPE)
+        return false;
+    if (from->kind == ORIGIN_COPY)
+        return from->from + (found->offset - loop->begin - from->begin) == meant->offset;
+    return from->meant == meant;
+}
+
+/** What a type's spelling speaks of: the structure or enumeration below its pointers. */
+static const ir_declared *tag_of(const ir_type *type) {
+    while (type->target)
+        type = type->target;
+    return type->tag;
+}
+
+/* ---- references ---------------------------------------------------------------------------- */
+
+/** The first of the program's references that stands there or behind. */
+static const ir_reference *first_at(const ir_unit *unit, uint32_t offset) {
+    unsigned low = 0, high = unit->reference_count;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (unit->references[middle].offset < offset)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return unit->references + low;
+}
+
+/** A name in a copy of byte `offset` of the program: what a macro makes stands in one place. */
+static bool is_as_before(const comparison *c, const ir_reference *reference, uint32_t offset) {
+    const ir_reference *end = c->before->references + c->before->reference_count;
+    bool is_known = false;
+    for (const ir_reference *r = first_at(c->before, offset); r < end && r->offset == offset; r++) {
+        if (r->is_type != reference->is_type ||
+            strcmp(r->declared->name, reference->declared->name) != 0)
+            continue;
+        if (!is_meant(c, reference->declared, r->declared))
+            return false;
+        is_known = true;
+    }
+    return is_known;
+}
+
+static bool starts_with(const char *text, const char *prefix) {
+    return strncmp(text, prefix, strlen(prefix)) == 0;
+}
+
+/** The runtime's, OpenMP's and the compiler's: no program in which they mean anything else is
+ *  translated (emit's taken_name). */
+static bool is_own_name(const char *name) {
+    return starts_with(name, "redcc_") || starts_with(name, "REDCC_") ||
+           starts_with(name, "omp_") || starts_with(name, "__builtin_") ||
+           starts_with(name, "__atomic_");
+}
+
+static bool is_right(const comparison *c, const written_loop *loop, const ir_reference *reference) {
+    const uint32_t at = reference->offset - loop->begin;
+    const origin *from = origin_at(loop, at);
+    if (!from)
+        return is_own_name(reference->declared->name);
+    switch (from->kind) {
+    case ORIGIN_COPY:
+        return is_as_before(c, reference, from->from + (at - from->begin));
+    case ORIGIN_TYPE: {
+        const ir_declared *tag = reference->declared->tag;
+        return is_meant(c, tag ? tag : reference->declared, tag_of(from->type));
+    }
+    default:
+        return at == from->begin && is_meant(c, reference->declared, from->meant);
+    }
+}
+
+/** Does the compiler find anything at all for what stands there? */
+static bool has_reference(const ir_unit *unit, uint32_t offset) {
+    const ir_reference *found = first_at(unit, offset);
+    return found < unit->references + unit->reference_count && found->offset == offset;
+}
+
+static const char *wrong_reference(const comparison *c, const ir_unit *after,
+                                   const written_loop *loop) {
+    const ir_reference *end = after->references + after->reference_count;
+    for (const ir_reference *r = first_at(after, loop->begin); r < end && r->offset < loop->end;
+         r++)
+        if (!is_right(c, loop, r))
+            return r->declared->name;
+    return NULL;
+}
+
+/** A name of which the compiler's tree of the written text says nothing: it may not have been seen.
+ */
+static const char *unseen_name(const comparison *c, const ir_unit *after,
+                               const written_loop *loop) {
+    const ir_reference *end = c->before->references + c->before->reference_count;
+    for (unsigned i = 0; i < loop->origins.items.count; i++) {
+        const origin *o = &loop->origins.items.items[i];
+        if (o->kind == ORIGIN_NAME && !has_reference(after, loop->begin + o->begin))
+            return o->meant ? o->meant->name : "?";
+        if (o->kind != ORIGIN_COPY)
+            continue;
+        const ir_reference *r = first_at(c->before, o->from);
+        for (; r < end && r->offset < o->from + (o->end - o->begin); r++)
+            if (!has_reference(after, loop->begin + o->begin + (r->offset - o->from)))
+                return r->declared->name;
+    }
+    return NULL;
+}
+
+void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
+                    const char **wrong) {
+    const comparison c = {before, written};
+    for (unsigned i = 0; i < written->loop_count; i++) {
+        if (!wrong[i])
+            wrong[i] = wrong_reference(&c, after, &written->loops[i]);
+        if (!wrong[i])
+            wrong[i] = unseen_name(&c, after, &written->loops[i]);
+    }
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/compilers.h"
+
+#include <string.h>
+
+#include "frontend/frontend.h"
+#include "frontend/predefined.h"
+#include "ir/ir_text.h"
+
+/* gcc, with -fopenmp, as its macros show it. */
+#define AS_GCC                                                                                     \
+    "-D_REENTRANT=1", "-fgnuc-version=" REDCC_GCC_VERSION, FLAGS_WITHOUT_CLANG,                    \
+        FLAGS_WITHOUT_FEATURES, FLAGS_OF_GCC_TYPES
+
+/* What gcc would answer to these is not known here: the answer must not matter. */
+#define WITHOUT_ANSWERS "-D__has_builtin(x)=0", "-D__has_attribute(x)=0", "-D__has_c_attribute(x)=0"
+
+/* Attributes that mean nothing to the analysis may come and go. */
+static void drop_attributes(char *text) {
+    static const char flag[] = " !attributes";
+    const size_t length = sizeof flag - 1;
+    char *to = text;
+    for (const char *from = text; *from;) {
+        if (*from == ' ' && strncmp(from, flag, length) == 0)
+            from += length;
+        else
+            *to++ = *from++;
+    }
+    *to = 0;
+}
+
+static const char *text_of(arena *a, const ir_unit *unit) {
+    buffer text = {0};
+    ir_print(&text, unit);
+    char *copy = arena_copy(a, text.data ? text.data : "", text.length);
+    buffer_free(&text);
+    drop_attributes(copy);
+    return copy;
+}
+
+static bool is_same(arena *a, const source *file, const string_list *flags, const char *expected,
+                    const char *const *more) {
+    string_list all = {0};
+    for (unsigned i = 0; i < flags->count; i++)
+        VECTOR_PUSH(a, &all, flags->items[i]);
+    VECTOR_PUSH(a, &all, "-fopenmp");
+    for (; *more; more++)
+        VECTOR_PUSH(a, &all, *more);
+    const frontend_result parsed = frontend_parse(a, file, all.count, all.items);
+    return parsed.unit && parsed.unit->error_count == 0 &&
+           strcmp(text_of(a, parsed.unit), expected) == 0;
+}
+
+bool compilers_agree(arena *a, const source *file, const string_list *flags, const ir_unit *unit) {
+    static const char *const as_gcc[] = {AS_GCC, NULL};
+    static const char *const without_answers[] = {AS_GCC, WITHOUT_ANSWERS, NULL};
+    if (!unit->compiler_word)
+        return true;
+    const char *expected = text_of(a, unit);
+    return is_same(a, file, flags, expected, as_gcc) &&
+           is_same(a, file, flags, expected, without_answers);
+}

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/explain.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "redcc/nearest.h"
+
+/* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
+extern const char reasons_text[];
+
+static const struct {
+    const char *id;
+    const char *slug;
+} reasons[] = {
+#define X(identifier, id, slug, message) {id, slug},
+#include "analysis/reasons.def"
+#undef X
+};
+
+enum { REASON_COUNT = sizeof reasons / sizeof *reasons };
+
+/* Where the next heading of either kind begins, or the text ends. */
+static const char *next_heading(const char *text) {
+    for (const char *at = text; (at = strchr(at, '\n')); at++)
+        if (strncmp(at, "\n# ", 3) == 0 || strncmp(at, "\n## ", 4) == 0)
+            return at + 1;
+    return text + strlen(text);
+}
+
+const char *explain_section(arena *a, const char *reason) {
+    for (unsigned i = 0; i < REASON_COUNT; i++) {
+        if (strcasecmp(reason, reasons[i].id) != 0 && strcasecmp(reason, reasons[i].slug) != 0)
+            continue;
+        const char *heading = arena_format(a, "\n## %s %s\n", reasons[i].id, reasons[i].slug);
+        const char *at = strstr(reasons_text, heading);
+        if (at)
+            return arena_copy(a, at + 4, (size_t)(next_heading(at + 1) - (at + 4)));
+    }
+    return NULL;
+}
+
+const char *explain_nearest(arena *a, const char *word) {
+    unsigned best = 0;
+    size_t least = (size_t)-1;
+    for (unsigned i = 0; i < REASON_COUNT; i++) {
+        const size_t by_id = edit_distance(word, reasons[i].id);
+        const size_t by_slug = edit_distance(word, reasons[i].slug);
+        const size_t distance = by_id < by_slug ? by_id : by_slug;
+        if (distance < least) {
+            least = distance;
+            best = i;
+        }
+    }
+    return arena_format(a, "%s %s", reasons[best].id, reasons[best].slug);
+}

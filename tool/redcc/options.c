@@ -1,0 +1,363 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/options.h"
+
+#include <string.h>
+
+#include "driver/files.h"
+#include "redcc/nearest.h"
+#include "support/compiler_options.h"
+
+const char options_help[] =
+    "redcc: parallel irregular reductions, with the bits of the sequential program\n"
+    "\n"
+    "usage: redcc INPUT.c -o OUTPUT.c [options] [-- COMPILER-FLAGS]\n"
+    "       redcc --analyze INPUT.c... [options] [-- COMPILER-FLAGS]\n"
+    "       redcc --analyze -p DIR [options] [-- COMPILER-FLAGS]\n"
+    "\n"
+    "  -o FILE              where the result goes; - is standard output. A file with\n"
+    "                       nothing to transform is copied byte for byte\n"
+    "  -I -isystem -iquote -include -D -U -std=\n"
+    "                       as a compiler takes them; also after --\n"
+    "  -p DIR               take the flags from DIR/compile_commands.json\n"
+    "  --analyze            report only, write no source; with -p and no INPUT, on all C files\n"
+    "                       of the build, with what they tell of each other's functions\n"
+    "  --report=FORM        text (default; remarks on standard error), json, sarif, yaml\n"
+    "                       (on standard output with --analyze, else to --report-file)\n"
+    "  --report-file=FILE   where the report goes\n"
+    "  --order=ORDER        what the result may differ from: serial (default: from nothing\n"
+    "                       the sequential loop gives), fixed (the same in every run and at\n"
+    "                       every number of threads), any\n"
+    "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
+    "  --assume-noalias     your word that distinct pointers do not overlap\n"
+    "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
+    "                       gcc than for clang is left alone), known (you have looked at that)\n"
+    "  --predefined=FILE    that compiler's own macros, as 'cc -dM -E -x c /dev/null' prints "
+    "them:\n"
+    "                       the source is read with these\n"
+    "  --require            exit with 3 where no loop was transformed\n"
+    "  --verify             build and run the sequential and the parallel program (the input\n"
+    "                       must be all of it) and compare what they print\n"
+    "  --all                report loops without an irregular update too\n"
+    "  --dump=ir            print what the translator understood of the source, for debugging\n"
+    "  --in-process         do without the process that guards against a parser that crashes\n"
+    "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug\n"
+    "  --help, --version\n"
+    "\n"
+    "To compile the result:\n"
+    "  cc -fopenmp OUTPUT.c $(pkg-config --cflags --libs redcc)\n"
+    "Compile it with the flags of INPUT.c; where it stands in another folder, add\n"
+    "-iquote FOLDER-OF-INPUT for its own headers. Without -fopenmp it is the sequential\n"
+    "program and needs nothing of redcc. redcc-cc does all this in the compiler's place.\n"
+    "\n"
+    "Exit status: 0 done; 1 the input cannot be read or parsed, or the output cannot be\n"
+    "written (an old one is then untouched); 2 wrong usage; 3 --require not met.\n";
+
+/* ---- options by name ----------------------------------------------------------------------- */
+
+typedef enum option_name {
+    OPTION_ALL,
+    OPTION_ANALYZE,
+    OPTION_ASSUME_NOALIAS,
+    OPTION_COMPILER,
+    OPTION_DUMP,
+    OPTION_EXPLAIN,
+    OPTION_HELP,
+    OPTION_IN_PROCESS,
+    OPTION_ORDER,
+    OPTION_PREDEFINED,
+    OPTION_PURE,
+    OPTION_REPORT,
+    OPTION_REPORT_FILE,
+    OPTION_REQUIRE,
+    OPTION_VERIFY,
+    OPTION_VERSION
+} option_name;
+
+/** Those with two dashes; a name that ends in = takes a value. */
+static const struct long_option {
+    const char *text;
+    option_name name;
+} long_options[] = {
+    {"--all", OPTION_ALL},
+    {"--analyze", OPTION_ANALYZE},
+    {"--assume-noalias", OPTION_ASSUME_NOALIAS},
+    {"--compiler=", OPTION_COMPILER},
+    {"--dump=", OPTION_DUMP},
+    {"--explain=", OPTION_EXPLAIN},
+    {"--help", OPTION_HELP},
+    {"--in-process", OPTION_IN_PROCESS},
+    {"--order=", OPTION_ORDER},
+    {"--predefined=", OPTION_PREDEFINED},
+    {"--pure=", OPTION_PURE},
+    {"--report-file=", OPTION_REPORT_FILE},
+    {"--report=", OPTION_REPORT},
+    {"--require", OPTION_REQUIRE},
+    {"--verify", OPTION_VERIFY},
+    {"--version", OPTION_VERSION},
+};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* ---- the nearest valid option -------------------------------------------------------------- */
+
+static const char *nearest_option(const char *word) {
+    const char *best = long_options[0].text;
+    size_t least = (size_t)-1;
+    for (size_t i = 0; i < COUNT(long_options); i++) {
+        const size_t distance = edit_distance(word, long_options[i].text);
+        if (distance < least) {
+            least = distance;
+            best = long_options[i].text;
+        }
+    }
+    static const char *const others[] = {"-o", "-p", "-std=", "-isystem", "-iquote", "-include"};
+    for (size_t i = 0; i < COUNT(others); i++) {
+        const size_t distance = edit_distance(word, others[i]);
+        if (distance < least) {
+            least = distance;
+            best = others[i];
+        }
+    }
+    return best;
+}
+
+/** Does the word look like a compiler's flag: -O2, -Wall, -fopenmp, -march=native, -g, -pthread? */
+static bool is_compiler_flag(const char *word) {
+    static const char *const beginnings[] = {"-O", "-W",       "-f",        "-m",
+                                             "-g", "-pthread", "-pedantic", "-ansi"};
+    for (size_t i = 0; i < COUNT(beginnings); i++)
+        if (strncmp(word, beginnings[i], strlen(beginnings[i])) == 0)
+            return true;
+    return false;
+}
+
+static const char *unknown_option(arena *a, const char *word) {
+    if (is_compiler_flag(word))
+        return arena_format(a, "'%s' is a compiler flag: put compiler flags after --", word);
+    return arena_format(a,
+                        "unknown option '%s'; the nearest is '%s' (compiler flags may follow "
+                        "after --)",
+                        word, nearest_option(word));
+}
+
+/* ---- values -------------------------------------------------------------------------------- */
+
+/** The number of `word` among `words`, or -1. */
+static int find_word(const char *const *words, size_t count, const char *word) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(words[i], word) == 0)
+            return (int)i;
+    return -1;
+}
+
+static const char *const order_words[] = {"serial", "fixed", "any"};
+
+const char *options_order_word(emit_order order) {
+    return order_words[order];
+}
+
+static const char *read_order(arena *a, options *o, const char *value) {
+    const int number = find_word(order_words, COUNT(order_words), value);
+    if (number < 0)
+        return arena_format(a, "--order takes serial, fixed or any, not '%s'", value);
+    o->order = (emit_order)number;
+    o->order_is_given = true;
+    return NULL;
+}
+
+static const char *read_form(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"text", "json", "sarif", "yaml"};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--report takes text, json, sarif or yaml, not '%s'", value);
+    o->form = (report_form)number;
+    o->form_is_given = true;
+    return NULL;
+}
+
+static const char *read_pure(arena *a, options *o, const char *value) {
+    while (*value) {
+        const size_t length = strcspn(value, ",");
+        if (length == 0)
+            return "--pure takes names of functions, separated by commas";
+        VECTOR_PUSH(a, &o->pure, arena_copy(a, value, length));
+        value += length + (value[length] == ',');
+    }
+    return NULL;
+}
+
+static const char *read_compiler(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"any", "known"};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--compiler takes any or known, not '%s'", value);
+    o->knows_compiler = number == 1;
+    return NULL;
+}
+
+static const char *read_dump(arena *a, options *o, const char *value) {
+    o->dump_ir = strcmp(value, "ir") == 0;
+    return o->dump_ir ? NULL : arena_format(a, "--dump takes ir, not '%s'", value);
+}
+
+static const char *set_option(arena *a, options *o, option_name name, const char *value) {
+    switch (name) {
+    case OPTION_ALL:
+        o->all = true;
+        return NULL;
+    case OPTION_ANALYZE:
+        o->analyze = true;
+        return NULL;
+    case OPTION_ASSUME_NOALIAS:
+        o->assume_noalias = true;
+        return NULL;
+    case OPTION_COMPILER:
+        return read_compiler(a, o, value);
+    case OPTION_DUMP:
+        return read_dump(a, o, value);
+    case OPTION_EXPLAIN:
+        o->explain = value;
+        return *value ? NULL : "--explain takes the id or slug of a reason, such as R204";
+    case OPTION_HELP:
+        o->help = true;
+        return NULL;
+    case OPTION_IN_PROCESS:
+        o->in_process = true;
+        return NULL;
+    case OPTION_ORDER:
+        return read_order(a, o, value);
+    case OPTION_PREDEFINED:
+        o->knows_compiler = true;
+        VECTOR_PUSH(a, &o->flags, arena_format(a, "--predefined=%s", value));
+        return NULL;
+    case OPTION_PURE:
+        return *value ? read_pure(a, o, value) : "--pure takes names of functions";
+    case OPTION_REPORT:
+        return read_form(a, o, value);
+    case OPTION_REPORT_FILE:
+        o->report_file = value;
+        return *value ? NULL : "--report-file takes the name of a file";
+    case OPTION_REQUIRE:
+        o->require = true;
+        return NULL;
+    case OPTION_VERIFY:
+        o->verify = true;
+        return NULL;
+    case OPTION_VERSION:
+        o->version = true;
+        return NULL;
+    }
+    return NULL;
+}
+
+/* ---- words --------------------------------------------------------------------------------- */
+
+typedef struct words {
+    int count;
+    char **items;
+    int next;
+} words;
+
+static const char *read_long_option(arena *a, options *o, words *w, const char *word) {
+    if (strcmp(word, "--explain") == 0) /* the one whose value may be the next word */
+        return set_option(a, o, OPTION_EXPLAIN, w->next < w->count ? w->items[w->next++] : "");
+    for (size_t i = 0; i < COUNT(long_options); i++) {
+        const char *text = long_options[i].text;
+        const size_t length = strlen(text);
+        const bool takes_value = text[length - 1] == '=';
+        if (takes_value ? strncmp(word, text, length) == 0 : strcmp(word, text) == 0)
+            return set_option(a, o, long_options[i].name, word + length);
+        if (takes_value && strlen(word) == length - 1 && strncmp(word, text, length - 1) == 0)
+            return arena_format(a, "%s takes a value: %sVALUE", word, text);
+    }
+    return unknown_option(a, word);
+}
+
+/** The value of a short option: the rest of the word, or the next one. */
+static const char *short_value(words *w, const char *word, size_t length) {
+    if (word[length])
+        return word + length;
+    return w->next < w->count ? w->items[w->next++] : NULL;
+}
+
+static const char *read_parser_flag(arena *a, options *o, words *w, const char *word,
+                                    bool *is_flag) {
+    *is_flag = true;
+    if (strncmp(word, "-std=", 5) == 0) {
+        VECTOR_PUSH(a, &o->flags, word);
+        return NULL;
+    }
+    const option *known = option_find(word);
+    *is_flag = known && known->meaning & OPTION_CLANG && known->meaning & OPTION_ARGUMENT;
+    if (!*is_flag)
+        return NULL;
+    const char *flag = known->name;
+    const char *value = short_value(w, word, strlen(flag));
+    if (!value)
+        return arena_format(a, "%s takes a value", flag);
+    VECTOR_PUSH(a, &o->flags, flag);
+    VECTOR_PUSH(a, &o->flags, value);
+    return NULL;
+}
+
+static const char *read_short_option(arena *a, options *o, words *w, const char *word) {
+    bool is_flag;
+    const char *wrong = read_parser_flag(a, o, w, word, &is_flag);
+    if (is_flag)
+        return wrong;
+    const bool is_output = word[1] == 'o';
+    if ((!is_output && word[1] != 'p') || is_compiler_flag(word)) /* -pthread is no -p thread */
+        return unknown_option(a, word);
+    const char *value = short_value(w, word, 2);
+    if (!value || !*value)
+        return arena_format(a, "%.2s takes a value", word);
+    *(is_output ? &o->output : &o->database_folder) = value;
+    return NULL;
+}
+
+static const char *check_together(arena *a, const options *o) {
+    if (o->inputs.count == 0 && !(o->analyze && o->database_folder))
+        return "no input file (all files of a build: --analyze -p FOLDER)";
+    if (o->inputs.count > 1 && !o->analyze)
+        return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
+                            o->inputs.items[1]);
+    if (o->output && path_same_file(o->output, o->inputs.items[0]))
+        return arena_format(a, "the output '%s' is the input: name another file", o->output);
+    if (o->analyze && o->output)
+        return "--analyze writes no source: -o does not go with it";
+    if (o->analyze && o->verify)
+        return "--analyze writes no source: --verify does not go with it";
+    if (!o->analyze && !o->output && !o->dump_ir && !o->verify)
+        return "no output: give -o FILE or --analyze";
+    if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
+        return "a report that is not text needs --report-file=FILE, or --analyze";
+    if (o->in_process && o->analyze && o->inputs.count != 1)
+        return "--in-process takes one input file";
+    if (o->inputs.count == 0 && o->require)
+        return "--require takes an input file";
+    return NULL;
+}
+
+const char *options_read(arena *a, int argc, char **argv, options *result) {
+    *result = (options){.form = REPORT_TEXT, .order = EMIT_ORDER_SERIAL};
+    words w = {argc, argv, 1};
+    bool only_flags = false;
+    while (w.next < w.count) {
+        const char *word = w.items[w.next++];
+        const char *wrong = NULL;
+        if (only_flags)
+            VECTOR_PUSH(a, &result->flags, word);
+        else if (strcmp(word, "--") == 0)
+            only_flags = true;
+        else if (strncmp(word, "--", 2) == 0)
+            wrong = read_long_option(a, result, &w, word);
+        else if (word[0] == '-' && word[1])
+            wrong = read_short_option(a, result, &w, word);
+        else
+            VECTOR_PUSH(a, &result->inputs, word);
+        if (wrong)
+            return wrong;
+    }
+    const bool asks = result->help || result->version || result->explain;
+    return asks ? NULL : check_together(a, result);
+}

@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* memmem */
+#include "redcc/translate_file.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis/reason.h"
+#include "frontend/frontend.h"
+#include "ir/ir_position.h"
+#include "ir/ir_text.h"
+#include "redcc/compile_commands.h"
+#include "redcc/compilers.h"
+#include "redcc/explain.h"
+#include "redcc/output.h"
+#include "redcc/self_check.h"
+#include "redcc/verify.h"
+
+static file_outcome fail(const char *path, const char *message) {
+    if (path)
+        fprintf(stderr, "redcc: error: %s: %s\n", path, message);
+    else
+        fprintf(stderr, "redcc: error: %s\n", message);
+    return (file_outcome){.status = FILE_FAILED};
+}
+
+/* ---- parsing ------------------------------------------------------------------------------- */
+
+static const char *parser_flags(arena *a, const options *o, const char *input, string_list *flags) {
+    if (o->database_folder) {
+        const char *wrong = compile_commands_flags(a, o->database_folder, input, flags);
+        if (wrong)
+            return wrong;
+    }
+    for (unsigned i = 0; i < o->flags.count; i++)
+        VECTOR_PUSH(a, flags, o->flags.items[i]);
+    return NULL;
+}
+
+/** Judged is the program that the parallel form becomes part of: the one with OpenMP on. */
+static frontend_result parse(arena *a, const source *file, const string_list *flags) {
+    string_list all = {0};
+    for (unsigned i = 0; i < flags->count; i++)
+        VECTOR_PUSH(a, &all, flags->items[i]);
+    VECTOR_PUSH(a, &all, "-fopenmp");
+    return frontend_parse(a, file, all.count, all.items);
+}
+
+static bool has_errors(const frontend_result *parsed) {
+    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
+        if (parsed->diagnostics[i].is_error)
+            return true;
+    return !parsed->unit || parsed->unit->error_count > 0;
+}
+
+static void show_errors(const frontend_result *parsed) {
+    enum { MOST = 20 };
+    unsigned errors = 0;
+    for (unsigned i = 0; i < parsed->diagnostic_count; i++)
+        if (parsed->diagnostics[i].is_error && errors++ < MOST)
+            fprintf(stderr, "%s\n", parsed->diagnostics[i].text);
+    if (errors > MOST)
+        fprintf(stderr, "redcc: note: %u more errors are not shown\n", errors - MOST);
+}
+
+/** A file that cannot be parsed. */
+static file_outcome fail_to_parse(const source *file, const frontend_result *parsed) {
+    if (memchr(file->text, 0, file->length))
+        return fail(file->path, "is a binary file, not C source; nothing was written");
+    show_errors(parsed);
+    return fail(file->path, "cannot be parsed; nothing was written");
+}
+
+/* ---- pragmas ------------------------------------------------------------------------------- */
+
+/** Shows what is wrong with the pragmas of redcc in the file. Returns whether anything is. */
+static bool show_pragma_errors(arena *a, const ir_unit *unit) {
+    const user_pragmas pragmas = pragmas_of_unit(a, unit);
+    for (unsigned i = 0; i < pragmas.problem_count; i++) {
+        const ir_position at = ir_position_of(unit, pragmas.problems[i].offset);
+        fprintf(stderr, "%s:%u:%u: error: %s\n", at.file, at.line, at.column,
+                pragmas.problems[i].message);
+    }
+    return pragmas.problem_count > 0;
+}
+
+/* ---- verdicts ------------------------------------------------------------------------------ */
+
+static analysis_options options_of(const options *o) {
+    return (analysis_options){.pure_count = o->pure.count,
+                              .pure = o->pure.items,
+                              .assume_noalias = o->assume_noalias,
+                              .report_all = o->all,
+                              .any_order = o->order == EMIT_ORDER_ANY};
+}
+
+/** A name that the program does not give to anything is most likely misspelt. */
+static void show_unknown_pure(const options *o, const source *file, const ir_unit *unit) {
+    for (unsigned i = 0; unit->names && i < o->pure.count; i++)
+        if (!map_get(unit->names, o->pure.items[i], strlen(o->pure.items[i])))
+            fprintf(stderr,
+                    "redcc: warning: --pure=%s: no function of this name is declared in %s\n",
+                    o->pure.items[i], file->path);
+}
+
+static analysis_result judge(arena *a, ir_unit *unit, const options *o,
+                             const foreign_functions *foreign) {
+    const analysis_options own = options_of(o);
+    return analyse(a, unit, foreign ? foreign_apply(a, foreign, unit, &own) : &own);
+}
+
+/** What is another program for the compiler that it is built by was not judged. */
+static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
+                                         const ir_unit *unit, bool knows_compiler,
+                                         analysis_result judged) {
+    bool has_transformed = false;
+    for (unsigned i = 0; i < judged.verdict_count; i++)
+        has_transformed |= judged.verdicts[i].kind == VERDICT_TRANSFORM;
+    const char *word = unit->unseen_word;
+    if (!word && has_transformed && !knows_compiler && !compilers_agree(a, file, flags, unit))
+        word = unit->compiler_word;
+    if (!word || !has_transformed)
+        return judged;
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged.verdict_count);
+    for (unsigned i = 0; i < judged.verdict_count; i++) {
+        verdicts[i] = judged.verdicts[i];
+        if (verdicts[i].kind != VERDICT_TRANSFORM)
+            continue;
+        verdicts[i].kind = VERDICT_REFUSE;
+        verdicts[i].why = reason_make(a, REASON_COMPILER, word, verdicts[i].loop->range);
+    }
+    return (analysis_result){judged.verdict_count, verdicts};
+}
+
+/** The verdicts as they came out: what could not be written is refused. */
+static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                                     const emit_result *written, const foreign_functions *foreign) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysis->verdict_count + 1);
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        verdicts[i] = analysis->verdicts[i];
+        const reason *obstacle = &written->obstacles[i];
+        if (!obstacle->message)
+            continue;
+        verdicts[i].kind = VERDICT_REFUSE;
+        verdicts[i].why = *obstacle;
+        verdicts[i].why.id = REASON_TEXT;
+        verdicts[i].why.message =
+            arena_format(a, "its parallel form cannot be written: %s", obstacle->message);
+    }
+    if (foreign)
+        foreign_note(a, foreign, unit, analysis, verdicts);
+    return (analysis_result){analysis->verdict_count, verdicts};
+}
+
+static report_input report_on(const options *o, const ir_unit *unit,
+                              const analysis_result *analysis) {
+    return (report_input){.unit = unit,
+                          .analysis = analysis,
+                          .version = REDCC_VERSION,
+                          .order = options_order_word(o->order),
+                          .all = o->all,
+                          .explain = explain_section};
+}
+
+static const char *show_report(arena *a, const options *o, const report_input *input) {
+    buffer text = {0};
+    const char *wrong = NULL;
+    report_write(a, &text, o->form, input);
+    const char *data = text.data ? text.data : "";
+    if (o->report_file)
+        wrong = output_write(a, o->report_file, data, text.length);
+    else if (o->form == REPORT_TEXT)
+        fwrite(data, 1, text.length, stderr);
+    else
+        wrong = output_write(a, "-", data, text.length);
+    buffer_free(&text);
+    return wrong;
+}
+
+/** For the summary of many files. */
+static file_outcome count_verdicts(const analysis_result *analysis) {
+    file_outcome counts = {0};
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        counts.transformed += analysis->verdicts[i].kind == VERDICT_TRANSFORM;
+        if (analysis->verdicts[i].kind == VERDICT_REFUSE)
+            counts.refused[analysis->verdicts[i].why.id]++;
+    }
+    return counts;
+}
+
+/* ---- one file ------------------------------------------------------------------------------ */
+
+static void dump(const ir_unit *unit) {
+    buffer text = {0};
+    ir_print(&text, unit);
+    fwrite(text.data ? text.data : "", 1, text.length, stdout);
+    buffer_free(&text);
+}
+
+/** Refuses the loops whose text is wrong. */
+static analysis_result without_wrong(arena *a, const analysis_result *judged,
+                                     const emit_result *written, const reason *found) {
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged->verdict_count + 1);
+    for (unsigned i = 0; i < judged->verdict_count; i++)
+        verdicts[i] = judged->verdicts[i];
+    for (unsigned i = 0; i < written->loop_count; i++) {
+        loop_verdict *verdict = &verdicts[written->loops[i].verdict];
+        if (found[i].id == REASON_NONE)
+            continue;
+        verdict->kind = VERDICT_REFUSE;
+        verdict->why = found[i];
+        verdict->why.range = verdict->loop->range;
+    }
+    return (analysis_result){judged->verdict_count, verdicts};
+}
+
+/**
+ * Writes what was judged, and checks it. A loop whose text is wrong is left alone, and the rest is
+ * written again. Parsing what is written costs as much as parsing the input: a report alone does
+ * without.
+ */
+static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
+                                 const emit_options *how, bool is_kept, analysis_result *judged) {
+    for (;;) {
+        const emit_result written = emit_file(a, unit, judged, how);
+        reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
+        if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
+            return written;
+        *judged = without_wrong(a, judged, &written, found);
+    }
+}
+
+static file_outcome translate(arena *a, const options *o, const source *file,
+                              const string_list *flags, ir_unit *unit,
+                              const foreign_functions *foreign) {
+    analysis_result judged =
+        of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
+    const bool is_written = count_verdicts(&judged).transformed > 0;
+    const emit_options how = {o->order, o->order_is_given,
+                              is_written ? other_runtime_header(a, flags) : NULL};
+    const emit_result written =
+        write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
+    const analysis_result final = after_writing(a, unit, &judged, &written, foreign);
+    const report_input input = report_on(o, unit, &final);
+    const char *wrong = show_report(a, o, &input);
+    if (!wrong && o->verify) {
+        wrong = verify_output(a, file, flags, written.text, written.length);
+        if (!wrong)
+            fprintf(stderr, "redcc: verified: %s prints the same in both forms\n", file->path);
+    }
+    if (!wrong && o->output)
+        wrong = output_write(a, o->output, written.text, written.length);
+    if (wrong)
+        return fail(NULL, wrong);
+    return count_verdicts(&final);
+}
+
+/** Is this a text that redcc wrote? It begins so; what stands before is the user's (a #version line
+ *  of a preprocessor, a comment of a licence tool). */
+static bool is_translated(const source *file) {
+    static const char beginning[] =
+        "#ifdef _OPENMP\n#include <redcc/runtime.h>\nREDCC_REQUIRE_VERSION(";
+    return memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
+}
+
+static file_outcome leave_translated(arena *a, const options *o, const source *file) {
+    fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
+    const ir_unit unit = {.arena = a, .source = file};
+    const analysis_result nothing = {0};
+    const report_input input = report_on(o, &unit, &nothing);
+    const char *wrong = show_report(a, o, &input);
+    if (!wrong && o->output)
+        wrong = output_write(a, o->output, file->text, file->length);
+    return wrong ? fail(NULL, wrong) : (file_outcome){0};
+}
+
+/** Standard input gets the name that compilers give it: no file can be called so by accident. */
+static const source *read_input(arena *a, const char *path, const char **wrong) {
+    const source *file = source_read(a, path, wrong);
+    if (!file || strcmp(path, "-") != 0)
+        return file;
+    return source_from_text(a, "<stdin>", file->text, file->length);
+}
+
+file_outcome translate_file(arena *a, const options *o, const char *path,
+                            const foreign_functions *foreign) {
+    const char *wrong = NULL;
+    const source *file = read_input(a, path, &wrong);
+    if (!file)
+        return fail(NULL, wrong);
+    if (is_translated(file))
+        return leave_translated(a, o, file);
+    string_list flags = {0};
+    wrong = parser_flags(a, o, path, &flags);
+    if (wrong)
+        return fail(NULL, wrong);
+    const frontend_result parsed = parse(a, file, &flags);
+    if (has_errors(&parsed))
+        return fail_to_parse(file, &parsed);
+    if (o->dump_ir)
+        dump(parsed.unit);
+    if (!o->analyze && !o->output && !o->verify)
+        return (file_outcome){0};
+    if (show_pragma_errors(a, parsed.unit))
+        return (file_outcome){.status = FILE_WRONG_PRAGMA};
+    show_unknown_pure(o, file, parsed.unit);
+    return translate(a, o, file, &flags, parsed.unit, foreign);
+}
+
+void translate_file_exports(arena *a, const options *o, const char *path, buffer *out) {
+    const char *wrong = NULL;
+    const source *file = read_input(a, path, &wrong);
+    string_list flags = {0};
+    if (!file || parser_flags(a, o, path, &flags))
+        return;
+    const frontend_result parsed = parse(a, file, &flags);
+    if (has_errors(&parsed))
+        return;
+    const analysis_options own = options_of(o);
+    const exported_functions functions = exported_of_unit(a, parsed.unit, &own);
+    foreign_write(out, &functions);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What redcc does with one input file: parse, judge, write, report. */
+#ifndef TRANSLATE_FILE_H
+#define TRANSLATE_FILE_H
+
+#include "redcc/foreign.h"
+#include "redcc/options.h"
+
+typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_status;
+
+/** Plain numbers, which may be handed from one process to another. */
+typedef struct file_outcome {
+    file_status status;
+    unsigned transformed;           /* loops */
+    unsigned refused[REASON_COUNT]; /* loops, by reason */
+} file_outcome;
+
+/** Does all of it; messages and reports go where the options say. "-" is standard input. `foreign`:
+ *  what is known of other files' functions, for a report only; NULL: nothing. */
+file_outcome translate_file(arena *a, const options *o, const char *path,
+                            const foreign_functions *foreign);
+
+/** Appends what the file tells others of its functions (foreign_read); nothing, and no message,
+ *  where it cannot be parsed. */
+void translate_file_exports(arena *a, const options *o, const char *path, buffer *out);
+
+#endif

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Two rounds, each with a process for a file: what the files' functions are, then the loops. */
+#include "redcc/whole_program.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "analysis/reason.h"
+#include "redcc/compile_commands.h"
+#include "redcc/foreign.h"
+#include "redcc/joined_report.h"
+#include "redcc/translate_file.h"
+#include "redcc/workers.h"
+
+/* What a file's functions are, as text; of a file with more of them nothing is known. */
+enum { EXPORTS_SIZE = 1 << 20 };
+
+typedef struct whole_program {
+    arena *memory;
+    options options;
+    string_list files;  /* each once */
+    unsigned *mentions; /* [files.count] how often the build compiles it */
+    foreign_functions functions;
+    joined_report joined;
+    const char *what; /* of the round, for the progress line */
+    unsigned failed, transformed, refused[REASON_COUNT];
+} whole_program;
+
+/* ---- files ---------------------------------------------------------------------------------- */
+
+static const char *list_files(whole_program *p) {
+    string_list all = {0};
+    const char *wrong = compile_commands_files(p->memory, p->options.database_folder, &all);
+    if (wrong)
+        return wrong;
+    map *known = map_new(p->memory);
+    p->mentions = ARENA_ARRAY(p->memory, unsigned, all.count + 1);
+    for (unsigned i = 0; i < all.count; i++) {
+        char *resolved = realpath(all.items[i], NULL);
+        const char *path = resolved ? resolved : all.items[i];
+        void **number = map_at(known, path, strlen(path));
+        free(resolved);
+        if (!*number) {
+            VECTOR_PUSH(p->memory, &p->files, all.items[i]);
+            *number = &p->mentions[p->files.count - 1];
+        }
+        ++*(unsigned *)*number;
+    }
+    return p->files.count ? NULL : "the build compiles no C files";
+}
+
+/* ---- the first round ------------------------------------------------------------------------ */
+
+static void export_file(unsigned number, void *result, void *context) {
+    const whole_program *p = context;
+    arena *a = arena_new();
+    buffer text = {0};
+    translate_file_exports(a, &p->options, p->files.items[number], &text);
+    if (text.data && text.length < EXPORTS_SIZE)
+        memcpy(result, text.data, text.length);
+    buffer_free(&text);
+    arena_free(a);
+}
+
+static void take_exports(unsigned number, const void *result, int ended_by, void *context) {
+    whole_program *p = context;
+    const char *text = result;
+    if (ended_by != 0) /* the second round will tell */
+        return;
+    text = arena_string(p->memory, text);
+    for (unsigned i = 0; i < p->mentions[number]; i++) /* compiled twice is defined twice */
+        foreign_read(p->memory, &p->functions, p->files.items[number], text);
+}
+
+/* ---- the second round ----------------------------------------------------------------------- */
+
+static void analyse_file(unsigned number, void *result, void *context) {
+    const whole_program *p = context;
+    arena *a = arena_new();
+    *(file_outcome *)result = translate_file(a, &p->options, p->files.items[number], &p->functions);
+    arena_free(a);
+}
+
+static void add_report(unsigned number, FILE *printed, void *context) {
+    whole_program *p = context;
+    (void)number;
+    joined_report_add(&p->joined, printed);
+}
+
+static void count_file(unsigned number, const void *result, int ended_by, void *context) {
+    whole_program *p = context;
+    const file_outcome *outcome = result;
+    if (ended_by != 0)
+        workers_explain(p->files.items[number], ended_by);
+    if (ended_by != 0 || outcome->status != FILE_DONE) {
+        p->failed++;
+        return;
+    }
+    p->transformed += outcome->transformed;
+    for (unsigned i = 0; i < REASON_COUNT; i++)
+        p->refused[i] += outcome->refused[i];
+}
+
+/* ---- both ----------------------------------------------------------------------------------- */
+
+static void show_progress(unsigned finished, void *context) {
+    const whole_program *p = context;
+    if (isatty(STDERR_FILENO))
+        fprintf(stderr, "\r%s: %u of %u files\033[K%s", p->what, finished, p->files.count,
+                finished == p->files.count ? "\r\033[K" : "");
+}
+
+static bool run_round(whole_program *p, const char *what, size_t result_size,
+                      void (*work)(unsigned, void *, void *),
+                      void (*done)(unsigned, const void *, int, void *),
+                      void (*take)(unsigned, FILE *, void *)) {
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    const workers how = {.count = p->files.count,
+                         .at_once = processors > 0 ? (unsigned)processors : 1,
+                         .result_size = result_size,
+                         .keeps_output = true,
+                         .take = take,
+                         .work = work,
+                         .done = done,
+                         .progress = show_progress,
+                         .context = p};
+    p->what = what;
+    return workers_run(&how);
+}
+
+static void show_summary(const whole_program *p) {
+    unsigned refused = 0;
+    for (unsigned i = 0; i < REASON_COUNT; i++)
+        refused += p->refused[i];
+    fprintf(stderr, "%-24s%7u", "files", p->files.count);
+    if (p->failed)
+        fprintf(stderr, "   (%u could not be analysed)", p->failed);
+    fprintf(stderr, "\n%-24s%7u\n%-24s%7u\n%-24s%7u\n", "loops", p->transformed + refused,
+            "  transformed", p->transformed, "  refused", refused);
+    for (unsigned i = 0; i < REASON_COUNT; i++)
+        if (p->refused[i])
+            fprintf(stderr, "    %-20s%7u\n", reason_slug((reason_id)i), p->refused[i]);
+}
+
+bool whole_program_analyse(arena *a, const options *o) {
+    const bool is_joined = joined_report_is_needed(o);
+    whole_program p = {.memory = a,
+                       .options = is_joined ? joined_report_of_one(o) : *o,
+                       .joined = joined_report_begin(o)};
+    const char *wrong = list_files(&p);
+    if (!wrong && (!run_round(&p, "functions", EXPORTS_SIZE, export_file, take_exports, NULL) ||
+                   !run_round(&p, "loops", sizeof(file_outcome), analyse_file, count_file,
+                              is_joined ? add_report : NULL)))
+        wrong = "no process can be started";
+    if (!wrong && is_joined)
+        wrong = joined_report_end(a, &p.joined);
+    if (wrong) {
+        fprintf(stderr, "redcc: error: %s\n", wrong);
+        return false;
+    }
+    show_summary(&p);
+    return p.failed == 0;
+}
