@@ -225,9 +225,9 @@ static void write_notes(FILE *out, const struct statistics *it) {
 /* Beside busy neighbours cores are lost some 50 to 200 times a second (docs/report.md), on a quiet
  * machine now and then. */
 bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told) {
-    enum { MANY = 10, A_SECOND = 20 };
+    const long many = 10, a_second = 20;
     const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');
-    return !sleeps && !told && lost >= MANY && (double)lost >= A_SECOND * seconds;
+    return !sleeps && !told && lost >= many && (double)lost >= (double)a_second * seconds;
 }
 
 static void write_advice(FILE *out) {

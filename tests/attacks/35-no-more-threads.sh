@@ -2,30 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # The system refuses a process the threads, or the memory for their stacks: OpenMP would end it.
 set -euo pipefail
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cat >"$work/loop.c" <<'C'
-#include <stdio.h>
-enum { N = 100000, K = 1000 };
-static int k[N];
-static double h[K];
-int main(void) {
-    for (int t = 0; t < N; t++)
-        k[t] = (int)((t * 7919LL + t / 3) % K);
-    for (int round = 0; round < 5; round++)
-        for (int t = 0; t < N; t++)
-            h[k[t]] += 1.0 / (1 + t);
-    double sum = 0;
-    for (int i = 0; i < K; i++)
-        sum = sum * 0.5 + h[i];
-    printf("%a\n", sum);
-    return 0;
-}
-C
-cd "$work"
-"$ATTACK_REDCC" loop.c -o parallel.c -- -O2 >/dev/null 2>&1
-gcc -O2 loop.c -o sequential
-gcc -O2 -fopenmp -I"$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -o parallel
+. "$(dirname "$0")/a-loop"
 ./sequential >expected
 export REDCC_METHOD=localwrite REDCC_REPORT=run.json
 check() { # check WHAT COMMAND...

@@ -8,61 +8,9 @@
  * how many there are.
  */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "fuzz/kernel.h"
-
-enum { MOST_STATEMENTS = 1000, MOST_PROGRAMS = 1000 };
-
-typedef struct request {
-    uint64_t first;
-    int count;
-    bool taken[MOST_PROGRAMS]; /* seed first + i */
-    bool has_without;
-    bool without[MOST_STATEMENTS];
-    bool with_crlf;
-    bool only_statements;
-} request;
-
-/* Numbers with commas between them, counted from `first`. */
-static bool read_list(bool *set, int size, uint64_t first, const char *list) {
-    while (*list) {
-        char *end;
-        const uint64_t number = strtoull(list, &end, 10) - first;
-        if (end == list || number >= (uint64_t)size)
-            return false;
-        set[number] = true;
-        list = *end == ',' ? end + 1 : end;
-    }
-    return true;
-}
-
-static bool read_request(request *r, int argc, char **argv) {
-    if (argc < 3)
-        return false;
-    r->first = strtoull(argv[1], NULL, 10);
-    r->count = atoi(argv[2]);
-    memset(r->taken, true, sizeof r->taken);
-    for (int i = 3; i < argc; i++) {
-        if (strncmp(argv[i], "--without=", 10) == 0) {
-            r->has_without = true;
-            if (!read_list(r->without, MOST_STATEMENTS, 0, argv[i] + 10))
-                return false;
-        } else if (strncmp(argv[i], "--only=", 7) == 0) {
-            memset(r->taken, false, sizeof r->taken);
-            if (!read_list(r->taken, MOST_PROGRAMS, r->first, argv[i] + 7))
-                return false;
-        } else if (strcmp(argv[i], "--crlf") == 0) {
-            r->with_crlf = true;
-        } else if (strcmp(argv[i], "--statements") == 0) {
-            r->only_statements = true;
-        } else {
-            return false;
-        }
-    }
-    return r->count > 0 && r->count <= MOST_PROGRAMS;
-}
+#include "fuzz/request.h"
 
 static void print(const buffer *b, bool with_crlf) {
     for (size_t i = 0; i < b->length; i++) {
@@ -92,7 +40,8 @@ static int put_programs(buffer *b, const request *r) {
 
 int main(int argc, char **argv) {
     static request r;
-    if (!read_request(&r, argc, argv)) {
+    own_option crlf = {.name = "--crlf"};
+    if (!request_read(&r, &crlf, argc, argv)) {
         fputs("usage: generate FIRST COUNT [--only=S,S...] [--without=N,N...] [--crlf] "
               "[--statements]\n",
               stderr);
@@ -103,7 +52,7 @@ int main(int argc, char **argv) {
     if (r.only_statements)
         printf("%d\n", statements);
     else
-        print(&b, r.with_crlf);
+        print(&b, crlf.is_given);
     buffer_free(&b);
     return 0;
 }

@@ -18,6 +18,12 @@
 
 enum { TRIP = 200000, ROWS = 50000, THREADS = 2 };
 
+/* A loop that has been called once, sequentially; each test of a loop has one. */
+struct called {
+    struct problem problem;
+    struct described described;
+};
+
 /* Each iteration touches one row: in order, or at random. */
 static struct problem one_touch_each(bool sorted) {
     struct problem problem = {.name = "one touch each", .trip = TRIP, .touches = TRIP};
@@ -41,147 +47,133 @@ static struct problem one_touch_each(bool sorted) {
 }
 
 /* One call, with the oracle's bits; returns whether the runtime executed it. */
-static bool call_right(struct problem *problem, struct described *described) {
+static bool call_right(struct called *called) {
     static double expected[ROWS];
+    struct problem *problem = &called->problem;
     long last;
     problem_reset(problem);
     problem_oracle(problem);
     memcpy(expected, problem->first, sizeof expected);
     problem_reset(problem);
-    const int done = problem_run(problem, described, THREADS, &last);
+    const int done = problem_run(problem, &called->described, THREADS, &last);
     assert_memory_equal(expected, problem->first, sizeof expected);
     return done;
 }
 
-static struct statistics *statistics_of(struct described *described) {
-    return &((struct loop_state *)described->loop.state)->reported.statistics;
+static struct statistics *statistics_of(struct called *called) {
+    return &((struct loop_state *)called->described.loop.state)->reported.statistics;
 }
 
-static struct size_state *size_of(struct described *described) {
-    struct loop_state *state = described->loop.state;
+static struct size_state *size_of(struct called *called) {
+    struct loop_state *state = called->described.loop.state;
     return &state->chooser.state.size[63 - __builtin_clzll(TRIP)];
 }
 
-static void begin(struct problem *problem, struct described *described, bool sorted) {
-    *problem = one_touch_each(sorted);
+static int begin(void **state, bool sorted) {
+    static struct called called;
+    called.problem = one_touch_each(sorted);
     problem_run_tells = false;
-    problem_describe(problem, described);
+    problem_describe(&called.problem, &called.described);
+    assert_false(call_right(&called));
+    *state = &called;
+    return 0;
 }
 
-static void end(struct problem *problem, struct described *described) {
-    redcc_loop_forget(&described->loop);
-    problem_free(problem);
+static int begin_sorted(void **state) {
+    return begin(state, true);
+}
+
+static int begin_shuffled(void **state) {
+    return begin(state, false);
+}
+
+static int end(void **state) {
+    struct called *called = *state;
+    redcc_loop_forget(&called->described.loop);
+    problem_free(&called->problem);
     assert_int_equal(redcc_memory_live(), 0);
+    return 0;
 }
 
-static void the_first_call_is_sequential_and_timed(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, true);
-    assert_false(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->rule, RULE_FIRST);
-    assert_int_equal(size_of(&described)->sequential.count, 1);
-    assert_true(size_of(&described)->sequential.recent[0] > 0);
-    end(&problem, &described);
+static void the_first_call_is_sequential_and_timed(void **state) {
+    struct called *called = *state;
+    assert_int_equal(statistics_of(called)->rule, RULE_FIRST);
+    assert_int_equal(size_of(called)->sequential.count, 1);
+    assert_true(size_of(called)->sequential.recent[0] > 0);
 }
 
 /* Nothing is begun while it may cost more than a twentieth of the time so far. */
-static void nothing_is_begun_without_credit(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, false);
+static void nothing_is_begun_without_credit(void **state) {
+    struct called *called = *state;
     for (int call = 0; call < 10; call++)
-        assert_false(call_right(&problem, &described));
-    const struct loop_state *state = described.loop.state;
-    const struct ledger *ledger = &state->chooser.state.ledger;
-    assert_int_equal(statistics_of(&described)->plans_built, 0);
+        assert_false(call_right(called));
+    const struct loop_state *loop = called->described.loop.state;
+    const struct ledger *ledger = &loop->chooser.state.ledger;
+    assert_int_equal(statistics_of(called)->plans_built, 0);
     assert_true(ledger->sequential > 0);
-    end(&problem, &described);
 }
 
 /* Iterations that take long: a plan as soon as that is known, and it is used again. */
-static void a_heavy_loop_is_set_up(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, true);
-    assert_false(call_right(&problem, &described));
-    problem_tell_slow(&described.loop, TRIP, 1e-6);
-    assert_true(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->plans_built, 1);
+static void a_heavy_loop_is_set_up(void **state) {
+    struct called *called = *state;
+    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    assert_true(call_right(called));
+    assert_int_equal(statistics_of(called)->plans_built, 1);
     for (int call = 0; call < 5; call++)
-        assert_true(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->plans_built, 1);
-    assert_int_equal(statistics_of(&described)->plans_reused, 5);
-    assert_int_equal(size_of(&described)->stand, STAND_PARALLEL);
-    end(&problem, &described);
+        assert_true(call_right(called));
+    assert_int_equal(statistics_of(called)->plans_built, 1);
+    assert_int_equal(statistics_of(called)->plans_reused, 5);
+    assert_int_equal(size_of(called)->stand, STAND_PARALLEL);
 }
 
 /* Other subscripts: the original loop, and another plan only when the credit allows it. */
-static void changed_subscripts_are_not_inspected_at_once(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, true);
-    assert_false(call_right(&problem, &described));
-    problem_tell_slow(&described.loop, TRIP, 1e-6);
-    assert_true(call_right(&problem, &described));
-    assert_true(call_right(&problem, &described));
-    struct loop_state *state = described.loop.state;
-    problem.row[TRIP / 2 + 1] = 0;         /* which the sample does not see */
-    state->chooser.state.ledger.overhead = /* next to no credit, and no loan while less than that */
-        0.05 * state->chooser.state.ledger.sequential - 1e-9;
-    assert_false(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->rule, RULE_CHANGED);
-    assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_CHANGED]), 1);
-    assert_int_equal(statistics_of(&described)->plans_built, 1);
+static void changed_subscripts_are_not_inspected_at_once(void **state) {
+    struct called *called = *state;
+    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    assert_true(call_right(called));
+    assert_true(call_right(called));
+    struct loop_state *loop = called->described.loop.state;
+    called->problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
+    loop->chooser.state.ledger.overhead =  /* next to no credit, and no loan while less than that */
+        0.05 * loop->chooser.state.ledger.sequential - 1e-9;
+    assert_false(call_right(called));
+    assert_int_equal(statistics_of(called)->rule, RULE_CHANGED);
+    assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_CHANGED]), 1);
+    assert_int_equal(statistics_of(called)->plans_built, 1);
     for (int t = 0; t < TRIP; t++) /* which it does see */
-        problem.row[t] = (problem.row[t] + 1) % ROWS;
-    assert_false(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->plans_built, 1);
-    end(&problem, &described);
+        called->problem.row[t] = (called->problem.row[t] + 1) % ROWS;
+    assert_false(call_right(called));
+    assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
 /* An inspection whose deadline has come: the arrays are as they were, and its cost is learned. */
-static void an_inspection_ends_at_its_deadline(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, false);
-    assert_false(call_right(&problem, &described));
-    problem_tell_slow(&described.loop, TRIP, 1e-6);
-    struct size_state *size = size_of(&described);
+static void an_inspection_ends_at_its_deadline(void **state) {
+    struct called *called = *state;
+    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    struct size_state *size = size_of(called);
     size->looked = true;
     size->prospect[WAY_INDEX] =
         (struct prospect){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
-    assert_false(call_right(&problem, &described));
-    assert_int_equal(statistics_of(&described)->rule, RULE_STOPPED);
-    assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_DEADLINE]), 1);
-    assert_int_equal(statistics_of(&described)->plans_built, 0);
+    assert_false(call_right(called));
+    assert_int_equal(statistics_of(called)->rule, RULE_STOPPED);
+    assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_DEADLINE]), 1);
+    assert_int_equal(statistics_of(called)->plans_built, 0);
     assert_true(size->prospect[WAY_INDEX].learned > 1e-6 || size->look > 1e-6);
-    for (int call = 0; call < 10 && statistics_of(&described)->plans_built == 0; call++)
-        call_right(&problem, &described); /* each stop doubles what is known of the cost */
-    end(&problem, &described);
+    for (int call = 0; call < 10 && statistics_of(called)->plans_built == 0; call++)
+        call_right(called); /* each stop doubles what is known of the cost */
 }
 
 /* Short loops are left alone, by a compare and a counter. */
-static void short_loops_are_left_alone(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, true);
-    assert_false(call_right(&problem, &described));
+static void short_loops_are_left_alone(void **state) {
+    struct called *called = *state;
     for (int i = 0; i < 3; i++)
-        size_of(&described)->sequential.recent[i] = 1e-12;
+        size_of(called)->sequential.recent[i] = 1e-12;
     for (int call = 0; call < 10; call++) {
-        assert_false(call_right(&problem, &described));
-        assert_int_equal(statistics_of(&described)->rule, RULE_SHORT);
+        assert_false(call_right(called));
+        assert_int_equal(statistics_of(called)->rule, RULE_SHORT);
     }
-    assert_int_equal(size_of(&described)->stand, STAND_SHORT);
-    assert_int_equal(atomic_load(&statistics_of(&described)->fallback[REASON_LITTLE_WORK]), 10);
-    end(&problem, &described);
+    assert_int_equal(size_of(called)->stand, STAND_SHORT);
+    assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
 /* ... and have no state; one word says when they are timed again. */
@@ -211,32 +203,27 @@ static void short_loops_have_no_state(void **unused) {
 }
 
 /* All subscripts are compared where that costs little, once. */
-static void subscripts_are_compared(void **unused) {
-    (void)unused;
-    struct problem problem;
-    struct described described;
-    begin(&problem, &described, true);
-    assert_false(call_right(&problem, &described));
+static void subscripts_are_compared(void **fixture) {
+    struct called *called = *fixture;
     const redcc_extent known[] = {
-        {(const char *)problem.start, (const char *)(problem.start + TRIP + 1)},
-        {(const char *)problem.row, (const char *)(problem.row + TRIP)},
-        {(const char *)problem.other, (const char *)(problem.other + TRIP)},
+        {(const char *)called->problem.start, (const char *)(called->problem.start + TRIP + 1)},
+        {(const char *)called->problem.row, (const char *)(called->problem.row + TRIP)},
+        {(const char *)called->problem.other, (const char *)(called->problem.other + TRIP)},
         {0, 0}};
-    struct loop_state *state = described.loop.state;
+    struct loop_state *state = called->described.loop.state;
     struct chooser *chooser = &state->chooser;
-    redcc_advise_timed(chooser, &described.loop, known, TRIP, 1e-6);
+    redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1e-6);
     assert_false(chooser->remembered); /* it would take longer than a fiftieth of the loop */
-    redcc_advise_timed(chooser, &described.loop, known, TRIP, 1);
+    redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1);
     assert_true(chooser->remembered);
     struct fingerprint before = chooser->all, now;
-    assert_true(redcc_reuse_fingerprint(&described.loop, known, &now));
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
     assert_true(redcc_fingerprint_equal(before, now));
-    problem.row[TRIP / 2 + 1]++;
-    assert_true(redcc_reuse_fingerprint(&described.loop, known, &now));
+    called->problem.row[TRIP / 2 + 1]++;
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
     assert_false(redcc_fingerprint_equal(before, now));
     const redcc_extent unknown[] = {known[0], {known[1].first, NULL}, known[2], {0, 0}};
-    assert_false(redcc_reuse_fingerprint(&described.loop, unknown, &now));
-    end(&problem, &described);
+    assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, &now));
 }
 
 /* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
@@ -292,14 +279,15 @@ static void few_short_iterations_are_one_threads(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_call_is_sequential_and_timed),
-        cmocka_unit_test(nothing_is_begun_without_credit),
-        cmocka_unit_test(a_heavy_loop_is_set_up),
-        cmocka_unit_test(changed_subscripts_are_not_inspected_at_once),
-        cmocka_unit_test(an_inspection_ends_at_its_deadline),
-        cmocka_unit_test(short_loops_are_left_alone),
+        cmocka_unit_test_setup_teardown(the_first_call_is_sequential_and_timed, begin_sorted, end),
+        cmocka_unit_test_setup_teardown(nothing_is_begun_without_credit, begin_shuffled, end),
+        cmocka_unit_test_setup_teardown(a_heavy_loop_is_set_up, begin_sorted, end),
+        cmocka_unit_test_setup_teardown(changed_subscripts_are_not_inspected_at_once, begin_sorted,
+                                        end),
+        cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
+        cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
-        cmocka_unit_test(subscripts_are_compared),
+        cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
     };

@@ -9,57 +9,9 @@
  * prints a line for each seed; given a seed as its argument it begins with that one.
  */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "fuzz/attacks/attack.h"
-
-enum { MOST_STATEMENTS = 1000 };
-
-typedef struct request {
-    uint64_t first;
-    int count;
-    bool taken[BLOCK];
-    bool without[MOST_STATEMENTS];
-    bool only_statements, only_flags;
-} request;
-
-static bool read_list(bool *set, int size, uint64_t first, const char *list) {
-    while (*list) {
-        char *end;
-        const uint64_t number = strtoull(list, &end, 10) - first;
-        if (end == list || number >= (uint64_t)size)
-            return false;
-        set[number] = true;
-        list = *end == ',' ? end + 1 : end;
-    }
-    return true;
-}
-
-static bool read_request(request *r, int argc, char **argv) {
-    if (argc < 3)
-        return false;
-    r->first = strtoull(argv[1], NULL, 10);
-    r->count = atoi(argv[2]);
-    memset(r->taken, true, sizeof r->taken);
-    for (int i = 3; i < argc; i++) {
-        if (strncmp(argv[i], "--without=", 10) == 0) {
-            if (!read_list(r->without, MOST_STATEMENTS, 0, argv[i] + 10))
-                return false;
-        } else if (strncmp(argv[i], "--only=", 7) == 0) {
-            memset(r->taken, false, sizeof r->taken);
-            if (!read_list(r->taken, BLOCK, r->first, argv[i] + 7))
-                return false;
-        } else if (strcmp(argv[i], "--statements") == 0) {
-            r->only_statements = true;
-        } else if (strcmp(argv[i], "--flags") == 0) {
-            r->only_flags = true;
-        } else {
-            return false;
-        }
-    }
-    return r->count > 0 && r->first % BLOCK + (uint64_t)r->count <= BLOCK;
-}
+#include "fuzz/request.h"
 
 static int put_programs(buffer *b, const request *r) {
     int statements = 0;
@@ -81,7 +33,8 @@ static int put_programs(buffer *b, const request *r) {
 
 int main(int argc, char **argv) {
     static request r;
-    if (!read_request(&r, argc, argv)) {
+    own_option flags = {.name = "--flags"};
+    if (!request_read(&r, &flags, argc, argv) || r.first % BLOCK + (uint64_t)r.count > BLOCK) {
         fputs("usage: attacks FIRST COUNT [--only=S,S...] [--without=N,N...] [--statements] "
               "[--flags]\n"
               "       (seeds of one block of a hundred)\n",
@@ -90,7 +43,7 @@ int main(int argc, char **argv) {
     }
     buffer b = {0};
     const int statements = put_programs(&b, &r);
-    if (r.only_flags)
+    if (flags.is_given)
         puts(flags_of_block(r.first / BLOCK)->options);
     else if (r.only_statements)
         printf("%d\n", statements);
