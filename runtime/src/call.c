@@ -9,6 +9,7 @@
 #include "base/team.h"
 #include "base/trace.h"
 #include "settings.h"
+#include "unmade.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -76,27 +77,38 @@ static struct loop_state *state_new(redcc_loop *loop) {
 /* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
 static struct loop_state *state_of(redcc_loop *loop) {
     void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
-    if (state)
+    if (!redcc_is_unmade(state))
         return state;
     struct loop_state *mine = state_new(loop);
     if (!mine)
         return NULL;
-    if (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
-                                     __ATOMIC_ACQUIRE)) {
-        state_free(mine);
-        return state;
-    }
+    while (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
+                                        __ATOMIC_ACQUIRE))
+        if (!redcc_is_unmade(state)) {
+            state_free(mine);
+            return state;
+        }
     redcc_report_add(&mine->reported);
     return mine;
 }
 
+/* The loop's state, where it has one. */
+static struct loop_state *made_state_of(redcc_loop *loop) {
+    void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
+    return redcc_is_unmade(state) ? NULL : state;
+}
+
+void redcc_loop_make(redcc_loop *loop) {
+    state_of(loop);
+}
+
 void redcc_loop_forget(redcc_loop *loop) {
-    struct loop_state *state = loop->state;
+    struct loop_state *state = made_state_of(loop);
+    loop->state = NULL;
     if (!state)
         return;
     redcc_report_remove(&state->reported);
     state_free(state);
-    loop->state = NULL;
 }
 
 static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
@@ -306,16 +318,32 @@ static int threads_to_ask_for(const struct loop_state *state, const struct setti
 
 /* Of this thread: the original loop that it is about to execute, and since when. An inner loop's
  * takes its place; then the outer one is not timed in this call. */
+enum { MOST_SOURCES = 8 }; /* whose places are remembered */
 static _Thread_local struct {
     const redcc_loop *loop; /* NULL: none */
     redcc_int trip;
+    redcc_extent known[MOST_SOURCES];
     double began;
 } original;
 
-static void time_original(const redcc_loop *loop, redcc_int trip) {
+static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_extent *known) {
     original.loop = loop;
     original.trip = trip;
+    if (loop->source_count && loop->source_count <= MOST_SOURCES)
+        memcpy(original.known, known, loop->source_count * sizeof *known);
     original.began = redcc_seconds();
+}
+
+/* Does nobody ask for anything but speed? Then a loop that has no state yet runs as it is; it gets
+ * one when it takes long enough. */
+static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
+                               const redcc_extent *known, bool parallel) {
+    if (made_state_of(loop) || settings->method || settings->compensated || settings->validate ||
+        settings->report || redcc_traced)
+        return false;
+    if (parallel && !redcc_within && redcc_unmade_call(&loop->state, trip))
+        time_original(loop, trip, known);
+    return true;
 }
 
 void redcc_sequential_done(redcc_loop *loop) {
@@ -323,15 +351,20 @@ void redcc_sequential_done(redcc_loop *loop) {
         return;
     const int error = errno;
     const double seconds = redcc_seconds() - original.began;
-    struct loop_state *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
-    enum reason reason;
     original.loop = NULL;
+    struct loop_state *state = NULL;
+    redcc_is_forked(); /* the body may have forked, and memory is used */
+    if (redcc_unmade_timed(&loop->state, original.trip, seconds))
+        state = state_of(loop);
+    enum reason reason;
     if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
         redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
         redcc_tell(
             &state->chooser,
             &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
             REASON_NONE);
+        if (loop->source_count <= MOST_SOURCES)
+            redcc_advise_timed(&state->chooser, loop, original.known, original.trip, seconds);
         release(state);
     }
     errno = error;
@@ -348,6 +381,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     original.loop = NULL;
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
+    if (trip > 0 && goes_without_state(settings, loop, trip, known, threads > 1 && !nested))
+        return 0;
     struct loop_state *state = state_of(loop);
     if (!state)
         return 0;
@@ -386,7 +421,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         const bool timed = asks_auto && execution->advice.timed;
         end(held);
         if (timed)
-            time_original(loop, trip);
+            time_original(loop, trip, known);
         return serially(state, reason);
     }
     threads = execution->call.asked;
@@ -463,9 +498,9 @@ int redcc_leave(redcc_call *call) {
     }
     const int error = done ? redcc_error_of(&execution->run) : 0;
     const int error_before = execution->call.error_before;
+    if (!done && asks_auto)
+        time_original(call->loop, trip, execution->call.request.known);
     end(execution->state);
     errno = error ? error : error_before;
-    if (!done && asks_auto)
-        time_original(call->loop, trip);
     return done;
 }

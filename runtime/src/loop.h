@@ -69,6 +69,9 @@ struct loop_state {
     int thread_count;
 };
 
+/** Sees to it that the loop has a state, as a long loop gets one (unmade.h); for tests. */
+void redcc_loop_make(redcc_loop *loop);
+
 /** Ends all that a loop has, its state included, as if it had never been executed; for tests. */
 void redcc_loop_forget(redcc_loop *loop);
 

@@ -63,20 +63,23 @@ static enum stage begin_inspection(struct execution *execution) {
                : refuse(execution, REASON_NO_MEMORY);
 }
 
-/* Has the inspection taken longer than auto allows? */
-static bool is_late(const struct execution *execution) {
-    const double deadline = execution->inspection.deadline;
-    return deadline > 0 && redcc_seconds() > deadline;
-}
-
 /* ---- sample ---------------------------------------------------------------------------------- */
 
-static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
+/* The sample and the log: the program tells iterations as long as some are handed out. */
+static enum progress tell(struct thread_state *thread, redcc_worker *worker,
+                          void (*start)(const struct inspection *, struct inspector *),
+                          bool (*hand_out)(const struct inspection *, struct inspector *,
+                                           redcc_worker *)) {
+    const struct inspection *inspection = &thread->execution->inspection;
     if (thread->telling)
         redcc_flush(worker);
-    else if (redcc_sample_hand_out(&thread->execution->inspection, &thread->inspector, worker))
-        return PROGRESS_TELL;
-    return PROGRESS_MEET;
+    else
+        start(inspection, &thread->inspector);
+    return hand_out(inspection, &thread->inspector, worker) ? PROGRESS_TELL : PROGRESS_MEET;
+}
+
+static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
+    return tell(thread, worker, redcc_sample_start, redcc_sample_hand_out);
 }
 
 /* To a sweep with groups that do not overlap, as far as is known, newly cut; or, as auto sees by
@@ -95,7 +98,8 @@ static enum stage after_sample(struct execution *execution) {
     const enum reason reason = redcc_sample_finish(&execution->inspection);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
-    return is_late(execution) ? refuse(execution, REASON_DEADLINE) : cut(execution);
+    return redcc_inspection_is_late(&execution->inspection) ? refuse(execution, REASON_DEADLINE)
+                                                            : cut(execution);
 }
 
 /* ---- sweep ----------------------------------------------------------------------------------- */
@@ -224,7 +228,7 @@ static enum stage fall_back(struct execution *execution) {
 
 static enum stage begin_log(struct execution *execution, const struct method *method) {
     execution->method = method;
-    if (is_late(execution))
+    if (redcc_inspection_is_late(&execution->inspection))
         return refuse(execution, REASON_DEADLINE);
     switch (redcc_log_begin(&execution->inspection, method->in_levels)) {
     case DIVIDE_NO_MEMORY:
@@ -238,14 +242,12 @@ static enum stage begin_log(struct execution *execution, const struct method *me
 }
 
 static enum progress log_touches(struct thread_state *thread, redcc_worker *worker) {
-    if (thread->telling)
-        redcc_flush(worker);
-    else if (redcc_log_hand_out(&thread->execution->inspection, &thread->inspector, worker))
-        return PROGRESS_TELL;
-    return PROGRESS_MEET;
+    return tell(thread, worker, redcc_log_start, redcc_log_hand_out);
 }
 
 static enum stage after_log(struct execution *execution) {
+    if (redcc_inspection_is_late(&execution->inspection)) /* then not all is told */
+        return refuse(execution, REASON_DEADLINE);
     switch (redcc_log_finish(&execution->inspection)) {
     case DIVIDE_NO_MEMORY:
         return refuse(execution, REASON_NO_MEMORY);
@@ -254,8 +256,6 @@ static enum stage after_log(struct execution *execution) {
     case DIVIDE_DONE:
         break;
     }
-    if (is_late(execution))
-        return refuse(execution, REASON_DEADLINE);
     execution->method =
         redcc_advise_logged(&execution->state->chooser, &execution->inspection, execution->method);
     return STAGE_PARTITION;
@@ -276,7 +276,8 @@ static enum stage after_partition(struct execution *execution) {
     const bool done = inspection->route == ROUTE_LEVELS ? redcc_partition_levels(inspection)
                                                         : inspection->divide.going;
     if (!done)
-        return refuse(execution, REASON_NO_MEMORY);
+        return refuse(execution,
+                      redcc_inspection_is_late(inspection) ? REASON_DEADLINE : REASON_NO_MEMORY);
     if (inspection->route != ROUTE_LEVELS)
         switch (
             redcc_advise_partitioned(&execution->state->chooser, inspection, &execution->method)) {

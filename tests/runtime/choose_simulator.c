@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose_simulator.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { THREADS = 2, PLANS = 4 };
 
@@ -20,7 +20,10 @@ struct simulation {
     struct kept_plan plan[PLANS];
     int clock;
     int steady;
-    int last; /* subscripts of the call before; -1: none */
+    int last;       /* subscripts of the call before; -1: none */
+    double excess;  /* the largest that one execution may have over the sequential one */
+    double lent;    /* the largest loan, seconds */
+    double longest; /* sequential execution, seconds */
     struct simulated so_far;
 };
 
@@ -46,15 +49,18 @@ static void keep_plan(struct simulation *it, struct kept_plan plan) {
 }
 
 static struct situation situation_of(struct simulation *it, const struct simulated_call *call) {
-    const bool hidden = it->trace->hidden;
-    it->steady = hidden || call->subscripts == it->last ? it->steady + 1 : 0;
+    const bool hidden = it->trace->hidden, same = call->subscripts == it->last;
+    it->steady = hidden || same ? it->steady + 1 : 0;
     it->last = call->subscripts;
-    struct situation now = {
-        .trip = call->trip, .threads = THREADS, .wake = it->trace->wake, .steady = it->steady};
+    struct situation now = {.trip = call->trip,
+                            .threads = THREADS,
+                            .wake = it->trace->wake,
+                            .steady = it->steady,
+                            .verified = it->trace->compared && same};
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const struct kept_plan *plan = find_plan(it, way, call->trip);
-        const bool same = plan && (plan->subscripts == call->subscripts || hidden);
-        now.kept[way] = same ? KEPT_FITS : plan ? KEPT_CHANGED : KEPT_NONE;
+        const bool fits = plan && (plan->subscripts == call->subscripts || hidden);
+        now.kept[way] = fits ? KEPT_FITS : plan ? KEPT_CHANGED : KEPT_NONE;
     }
     return now;
 }
@@ -103,6 +109,11 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
                               trace->look + rest, 0});
 }
 
+static void note_loan(struct simulation *it, const struct simulated_call *call) {
+    it->lent = fmax(it->lent, it->state->ledger.loan);
+    it->longest = fmax(it->longest, call->sequential);
+}
+
 static void inspect(struct simulation *it, const struct simulated_call *call,
                     const struct situation *now, double deadline) {
     const struct trace *trace = it->trace;
@@ -120,6 +131,7 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         prospect[way].execution = call->execution[way] / trip * trace->execution_error;
     }
     const struct decision decision = redcc_pick_way(it->state, now, prospect, trace->look);
+    note_loan(it, call);
     if (decision.action == ACTION_INSPECT) {
         make_plan(it, call, decision.way, decision.deadline);
         return;
@@ -131,6 +143,7 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
 static void carry_out(struct simulation *it, const struct simulated_call *call) {
     const struct situation now = situation_of(it, call);
     const struct decision decision = redcc_decide(it->state, &now);
+    note_loan(it, call);
     switch (decision.action) {
     case ACTION_SEQUENTIAL:
         run_sequentially(it, call, decision.timed);
@@ -151,8 +164,7 @@ static void widen_allowance(struct simulation *it, const struct simulated_call *
         if (it->trace->possible[way] && call->execution[way] - call->sequential > most)
             most = call->execution[way] - call->sequential;
     most += it->trace->block;
-    if (most > it->so_far.allowance)
-        it->so_far.allowance = most;
+    it->excess = fmax(it->excess, most);
 }
 
 static double best_in_hindsight(const struct trace *trace, double sequential) {
@@ -178,6 +190,8 @@ struct simulated simulate(const struct trace *trace) {
         result->sequential += trace->call[c].sequential;
         widen_allowance(&it, &trace->call[c]);
         carry_out(&it, &trace->call[c]);
+        result->allowance = it.excess + it.lent;
+        result->loan = it.lent / it.longest;
         const double ratio = (result->total - result->allowance) / result->sequential;
         if (ratio > result->worst_prefix)
             result->worst_prefix = ratio;

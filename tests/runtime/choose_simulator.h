@@ -31,6 +31,7 @@ struct trace {
     double wake;              /**< seconds */
     double block;             /**< seconds by which a deadline is passed */
     bool hidden;              /**< a sample of the subscripts does not show that they changed */
+    bool compared;            /**< all of them are compared with those of the call before */
 };
 
 struct simulated {
@@ -39,7 +40,8 @@ struct simulated {
     double best;         /**< of the best single way in hindsight, its set-ups included */
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
     double allowance;    /**< the bound's additive constant: the largest excess of one execution
-                              over the sequential one, and a block */
+                              over the sequential one, a block, and the largest loan */
+    double loan;         /**< the largest, over the longest sequential execution */
     int set_ups;         /**< begun */
     int parallel;        /**< executions by a plan */
 };

@@ -145,11 +145,11 @@ void problem_tell_slow(redcc_loop *loop, long trip, double seconds) {
     const double all = seconds * (double)trip;
     struct size_state *size =
         &state->chooser.state.size[63 - __builtin_clzll((unsigned long long)trip)];
-    for (int call = 0; call < 1000; call++)
+    for (int call = 0; call < 4000; call++)
         redcc_tell(&state->chooser,
                    &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, trip, all, 0, 0},
                    REASON_NONE);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        size->prospect[way].learned = 10 * all;
-    size->rest.calls += 1000;
+        size->prospect[way].learned = 40 * all;
+    size->rest.calls += 4000;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The loop of problem.h, written as redcc writes it (docs/generated-code.md). */
+#include "loop.h"
 #include "problem.h"
 
 #include <stdlib.h>
@@ -78,6 +79,7 @@ int problem_run_fewer(struct problem *problem, struct described *described, int 
         known[3].first = (const char *)value;
     }
     redcc_call call;
+    redcc_loop_make(&described->loop); /* however short it is: tests look at it */
     if (redcc_enter(&call, &described->loop, trip, bases, known, key, threads, omp_in_parallel())) {
 #pragma omp parallel num_threads(given < call.threads ? given : call.threads)                      \
     firstprivate(start, row, other, value, first, second, width, second_width)

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "choose/prospects.h"
 #include "problem.h"
+#include "unmade.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -101,7 +102,7 @@ static void the_first_call_is_sequential_and_timed(void **state) {
     assert_true(size_of(called)->sequential.recent[0] > 0);
 }
 
-/* Nothing is begun while it may cost more than a tenth of the time so far. */
+/* Nothing is begun while it may cost more than a twentieth of the time so far. */
 static void nothing_is_begun_without_credit(void **state) {
     struct called *called = *state;
     for (int call = 0; call < 10; call++)
@@ -132,12 +133,9 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
     assert_true(call_right(called));
     assert_true(call_right(called));
     struct loop_state *loop = called->described.loop.state;
-    loop->chooser.state.ledger.overhead = 1e9;
     called->problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
-    loop->chooser.state.ledger.overhead =
-        0.1 * loop->chooser.state.ledger.sequential -
-        0.5e-6 * (double)TRIP; /* an execution, no set-up's factor */
-    size_of(called)->set_ups.factor = 1e6;
+    loop->chooser.state.ledger.overhead =  /* next to no credit, and no loan while less than that */
+        0.05 * loop->chooser.state.ledger.sequential - 1e-9;
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_CHANGED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_CHANGED]), 1);
@@ -178,12 +176,63 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
+/* ... and have no state; one word says when they are timed again. */
+static void short_loops_have_no_state(void **unused) {
+    (void)unused;
+    void *word = NULL;
+    assert_true(redcc_is_unmade(word));
+    assert_true(redcc_unmade_call(&word, 1000));
+    assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
+    for (int calls = 16; calls < 4096; calls = calls < 1024 ? 2 * calls : 4096) {
+        for (int call = 0; call < calls; call++) {
+            assert_true(redcc_is_unmade(word));
+            assert_false(redcc_unmade_call(&word, 1000));
+        }
+        assert_true(redcc_unmade_call(&word, 1000));
+        assert_false(redcc_unmade_timed(&word, 1000, 1e-5));
+    }
+    assert_false(redcc_unmade_call(&word, 10)); /* which is shorter still */
+    assert_true(redcc_unmade_call(&word, 1000000));
+    assert_true(redcc_unmade_timed(&word, 1000000, 1e-3));
+    struct loop_state *state = NULL; /* another thread was quicker */
+    void *made = &state;
+    assert_false(redcc_is_unmade(made));
+    assert_true(redcc_unmade_call(&made, 1000));
+    assert_true(redcc_unmade_timed(&made, 1000, 1e-5));
+    assert_ptr_equal(made, &state);
+}
+
+/* All subscripts are compared where that costs little, once. */
+static void subscripts_are_compared(void **fixture) {
+    struct called *called = *fixture;
+    const redcc_extent known[] = {
+        {(const char *)called->problem.start, (const char *)(called->problem.start + TRIP + 1)},
+        {(const char *)called->problem.row, (const char *)(called->problem.row + TRIP)},
+        {(const char *)called->problem.other, (const char *)(called->problem.other + TRIP)},
+        {0, 0}};
+    struct loop_state *state = called->described.loop.state;
+    struct chooser *chooser = &state->chooser;
+    redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1e-6);
+    assert_false(chooser->remembered); /* it would take longer than a fiftieth of the loop */
+    redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1);
+    assert_true(chooser->remembered);
+    struct fingerprint before = chooser->all, now;
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
+    assert_true(redcc_fingerprint_equal(before, now));
+    called->problem.row[TRIP / 2 + 1]++;
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
+    assert_false(redcc_fingerprint_equal(before, now));
+    const redcc_extent unknown[] = {known[0], {known[1].first, NULL}, known[2], {0, 0}};
+    assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, &now));
+}
+
 /* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
 static const struct findings shuffled = {.trip = 50000,
                                          .threads = 2,
                                          .sequential = 20e-9,
                                          .share = 0.75,
                                          .touches = 2,
+                                         .rows = 2,
                                          .runs = 0.5,
                                          .reusable = true};
 
@@ -237,6 +286,8 @@ int main(void) {
                                         end),
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
+        cmocka_unit_test(short_loops_have_no_state),
+        cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
     };

@@ -13,9 +13,10 @@
 
 #include <cmocka.h>
 
-/* The bound's e, and how many times as fast as the sequential loop a plan of these loops is at
- * most; apart from the code's own. */
-static const double share = 0.1, fastest = 2;
+/* The bound's e, how many times as fast as the sequential loop a plan of these loops is at most,
+ * and how many sequential executions a loan is at most, by a timing that may be 30 % too high;
+ * apart from the code's own. */
+static const double share = 0.05, fastest = 2, loan_most = 1.25 * 1.3 / 0.7;
 
 static uint64_t random_state;
 
@@ -73,6 +74,8 @@ static void check(struct trace *trace, const char *name, struct asked asked) {
             "%-34s prefix %.4f  total/sequential %.4f  total/best %.4f  set-ups %d  parallel %d\n",
             name, it.worst_prefix, it.total / it.sequential, it.total / it.best, it.set_ups,
             it.parallel);
+    if (it.loan > loan_most)
+        fail_msg("%s: a loan of %.4f executions", name, it.loan);
     if (it.worst_prefix > asked.sequential)
         fail_msg("%s: %.4f times the sequential program's time", name, it.worst_prefix);
     if (asked.set_ups && it.set_ups > asked.set_ups)
@@ -87,9 +90,67 @@ static void stable_loops(void **unused) {
     check(ordinary(1), "once", (struct asked){1, 1, 0});
     check(ordinary(3), "thrice", (struct asked){1, 1.5, 0});
     check(ordinary(10), "10", (struct asked){1 + share, 1.6, 1});
-    check(ordinary(40), "40", (struct asked){1 + share, 1.3, 2});
+    check(ordinary(40), "40", (struct asked){1 + share, 1.33, 2});
     check(ordinary(400), "400", (struct asked){1 + share, 1.05, 2});
     check(ordinary(2000), "2000", (struct asked){1 + share, 1.03, 2});
+}
+
+/* A loop of 100 ms whose iterations take long: one way, its set-up in executions. */
+static struct trace *heavy(int count, double set_up, double faster) {
+    struct trace *trace = ordinary(count);
+    const double sequential = 100e-3;
+    trace->possible[WAY_GRAPH] = false;
+    trace->set_up[WAY_INDEX] = set_up * sequential * 1e-6;
+    trace->check = 0.01;
+    trace->compared = true;
+    for (int c = 0; c < count; c++) {
+        trace->call[c].sequential = sequential;
+        trace->call[c].execution[WAY_INDEX] = sequential / faster;
+    }
+    return trace;
+}
+
+/* So many times as fast as the sequential program. */
+static void check_gain(struct trace *trace, const char *name, double wanted) {
+    const struct simulated it = simulate(trace);
+    if (it.sequential / it.total < wanted)
+        fail_msg("%s: %.3f times as fast, not %.2f", name, it.sequential / it.total, wanted);
+    check(trace, name, (struct asked){1 + share, 2, 1});
+}
+
+static void heavy_loops(void **unused) {
+    (void)unused;
+    struct trace *trace = heavy(10, 0.03, 1.95);
+    trace->compared = false;
+    check_gain(trace, "heavy, 10, cheap set-up", 1.6);
+    check_gain(heavy(40, 0.03, 1.95), "heavy, 40, cheap set-up", 1.8);
+    check_gain(heavy(10, 1, 1.74), "heavy, 10, set-up of an execution", 1.3);
+    check_gain(heavy(40, 1, 1.74), "heavy, 40, set-up of an execution", 1.6);
+    check_gain(heavy(3, 1, 1.74), "heavy, 3, set-up of an execution", 0.95);
+    check_gain(heavy(1, 1, 1.74), "heavy, once", 1);
+    trace = heavy(40, 1, 1.74);
+    trace->compared = false; /* no loan: they may change */
+    check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.6, 1});
+}
+
+/* The loan is lost: once, and not again before a set-up has paid. */
+static void subscripts_that_change_after_the_first_reuse(void **unused) {
+    (void)unused;
+    for (int hidden = 0; hidden < 2; hidden++)
+        for (int every = 2; every < 6; every++) {
+            struct trace *trace = heavy(400, 1, 1.74);
+            char name[80];
+            for (int c = 0; c < trace->count; c++)
+                trace->call[c].subscripts = c < 3 ? 0 : 1 + (c - 3) / every;
+            trace->hidden = hidden;
+            snprintf(name, sizeof name, "changes after the first reuse, then every %d%s", every,
+                     hidden ? ", hidden" : "");
+            check(trace, name, (struct asked){1 + share, 1.2, 0});
+        }
+    struct trace *trace = heavy(2000, 1, 1.74); /* and never again */
+    for (int c = 3; c < trace->count; c++)
+        trace->call[c].subscripts = 1;
+    check(trace, "changes once, after the first reuse", (struct asked){1 + share, 1.05, 2});
 }
 
 static void loops_that_never_gain(void **unused) {
@@ -122,6 +183,31 @@ static void noise(void **unused) {
         static const char *const names[] = {"noise of 30 %", "noise, 1.4 times as fast",
                                             "noise, 1.14 times as fast", "noise, slower"};
         check(trace, names[gain], (struct asked){1 + share, 1.12, 8});
+    }
+}
+
+/* Other draws of the same noise: the rule is steady. */
+static void noise_of_many_kinds(void **unused) {
+    (void)unused;
+    for (int gain = 0; gain < 4; gain++) {
+        double worst = 0, sum = 0;
+        for (unsigned seed = 1; seed <= 100; seed++) {
+            struct trace *trace = ordinary(2000);
+            random_state = seed * 0x9e3779b97f4a7c15u;
+            for (int c = 0; c < trace->count; c++) {
+                const double parallel = between(0.7, 1.3) * (1 + 0.3 * gain);
+                scale(&trace->call[c], between(0.7, 1.3), parallel);
+            }
+            const struct simulated it = simulate(trace);
+            worst = fmax(worst, it.total / it.best);
+            sum += it.total / it.best;
+            assert_true(it.worst_prefix <= (1 + share) * 1.06);
+            free(trace);
+        }
+        if (getenv("CHOOSE_SHOW"))
+            printf("noise %d, 100 draws: total/best %.4f at most, %.4f on average\n", gain, worst,
+                   sum / 100);
+        assert_true(worst <= 1.28 && sum / 100 <= 1.08);
     }
 }
 
@@ -184,7 +270,7 @@ static void subscripts_that_change(void **unused) {
                 check(trace, name,
                       (struct asked){1 + share,
                                      costly           ? 1.03
-                                     : every[e] == 20 ? 1.06
+                                     : every[e] == 20 ? 1.1
                                                       : 1.2,
                                      costly || every[e] == 1 ? hidden ? 8 : 4 : 0});
             }
@@ -220,7 +306,7 @@ static void estimates_that_are_wrong(void **unused) {
                 trace->set_up[WAY_INDEX] = trace->set_up[WAY_GRAPH] = 200e-9;
             snprintf(name, sizeof name, "set-ups estimated at %g%s", errors[e],
                      costly ? ", expensive" : "");
-            check(trace, name, (struct asked){1 + share, !costly ? 1.06 : e ? 1.8 : 1.45, 5});
+            check(trace, name, (struct asked){1 + share, !costly ? 1.08 : e ? 1.8 : 1.45, 5});
         }
 }
 
@@ -249,6 +335,7 @@ static struct trace *loop_of(const struct digits *digits, double noise) {
     trace->look = sequential * (0.001 + part(like[7]));
     trace->check = part(like[8]);
     trace->hidden = like[9] < '5';
+    trace->compared = like[10] < '5';
     trace->block = 0.01 * sequential;
     int subscripts = 0;
     for (int c = 0; c < trace->count; c++) {
@@ -285,19 +372,20 @@ static struct digits random_digits(void) {
 static void random_loops(void **unused) {
     (void)unused;
     random_state = 88172645463325252u;
-    double worst = 0, worst_best = 0;
+    double worst = 0, best[2] = {0, 0}; /* without noise, and with */
     for (int loop = 0; loop < 10000; loop++) {
         const struct digits digits = random_digits();
         struct trace *trace = loop_of(&digits, loop % 2 ? 0.3 * uniform() : 0);
         const struct simulated it = simulate(trace);
         worst = fmax(worst, it.worst_prefix);
-        worst_best = fmax(worst_best, (it.total - it.allowance) / it.best);
+        best[loop % 2] = fmax(best[loop % 2], (it.total - it.allowance) / it.best);
         free(trace);
     }
     if (getenv("CHOOSE_SHOW"))
-        printf("random: prefix %.4f, total/best %.4f\n", worst, worst_best);
+        printf("random: prefix %.4f, total/best %.4f and %.4f\n", worst, best[0], best[1]);
     assert_true(worst <= 1 + share);
-    assert_true(worst_best <= fastest * (1 + share));
+    assert_true(best[0] <= fastest * (1 + share));
+    assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise makes plans faster still */
 }
 
 /* What a search is to make large. */
@@ -361,16 +449,16 @@ static void loops_made_to_be_bad(void **unused) {
     }
 }
 
-/* What the search has found in 200,000 steps. */
+/* What the search has found in 400,000 steps. */
 static void the_worst_found(void **unused) {
     (void)unused;
     static const struct digits worst[] = {
-        {"31574003010090",
-         "61118129762416815212072848395677765603904273820073773699759098912646293554489086817091651"
-         "299894897199950456334276073632",
-         "10100010011100101010000010010001000110110010011001111001111100011000110110001011110111010"
-         "111111111011101011110010100110"},
-        {"49009009057789", "02313210123030003", "10000000000000000"}};
+        {"91591006016003",
+         "89568108885387879713243338805533607599076024998923173390481324712161519625398593472487868"
+         "514454978182316867626313809032",
+         "10100101011011011111101100000001110011011111101101111000010010111000001110100001000000100"
+         "101110001111001010111011010001"},
+        {"41504019005600", "10221101100000331310210122011222", "10000000000000000000000000000000"}};
     random_state = 1;
     const double sequential = badness(&worst[0], false), best = badness(&worst[1], true);
     if (getenv("CHOOSE_SHOW"))
@@ -382,8 +470,11 @@ static void the_worst_found(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stable_loops),
+        cmocka_unit_test(heavy_loops),
+        cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
         cmocka_unit_test(noise),
+        cmocka_unit_test(noise_of_many_kinds),
         cmocka_unit_test(drift),
         cmocka_unit_test(a_neighbour),
         cmocka_unit_test(what_was_faster_no_longer_is),

@@ -62,6 +62,7 @@ static int execute(int threads, bool waits) {
     void *const bases[] = {b};
     atomic_bool first_is_done = false;
     redcc_call call;
+    redcc_loop_make(&loop); /* however short it is */
     if (redcc_enter(&call, &loop, TRIP, bases, known, NULL, threads, omp_in_parallel())) {
 #pragma omp parallel num_threads(call.threads)
         {

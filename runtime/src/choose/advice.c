@@ -18,6 +18,7 @@ static const double frequent = 0.25;       /* runs, of the iterations */
 /* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
+static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execution */
 static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
 
 enum {
@@ -83,10 +84,35 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
     return true;
 }
 
-static int note_subscripts(struct chooser *chooser, uint64_t sampled) {
-    chooser->steady = chooser->sampled == sampled ? chooser->steady + 1 : 0;
+/* Bytes of subscripts that are where the call says. */
+static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) {
+    double bytes = 0;
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (loop->sources[s].is_subscript && known[s].end)
+            bytes += (double)(known[s].end - known[s].first);
+    return bytes;
+}
+
+static bool are_the_same(const struct chooser *chooser, const struct request *request) {
+    struct fingerprint all;
+    return redcc_reuse_fingerprint(request->loop, request->known, &all) &&
+           redcc_fingerprint_equal(all, chooser->all);
+}
+
+static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) {
+    const uint64_t sampled = reuse->sampled;
+    chooser->steady = sampled == 0 ? -1 : chooser->sampled == sampled ? chooser->steady + 1 : 0;
     chooser->sampled = sampled;
-    return sampled ? chooser->steady : -1;
+    chooser->verified = chooser->remembered ? are_the_same(chooser, &reuse->call->request)
+                                            : chooser->verified && chooser->steady > 0;
+    chooser->remembered = false;
+}
+
+void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                        redcc_int trip, double seconds) {
+    chooser->remembered = redcc_timings_of(&chooser->state, trip) == 1 &&
+                          bytes_to_check(loop, known) * byte_compared < compared_most * seconds &&
+                          redcc_reuse_fingerprint(loop, known, &chooser->all);
 }
 
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
@@ -96,7 +122,9 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     unsigned fits, changed;
     redcc_reuse_sample(reuse);
     redcc_reuse_survey(reuse, came, &fits, &changed);
-    now.steady = note_subscripts(chooser, reuse->sampled);
+    note_subscripts(chooser, reuse);
+    now.steady = chooser->steady;
+    now.verified = chooser->verified;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         now.kept[way] = fits & 1u << way      ? KEPT_FITS
                         : changed & 1u << way ? KEPT_CHANGED
@@ -107,7 +135,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .timed = decision.timed,
                             .skipped_calls = chooser->skipped,
                             .rule = decision.rule};
-    chooser->skipped = decision.action == ACTION_REUSE ? 0 : chooser->skipped + 1;
+    chooser->skipped = decision.action == ACTION_SEQUENTIAL ? chooser->skipped + 1 : 0;
     if (decision.action == ACTION_SEQUENTIAL)
         advice.reason = reason_for(chooser, decision.rule);
     else if (decision.action == ACTION_INSPECT)
@@ -145,15 +173,6 @@ static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
     return redcc_usual_sequential(&chooser->state, trip) / (double)trip;
 }
 
-/* Bytes of subscripts that are where the call says. */
-static double bytes_to_check(const struct request *request) {
-    double bytes = 0;
-    for (uint32_t s = 0; s < request->loop->source_count; s++)
-        if (request->loop->sources[s].is_subscript && request->known[s].end)
-            bytes += (double)(request->known[s].end - request->known[s].first);
-    return bytes;
-}
-
 /* What is known by the sample and by all iterations alike. */
 static struct findings begin_findings(const struct chooser *chooser,
                                       const struct inspection *inspection) {
@@ -166,10 +185,11 @@ static struct findings begin_findings(const struct chooser *chooser,
         .sequential = usual_iteration(chooser, call->request.trip),
         .spent = redcc_seconds() - call->entered,
         .touches = inspection->touches,
+        .rows = inspection->rows,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
-        .checked = bytes_to_check(&call->request)};
+        .checked = bytes_to_check(loop, call->request.known)};
 }
 
 /* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, overhead
@@ -198,8 +218,11 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     redcc_estimate_prospects(&findings, prospect);
-    const struct situation now = {
-        .trip = findings.trip, .threads = call->asked, .wake = wake_seconds(), .steady = -1};
+    const struct situation now = {.trip = findings.trip,
+                                  .threads = call->asked,
+                                  .wake = wake_seconds(),
+                                  .steady = chooser->steady,
+                                  .verified = chooser->verified};
     return redcc_pick_way(&chooser->state, &now, prospect, findings.spent);
 }
 

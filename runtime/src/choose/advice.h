@@ -10,7 +10,7 @@
  *     after the sweep       redcc_advise_swept
  *     after the log         redcc_advise_logged, redcc_tell_no_graph
  *     after the partition   redcc_advise_partitioned
- *     after the execution   redcc_tell, also of the sequential loop
+ *     after the execution   redcc_tell, also of the sequential loop; redcc_advise_timed
  *
  * One thread at a time uses a chooser: the one that holds the loop, or that a stage's end runs in.
  */
@@ -25,8 +25,11 @@
 /** What auto knows of a loop; zeroes at first. */
 struct chooser {
     struct choice_state state;
-    uint64_t sampled;    /* of the subscripts, in the call before (redcc_reuse_sample) */
-    int steady;          /* calls in a row that had the same */
+    uint64_t sampled;       /* of the subscripts, in the call before (redcc_reuse_sample) */
+    int steady;             /* calls in a row that had the same */
+    struct fingerprint all; /* of all subscripts, after the last call; where remembered */
+    bool remembered;
+    bool verified;       /* all were compared once, and the samples have been the same since */
     int asked, came;     /* threads, in the last parallel region */
     long skipped;        /* sequential calls since a plan was used */
     enum reason refused; /* why no plan could be had, last */
@@ -49,6 +52,11 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, str
 
 /** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
+
+/** The original loop was timed, and redcc_tell knows. Where it was the first time, and comparing
+ * all subscripts costs next to nothing, keeps their fingerprint for the next call. */
+void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                        redcc_int trip, double seconds);
 
 /** Of the sample: what of it auto goes by. */
 bool redcc_wants_estimate(const struct inspection *inspection);

@@ -1,25 +1,42 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/size.h"
 
-/* The bound's e: of the sequential time, what trials may cost. At a tenth a program that is never
- * worth it is slower by no more than two runs of it differ on a machine that others use (5 to 15 %,
- * script/bench choice), and a loop that gains begins to after 4 to 12 executions. */
-static const double share = 0.1;
-/* Reserved for an execution by a plan, of a sequential one. LOCALWRITE on loops without runs took
- * up to 1.6 times the sequential loop, but there estimates say so; else no more than 1.25 times. */
+/* The bound's e: of the sequential time, what trials may cost. At a twentieth a program that is
+ * never worth it is slower by less than two runs of it differ on a machine that others use (5 to 15
+ * %, script/bench choice). */
+static const double share = 0.05;
+/* Reserved for an execution by a plan that is not clearly the faster way, of a sequential one.
+ * LOCALWRITE on loops without runs took up to 1.6 times the sequential loop, but there estimates
+ * say so; else no more than 1.25 times. */
 static const double reserve = 0.25;
-/* Before any sample was taken: 8192 iterations of some touches, and waking threads. 0.2 to 0.6 ms
- * where data is shuffled. */
-static const double first_look = 0.5e-3;
+/* Before any sample was taken: 1024 iterations of some touches, 0.2 to 0.7 ms where data is
+ * shuffled, and starting threads. */
+static const double first_look = 1e-3;
+/* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
+static const double unknown = 4;
 
-static const double wakes = 50;          /* waking the threads costs 2 % of an execution then */
-static const double forecast_least = 20; /* inspections: one costs 5 % of an execution then */
-static const double checked_after = 64;  /* timing the sequential loop again costs 1/64 */
+/* A loan is at most so many executions: what cutting the access graph of a heavy loop takes. */
+static const double loan_most = 1.25;
+/* It is given where so many executions by the plan are expected to repay the set-up, and all
+ * subscripts were compared with those of the call before; */
+static const double repaid_within = 3;
+/* where their samples were the same in so many calls in a row, so many, */
+enum { SURE = 8 };
+static const double repaid_by_sample = 2;
+/* or where the first one will: then it does not matter whether the subscripts stay. */
+static const double repaid_at_once = 0.9;
+/* Executions that count when ways are compared for a loan: with less each, the second execution
+ * could not tell a plan that is used ten times from one that is used twice. */
+static const double soon = 8;
+
+static const double wakes = 50;         /* waking the threads costs 2 % of an execution then */
+static const double checked_after = 64; /* timing the sequential loop again costs 1/64; */
+static const double checked_early = 16; /* where only its first execution was timed, 1/16 */
 
 enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024 };
 
 double redcc_credit(const struct choice_state *state) {
-    return share * state->ledger.sequential - state->ledger.overhead;
+    return share * state->ledger.sequential - state->ledger.overhead + state->ledger.loan;
 }
 
 static struct decision sequentially(struct size_state *size, enum rule rule) {
@@ -32,16 +49,12 @@ static struct decision reuse(struct size_state *size, enum way way, enum rule ru
     return (struct decision){.action = ACTION_REUSE, .way = way, .rule = rule};
 }
 
-/* Seconds that an inspection may take now. */
-static double allowance(const struct choice_state *state, const struct size_state *size,
-                        const struct situation *now) {
-    return redcc_credit(state) - reserve * redcc_usual(&size->sequential) * (double)now->trip;
-}
-
-static bool may_set_up(const struct choice_state *state, const struct size_state *size,
-                       const struct situation *now, double cost) {
-    return allowance(state, size, now) >= cost &&
-           size->set_ups.since >= redcc_next_factor(&size->set_ups) * cost;
+/* Seconds that a set-up of this way may take now, or, if not negative: may a plan be executed? */
+static double room_for(const struct choice_state *state, const struct size_state *size,
+                       long long trip, enum way way) {
+    const double usual = redcc_usual(&size->sequential);
+    const bool is_clear = redcc_expected(size, way) < redcc_clear * usual;
+    return redcc_credit(state) - (is_clear ? 0 : reserve * usual * (double)trip);
 }
 
 static bool keeps_changing(const struct size_state *size, const struct situation *now) {
@@ -62,19 +75,20 @@ static double horizon_of(const struct size_state *size) {
                                            : since);
 }
 
-/* The way that is the cheapest, set-up included, over the executions to come; of those within
- * `allowed` seconds that are better than `current` seconds an iteration. SEQUENTIAL: none. */
-static enum way best_way(const struct size_state *size, long long trip, double current,
-                         double allowed, double settled) {
-    const double horizon = horizon_of(size) * (double)trip;
-    const double factor = redcc_next_factor(&size->set_ups);
+/* The way that is the cheapest, set-up included, over the executions to come; of those that the
+ * credit allows and that are better than `current` seconds an iteration. SEQUENTIAL: none. */
+static enum way best_way(const struct choice_state *state, const struct size_state *size,
+                         const struct situation *now, double current) {
+    const double horizon = horizon_of(size) * (double)now->trip;
+    const double factor = redcc_next_factor(&size->set_ups) * (now->steady < 0 ? unknown : 1);
     enum way best = WAY_SEQUENTIAL;
     double least_cost = current * horizon;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const struct prospect *it = &size->prospect[way];
-        const double cost = set_up_of(it) + it->execution * horizon;
-        if (!it->possible || it->execution >= redcc_better * current || cost >= least_cost ||
-            set_up_of(it) > allowed || set_up_of(it) * factor > settled)
+        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double cost = set_up + each * horizon;
+        if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
+            set_up > room_for(state, size, now->trip, way) || set_up * factor > size->set_ups.since)
             continue;
         best = way;
         least_cost = cost;
@@ -82,43 +96,88 @@ static enum way best_way(const struct size_state *size, long long trip, double c
     return best;
 }
 
-/* Of the plans kept for these subscripts, the one with the least expected time below the sequential
- * one. */
-static enum way kept_way(const struct size_state *size, const struct situation *now) {
+/* One loan at a time, and none after a set-up that did not earn its cost. */
+static bool may_borrow(const struct choice_state *state, const struct size_state *size) {
+    return size->stand == STAND_SAVING && redcc_next_misses(&size->set_ups) == 0 &&
+           (state->ledger.loan > 0 || redcc_credit(state) >= 0);
+}
+
+/* The best way that is worth a loan; SEQUENTIAL: none. */
+static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
+    const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
+    const double repaid = now->verified         ? repaid_within
+                          : now->steady >= SURE ? repaid_by_sample
+                                                : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
-    double least_each = redcc_better * redcc_usual(&size->sequential);
+    double least_cost = usual * soon * trip;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+        const struct prospect *it = &size->prospect[way];
+        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double cost = set_up + each * soon * trip;
+        if (!it->possible || each >= redcc_clear * usual || cost >= least_cost ||
+            set_up > loan_most * usual * trip || set_up > repaid * (usual - each) * trip)
+            continue;
+        best = way;
+        least_cost = cost;
+    }
+    return best;
+}
+
+/* Of the plans kept for these subscripts, the one with the least expected time below `least_each`
+ * seconds an iteration. */
+static enum way kept_way(const struct size_state *size, const struct situation *now,
+                         double least_each) {
+    enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        if (now->kept[way] == KEPT_FITS && size->prospect[way].execution < least_each) {
+        if (now->kept[way] == KEPT_FITS && redcc_expected(size, way) < least_each) {
             best = way;
-            least_each = size->prospect[way].execution;
+            least_each = redcc_expected(size, way);
         }
     return best;
 }
 
+static double least_of(double a, double b) {
+    return a < b ? a : b;
+}
+
+/* A set-up that a loan or the credit allows, for a way better than `current` seconds an iteration,
+ * if there is one. */
 static struct decision set_up(struct choice_state *state, struct size_state *size,
-                              const struct situation *now, enum way way) {
-    const double cost = set_up_of(&size->prospect[way]), allowed = allowance(state, size, now);
+                              const struct situation *now, double current) {
+    enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
+    if (way != WAY_SEQUENTIAL)
+        state->ledger.loan = loan_most * redcc_usual(&size->sequential) * (double)now->trip;
+    else
+        way = best_way(state, size, now, current);
+    if (way == WAY_SEQUENTIAL)
+        return sequentially(size, RULE_SAVING);
+    const double allowed = room_for(state, size, now->trip, way);
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
-                             .deadline = 2 * cost < allowed ? 2 * cost : allowed,
+                             .deadline = least_of(2 * set_up_of(&size->prospect[way]), allowed),
                              .rule = RULE_SET_UP};
 }
 
-static struct decision look(struct choice_state *state, struct size_state *size,
-                            const struct situation *now) {
-    const double cost = size->look > 0 ? size->look : first_look;
-    if (!may_set_up(state, size, now, cost))
+static struct decision look(struct choice_state *state, struct size_state *size) {
+    const double cost = size->look > 0 ? size->look : first_look, allowed = redcc_credit(state);
+    if (allowed < cost || size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)
         return sequentially(size, RULE_SAVING);
     size->rule = RULE_LOOKING;
-    return (struct decision){
-        .action = ACTION_INSPECT, .deadline = allowance(state, size, now), .rule = RULE_LOOKING};
+    return (struct decision){.action = ACTION_INSPECT, .deadline = allowed, .rule = RULE_LOOKING};
+}
+
+/* The plan in use is for other subscripts: what was lent for it is still owed, but no more may be
+ * spent of it. */
+static void leave_plan(struct choice_state *state, struct size_state *size) {
+    size->stand = STAND_SAVING;
+    state->ledger.loan = 0;
 }
 
 static struct decision decide_saving(struct choice_state *state, struct size_state *size,
                                      const struct situation *now) {
-    const enum way kept = kept_way(size, now);
-    if (kept != WAY_SEQUENTIAL && allowance(state, size, now) >= 0) {
+    const enum way kept = kept_way(size, now, redcc_better * redcc_usual(&size->sequential));
+    if (kept != WAY_SEQUENTIAL && room_for(state, size, now->trip, kept) >= 0) {
         if (size->prospect[kept].measured) {
             size->way = kept;
             size->stand = STAND_PARALLEL;
@@ -129,11 +188,8 @@ static struct decision decide_saving(struct choice_state *state, struct size_sta
     }
     if (keeps_changing(size, now))
         return sequentially(size, RULE_CHANGING);
-    if (!size->looked)
-        return look(state, size, now);
-    const enum way way = best_way(size, now->trip, redcc_usual(&size->sequential),
-                                  allowance(state, size, now) - size->look, size->set_ups.since);
-    return way == WAY_SEQUENTIAL ? sequentially(size, RULE_SAVING) : set_up(state, size, now, way);
+    return size->looked ? set_up(state, size, now, redcc_usual(&size->sequential))
+                        : look(state, size);
 }
 
 static struct decision decide_comparing(struct choice_state *state, struct size_state *size,
@@ -143,30 +199,32 @@ static struct decision decide_comparing(struct choice_state *state, struct size_
         now->kept[it->contender] == KEPT_FITS &&
         (it->incumbent == WAY_SEQUENTIAL || now->kept[it->incumbent] == KEPT_FITS);
     if (!both_fit) {
-        size->stand = STAND_SAVING;
+        leave_plan(state, size);
         return decide_saving(state, size, now);
     }
     const enum way turn = it->incumbents_turn ? it->incumbent : it->contender;
     if (turn == WAY_SEQUENTIAL)
         return sequentially(size, RULE_COMPARING);
-    return allowance(state, size, now) < 0 ? sequentially(size, RULE_SAVING)
-                                           : reuse(size, turn, RULE_COMPARING);
+    return room_for(state, size, now->trip, turn) < 0 ? sequentially(size, RULE_SAVING)
+                                                      : reuse(size, turn, RULE_COMPARING);
 }
 
-/* Was the sequential loop not timed for so long that timing it costs a 64th? Where the plan was as
- * slow lately, it costs nothing. */
+/* Was the sequential loop not timed for so long that timing it costs little? Where the plan was as
+ * slow lately, it costs nothing. A first execution finds no page of the arrays in place, and says
+ * less than the others. */
 static bool is_check_due(const struct size_state *size, long long trip) {
     const double more = redcc_usual(&size->sequential) - size->prospect[size->way].execution;
-    return size->unchecked > checked_after * more * (double)trip;
+    const double after = size->sequential.count == 1 ? checked_early : checked_after;
+    return size->unchecked > after * more * (double)trip;
 }
 
 static struct decision decide_parallel(struct choice_state *state, struct size_state *size,
                                        const struct situation *now) {
     if (now->kept[size->way] != KEPT_FITS) {
-        size->stand = STAND_SAVING;
+        leave_plan(state, size);
         return decide_saving(state, size, now);
     }
-    if (allowance(state, size, now) < 0)
+    if (room_for(state, size, now->trip, size->way) < 0)
         return sequentially(size, RULE_SAVING);
     const double current = size->prospect[size->way].execution;
     if (is_check_due(size, now->trip)) {
@@ -176,22 +234,15 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
         size->comparison.incumbents_turn = true;
         return sequentially(size, RULE_COMPARING);
     }
-    const enum way way = best_way(size, now->trip, current,
-                                  allowance(state, size, now) - size->look, size->set_ups.since);
+    const enum way way = best_way(state, size, now, current);
     if (way != WAY_SEQUENTIAL && way != size->way && now->kept[way] != KEPT_FITS)
-        return set_up(state, size, now, way);
+        return set_up(state, size, now, current);
+    const enum way kept = kept_way(size, now, redcc_better * current);
+    if (kept != WAY_SEQUENTIAL && kept != size->way) {
+        redcc_compare(size, kept, size->way);
+        return reuse(size, kept, RULE_COMPARING);
+    }
     return reuse(size, size->way, RULE_FASTER);
-}
-
-static struct decision decide_first(struct size_state *size, const struct situation *now) {
-    if (now->forecast <= 0 || now->forecast < forecast_least * now->forecast_set_up ||
-        now->forecast < wakes * now->wake)
-        return sequentially(size, RULE_FIRST);
-    redcc_note_timing(&size->sequential, now->forecast / (double)now->trip);
-    size->rule = RULE_FIRST;
-    return (struct decision){.action = ACTION_INSPECT,
-                             .deadline = now->forecast / forecast_least * 2,
-                             .rule = RULE_FIRST};
 }
 
 /* Calls that are left to the sequential loop end here: a compare and a counter. */
@@ -229,8 +280,9 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
 
 struct decision redcc_decide(struct choice_state *state, const struct situation *now) {
     struct size_state *size = redcc_size_of(state, now->trip);
-    if (size->threads != now->threads)
-        *size = (struct size_state){.threads = now->threads};
+    if (size->threads > 0 && size->threads != now->threads)
+        *size = (struct size_state){0};
+    size->threads = now->threads;
     size->rest.calls++;
     if (is_resting(size))
         return (struct decision){
@@ -238,7 +290,7 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
     switch (size->stand) {
     case STAND_UNTIMED:
         if (size->sequential.count == 0)
-            return decide_first(size, now);
+            return sequentially(size, RULE_FIRST);
         size->stand = STAND_SAVING;
         break;
     case STAND_SHORT:
@@ -287,21 +339,10 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
         note_prospect(&size->prospect[way], &prospect[way]);
     size->looked = true;
     size->look = spent;
-    const double allowed = size->stand == STAND_UNTIMED
-                               ? redcc_usual(&size->sequential) * (double)now->trip / forecast_least
-                               : allowance(state, size, now) - spent;
-    const double settled = size->stand == STAND_UNTIMED
-                               ? allowed * redcc_next_factor(&size->set_ups)
-                               : size->set_ups.since;
+    size->looked_at = redcc_usual(&size->sequential);
     const double current = size->stand == STAND_PARALLEL ? size->prospect[size->way].execution
                                                          : redcc_usual(&size->sequential);
-    const enum way way = best_way(size, now->trip, current, allowed, settled);
-    if (way == WAY_SEQUENTIAL)
-        return sequentially(size, RULE_SAVING);
-    const double cost = 2 * set_up_of(&size->prospect[way]);
-    size->rule = RULE_SET_UP;
-    return (struct decision){.action = ACTION_INSPECT,
-                             .way = way,
-                             .deadline = cost < allowed ? cost : allowed,
-                             .rule = RULE_SET_UP};
+    struct decision decision = set_up(state, size, now, current);
+    decision.deadline -= spent;
+    return decision;
 }

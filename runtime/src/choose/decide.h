@@ -7,8 +7,9 @@
  *     redcc_observe    what came of it, and what it took
  *
  * No clock, no threads, no allocation: seconds come in with what is observed. Everything that may
- * take longer than the sequential loop is paid from the credit: a tenth of the time that the loop
- * has taken, and what was gained. Used by one thread at a time.
+ * take longer than the sequential loop is paid from the credit: a twentieth of the time that the
+ * loop has taken, what was gained, and, for a plan that is expected to repay it soon, one loan.
+ * Used by one thread at a time.
  */
 #ifndef REDCC_CHOOSE_DECIDE_H
 #define REDCC_CHOOSE_DECIDE_H
@@ -41,11 +42,10 @@ struct situation {
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
     enum kept_match kept[WAY_COUNT];
-    int steady;             /**< calls in a row whose sampled subscripts were those of the call
-                                 before; -1: not known */
-    double forecast;        /**< seconds of a sequential execution that has never been timed;
-                                 0: not known */
-    double forecast_set_up; /**< of an inspection, then */
+    int steady; /**< calls in a row whose sampled subscripts were those of the call before; -1: not
+                     known */
+    bool verified; /**< all subscripts were compared with those of the call before: they are the
+                        same */
 };
 
 enum action {
@@ -130,6 +130,7 @@ struct size_state {
     int threads;
     bool looked;      /* the prospects are known */
     double look;      /* seconds that a sample took; 0: none was taken */
+    double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
     struct timings sequential;
     struct prospect prospect[WAY_COUNT];
@@ -142,9 +143,10 @@ struct size_state {
 struct ledger {
     double sequential; /* that the sequential loop has taken, or would have */
     double overhead;   /* taken beyond that; negative: gained */
+    double loan; /* that may be lost beyond the credit, until it is repaid or its plan fails */
 };
 
-enum { REDCC_SIZES = 48 };
+enum { REDCC_SIZES = 40 };
 
 /** All that is known of a loop; zeroes at first. */
 struct choice_state {
@@ -169,11 +171,14 @@ struct decision redcc_pick_way(struct choice_state *state, const struct situatio
  *  failed, one more of the sequential loop if it is timed. */
 void redcc_observe(struct choice_state *state, const struct outcome *outcome);
 
-/** Seconds that may be lost now without passing the bound; may be negative. */
+/** Seconds that may be lost now without passing the bound, a loan included; may be negative. */
 double redcc_credit(const struct choice_state *state);
 
 /** Seconds of a sequential execution, as they were lately: the median of three. 0: not known. */
 double redcc_usual_sequential(const struct choice_state *state, long long trip);
+
+/** How many sequential executions of this size were timed. */
+long redcc_timings_of(const struct choice_state *state, long long trip);
 
 /** The row that decided last at this size. */
 enum rule redcc_rule_of(const struct choice_state *state, long long trip);

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/size.h"
 
-static const double evident = 0.1; /* difference of two ways that ends their comparison at once */
-static const double clear = 0.8;   /* of the sequential loop: one execution is enough */
+/* Difference of two ways that ends their comparison after one pair, two, three. */
+static const double evident[] = {0.3, 0.2, 0.1};
+static const double noise_low = 0.6, noise_high = 1.6;
+static const double latest = 0.25; /* what an execution counts in the mean of those by a plan */
 
 enum {
     PAIRS = 3, /* of a comparison: decides right in 19 of 20 cases at a noise of 30 % */
@@ -36,15 +38,15 @@ static void settle(struct size_state *size, bool contender_won) {
 static void settle_if_evident(struct size_state *size) {
     const struct comparison *it = &size->comparison;
     if (it->incumbent == WAY_SEQUENTIAL && it->contended == 1 && it->defended == 0 &&
-        it->contender_sum < clear * redcc_usual(&size->sequential)) {
+        it->contender_sum < redcc_clear * redcc_usual(&size->sequential)) {
         settle(size, true);
         return;
     }
     if (it->contended != it->defended)
         return;
     const double difference = it->incumbent_sum - it->contender_sum;
-    if (difference > evident * it->incumbent_sum || -difference > evident * it->incumbent_sum ||
-        it->contended >= PAIRS)
+    const double needed = evident[it->contended - 1] * it->incumbent_sum;
+    if (difference > needed || -difference > needed || it->contended >= PAIRS)
         settle(size, difference > 0);
 }
 
@@ -63,6 +65,11 @@ static void count_in_comparison(struct size_state *size, enum way way, double ea
     settle_if_evident(size);
 }
 
+/* More than noise lies between two timings of a loop. */
+static bool is_another(double before, double now) {
+    return now < noise_low * before || now > noise_high * before;
+}
+
 static void observe_sequential(struct choice_state *state, struct size_state *size,
                                const struct outcome *outcome) {
     const double each = outcome->seconds / (double)outcome->trip;
@@ -71,8 +78,8 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     const bool comparing = size->stand == STAND_COMPARING;
     const bool checked = comparing && size->comparison.incumbent == WAY_SEQUENTIAL &&
                          size->comparison.incumbents_turn && size->comparison.defended == 0;
-    if (checked) /* what was timed before the machine changed is of no use */
-        size->sequential.count = 0;
+    if (checked && is_another(redcc_usual(&size->sequential), each))
+        size->sequential.count = 0; /* timed before the machine changed: of no use */
     redcc_note_timing(&size->sequential, each);
     if (comparing)
         count_in_comparison(size, WAY_SEQUENTIAL, each);
@@ -91,10 +98,13 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
     size->prospect[way].possible = true;
 }
 
-/* The first execution by a new plan starts threads and touches pages: it is not compared. */
-static void begin_trial(struct size_state *size, enum way way) {
+/* The first execution by a new plan starts threads and touches pages: it is only compared where it
+ * is clearly the faster way in spite of that. */
+static void begin_trial(struct size_state *size, enum way way, double each) {
     const bool rival = size->stand == STAND_PARALLEL && size->way != way;
     redcc_compare(size, way, rival ? size->way : WAY_SEQUENTIAL);
+    if (!rival && each < redcc_clear * redcc_usual(&size->sequential))
+        count_in_comparison(size, way, each);
 }
 
 static void observe_parallel(struct choice_state *state, struct size_state *size,
@@ -113,10 +123,11 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
     size->set_ups.since += sequential;
     size->set_ups.earned += sequential - outcome->seconds;
     if (outcome->set_up > 0) {
-        begin_trial(size, outcome->way);
+        begin_trial(size, outcome->way, each);
         return;
     }
-    prospect->execution = prospect->measured ? (prospect->execution + each) / 2 : each;
+    prospect->execution +=
+        prospect->measured ? latest * (each - prospect->execution) : each - prospect->execution;
     prospect->measured = true;
     if (size->stand == STAND_COMPARING)
         count_in_comparison(size, outcome->way, each);
@@ -127,11 +138,12 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
 static void observe_stop(struct size_state *size, const struct outcome *outcome) {
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
-    count_set_up(size, outcome->way, outcome->seconds);
-    if (outcome->way == WAY_SEQUENTIAL) /* not even the sample was there */
+    if (outcome->way == WAY_SEQUENTIAL) { /* not even the sample was there */
         size->look = twice;
-    else
+    } else {
+        count_set_up(size, outcome->way, outcome->seconds);
         size->prospect[outcome->way].learned = whole > twice ? whole : twice;
+    }
     if (size->stand != STAND_PARALLEL)
         size->stand = STAND_SAVING;
     size->rule = RULE_STOPPED;
@@ -146,8 +158,17 @@ static void observe_refusal(struct size_state *size, const struct outcome *outco
         redcc_rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REDCC_REST_MOST);
 }
 
-void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
-    struct size_state *size = redcc_size_of(state, outcome->trip);
+/* A loan is repaid, or what it was given for has failed: then nothing more may be spent of it. */
+static void end_loan(struct choice_state *state, const struct size_state *size,
+                     enum result result) {
+    const bool failed =
+        (result != RESULT_SEQUENTIAL && result != RESULT_PARALLEL) || size->stand == STAND_RESTING;
+    if (failed || redcc_credit(state) >= state->ledger.loan)
+        state->ledger.loan = 0;
+}
+
+static void take_in(struct choice_state *state, struct size_state *size,
+                    const struct outcome *outcome) {
     switch (outcome->result) {
     case RESULT_SEQUENTIAL:
         observe_sequential(state, size, outcome);
@@ -175,4 +196,10 @@ void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
         break;
     }
     state->ledger.overhead += outcome->seconds;
+}
+
+void redcc_observe(struct choice_state *state, const struct outcome *outcome) {
+    struct size_state *size = redcc_size_of(state, outcome->trip);
+    take_in(state, size, outcome);
+    end_loan(state, size, outcome->result);
 }

@@ -3,20 +3,22 @@
 
 /* Seconds, on the machines of bench/results. They are first estimates: what a set-up has taken, and
  * what executions take, comes in their place as soon as it is known. */
-static const double touch_alike = 2e-9; /* to tell a touch, where iterations follow alike */
-static const double touch_apart =
-    15e-9; /* ... where each has other owners than the last: 10 to 48 */
-static const double touch_range = 1e-9; /* ... for its extent alone */
-static const double frequent = 0.25;    /* runs, of the iterations: all touches are told apart */
+static const double touch_told = 1e-9; /* of a thread: a touch, where iterations follow alike, */
+static const double iteration_apart = 45e-9; /* one that has other owners than the last: 37 to 60 */
+static const double graph_row = 40e-9;       /* cutting the access graph, a row: of the threads, */
+static const double graph_row_alone = 15e-9; /* and while they wait */
+static const double touch_range = 1e-9;      /* to tell a touch for its extent alone */
+static const double frequent = 0.25; /* runs, of the iterations: all touches are told apart */
 static const double run_begun = 3e-9;
 static const double byte_copied = 0.15e-9;    /* of a copy that is filled and brought in, */
 static const double new_byte_copied = 0.6e-9; /* and that the system has to find a page for */
-static const double byte_checked = 0.1e-9;
+static const double byte_checked = 0.05e-9;
 static const double contended = 1.1;  /* times as long as alone, side by side: 1.05 to 1.4 */
 static const double scattered = 1.15; /* where an owner's rows do not lie together */
+static const double guarded = 1.1;    /* where most iterations ask who owns what they write */
 static const double even = 1.1;       /* of an equal share: the graph cannot do much better */
 
-const double redcc_graph_touch = 40e-9, redcc_level_touch = 20e-9;
+const double redcc_level_touch = 20e-9;
 
 static void by_copies(const struct findings *it, struct prospect *prospect) {
     const double trip = (double)it->trip;
@@ -28,17 +30,18 @@ static void by_copies(const struct findings *it, struct prospect *prospect) {
 
 static void by_index(const struct findings *it, struct prospect *prospect) {
     const double apart = it->runs < frequent ? it->runs / frequent : 1;
-    const double touch = touch_alike + apart * (touch_apart - touch_alike);
+    const double inspected = it->touches * touch_told + it->runs * iteration_apart;
     prospect->possible = true;
-    prospect->set_up = it->spent + it->touches * (double)it->trip * touch;
-    prospect->execution =
-        it->sequential * contended * it->share + it->runs * run_begun / it->threads;
+    prospect->set_up = it->spent + inspected * (double)it->trip / it->threads;
+    prospect->execution = it->sequential * contended * it->share * (1 + apart * (guarded - 1)) +
+                          it->runs * run_begun / it->threads;
 }
 
 static void by_graph(const struct findings *it, const struct prospect *index,
                      struct prospect *prospect) {
+    const double row = graph_row / it->threads + graph_row_alone;
     prospect->possible = it->reusable && it->share * it->threads > even;
-    prospect->set_up = index->set_up + it->touches * (double)it->trip * redcc_graph_touch;
+    prospect->set_up = index->set_up + it->rows * (double)it->trip * row;
     prospect->execution =
         it->sequential * contended * scattered / it->threads + it->runs * run_begun / it->threads;
 }

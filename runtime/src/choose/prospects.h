@@ -12,6 +12,7 @@ struct findings {
     double spent;      /**< seconds of this inspection so far */
     double share;      /**< of the iterations, by the thread that would execute most by index */
     double touches;    /**< of an iteration */
+    double rows;       /**< ... at different addresses */
     double runs;       /**< of the iterations: those that touch other owners than the one before */
     bool copies;       /**< private copies may and can be had */
     double copied;     /**< bytes of one of them */
@@ -22,8 +23,7 @@ struct findings {
 /** Fills prospect [WAY_COUNT]. */
 void redcc_estimate_prospects(const struct findings *findings, struct prospect *prospect);
 
-/** Seconds that cutting owners from the access graph, and putting iterations in levels, takes for
- *  a touch. */
-extern const double redcc_graph_touch, redcc_level_touch;
+/** Seconds that putting iterations in levels takes for a touch. */
+extern const double redcc_level_touch;
 
 #endif

@@ -11,17 +11,17 @@
       "the original loop")                                                                         \
     X(RULE_FIRST, "first",                                                                         \
       "no execution at trip counts of this size (between two powers of two) is timed",             \
-      "the original loop, timed; an inspection where the loop is forecast to take 20 times as "    \
-      "long")                                                                                      \
+      "the original loop, timed")                                                                  \
     X(RULE_SHORT, "short", "an execution takes less than 50 times as long as waking the threads",  \
       "the original loop; timed again after 16 calls, then at doubling distances up to 1024")      \
     X(RULE_SAVING, "saving",                                                                       \
-      "a trial is worth it, but it may cost more than a tenth of the time that the loop has "      \
-      "taken so far, or its like has failed lately",                                               \
+      "a trial is worth it, but it may cost more than a twentieth of the time that the loop has "  \
+      "taken so far and would not repay a loan at once, or its like has failed lately",            \
       "the original loop")                                                                         \
     X(RULE_LOOKING, "looking", "the credit allows a sample; what may be gained is not known",      \
       "a sample, and what follows from it")                                                        \
-    X(RULE_SET_UP, "set-up", "a way is expected to pay for its set-up, which the credit allows",   \
+    X(RULE_SET_UP, "set-up",                                                                       \
+      "a way is expected to pay for its set-up, which credit or loan allow",                       \
       "an inspection with a deadline, and a plan")                                                 \
     X(RULE_UNATTRACTIVE, "unattractive", "by a sample no way is expected to be faster",            \
       "the original loop; another sample after 64 calls, then at doubling distances")              \
@@ -32,7 +32,7 @@
     X(RULE_CHANGED, "changed", "the subscripts are not those of the plan", "the original loop")    \
     X(RULE_COMPARING, "comparing",                                                                 \
       "a plan is new or was slow, or the sequential loop was not timed for long",                  \
-      "the two ways take turns, until one is a tenth faster or three pairs are timed")             \
+      "the two ways take turns, until one is clearly faster or three pairs are timed")             \
     X(RULE_FASTER, "faster", "a plan was the faster way", "it is used while the subscripts stay")  \
     X(RULE_SLOWER, "slower", "a plan was the slower way",                                          \
       "the original loop; compared again after 16 calls, then at doubling distances")              \

@@ -51,10 +51,17 @@ int redcc_next_misses(const struct set_ups *set_ups) {
     return missed ? set_ups->misses + 1 : 0;
 }
 
+double redcc_expected(const struct size_state *size, enum way way) {
+    const struct prospect *it = &size->prospect[way];
+    return it->measured || size->looked_at <= 0
+               ? it->execution
+               : it->execution * redcc_usual(&size->sequential) / size->looked_at;
+}
+
 bool redcc_some_way_is_better(const struct size_state *size) {
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         if (size->prospect[way].possible &&
-            size->prospect[way].execution < redcc_better * redcc_usual(&size->sequential))
+            redcc_expected(size, way) < redcc_better * redcc_usual(&size->sequential))
             return true;
     return false;
 }
@@ -68,6 +75,10 @@ void redcc_compare(struct size_state *size, enum way contender, enum way incumbe
 double redcc_usual_sequential(const struct choice_state *state, long long trip) {
     const struct size_state *size = redcc_size_of((struct choice_state *)state, trip);
     return redcc_usual(&size->sequential) * (double)trip;
+}
+
+long redcc_timings_of(const struct choice_state *state, long long trip) {
+    return redcc_size_of((struct choice_state *)state, trip)->sequential.count;
 }
 
 enum rule redcc_rule_of(const struct choice_state *state, long long trip) {

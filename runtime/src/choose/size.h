@@ -9,6 +9,8 @@
 /** A way is worth a trial below this, of the other's time: medians of executions of one loop differ
  *  by 3 to 5 % without a cause. */
 static const double redcc_better = 0.95;
+/** Below this one execution shows it: twice the noise of a busy machine. */
+static const double redcc_clear = 0.8;
 
 enum { REDCC_REST_MOST = 1 << 20 /* calls */ };
 
@@ -32,6 +34,10 @@ double redcc_next_factor(const struct set_ups *set_ups);
 
 /** set_ups->misses, the last one included. */
 int redcc_next_misses(const struct set_ups *set_ups);
+
+/** Seconds an iteration by a plan of that way. Estimates follow the sequential loop, whose first
+ *  execution takes longer than others. */
+double redcc_expected(const struct size_state *size, enum way way);
 
 bool redcc_some_way_is_better(const struct size_state *size);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "inspect/inspection.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "plan/method.h"
 
@@ -68,6 +69,10 @@ void redcc_inspection_end(struct inspection *inspection) {
     inspection->samples = NULL;
     inspection->summaries = NULL;
     inspection->seen = NULL;
+}
+
+bool redcc_inspection_is_late(const struct inspection *inspection) {
+    return inspection->deadline > 0 && redcc_seconds() > inspection->deadline;
 }
 
 bool redcc_inspection_failed(const struct inspection *inspection) {

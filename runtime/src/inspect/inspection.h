@@ -33,9 +33,10 @@ struct inspector {
     bool failed;          /* no memory */
     bool told_all;        /* the program told as many iterations as asked for */
     bool late;            /* the deadline came before all were */
-    redcc_int next;       /* iterations handed out up to here */
+    redcc_int next;       /* iterations handed out up to here, by the sweep */
     redcc_int handed;     /* in the block at hand */
     redcc_int block;      /* that many at most */
+    redcc_int at;         /* iterations handed out up to here, by sample or log */
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] */
     redcc_int *executed;  /* [owners] iterations of the own share, by owner */
@@ -56,7 +57,7 @@ struct inspection {
     enum route route;       /* as far as it is decided */
     double deadline;        /* on the clock of redcc_seconds; 0: none */
     bool no_copies;         /* by all iterations they cannot be had */
-    double touches;         /* of an iteration, by the sample */
+    double touches, rows;   /* of an iteration, by the sample */
     struct overlap overlap; /* REASON_OVERLAP: which */
     struct partition partition;
     const struct sample **samples;    /* [threads] */
@@ -76,6 +77,13 @@ void redcc_inspection_set_owners(struct inspection *inspection);
 /** Frees what it and its inspectors hold. */
 void redcc_inspection_end(struct inspection *inspection);
 
+/** Has it taken longer than auto allows? */
+bool redcc_inspection_is_late(const struct inspection *inspection);
+
+/** Where there is a deadline, it is looked at after so many iterations: 50 microseconds to a
+ *  millisecond. */
+enum { REDCC_BLOCK_BEFORE_DEADLINE = 16384 };
+
 /** Has some thread run out of memory? */
 bool redcc_inspection_failed(const struct inspection *inspection);
 
@@ -93,7 +101,10 @@ void redcc_gather_touched(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
 
-/** Hands out the thread's iterations of the sample. False: there are none. */
+/** Begins the thread's part. */
+void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector);
+
+/** Hands out its iterations of the sample. False: there are none left. */
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker);
 
@@ -134,11 +145,14 @@ enum reason redcc_sweep_finish(struct inspection *inspection);
 /** Begins the access log. */
 enum divide_result redcc_log_begin(struct inspection *inspection, bool in_levels);
 
-/** Begins the thread's part, and hands out all its iterations. False: there are none. */
-bool redcc_log_hand_out(struct inspection *inspection, struct inspector *inspector,
+/** Begins the thread's part. */
+void redcc_log_start(const struct inspection *inspection, struct inspector *inspector);
+
+/** Hands out the next block of its iterations. False: there is none left, or it is too late. */
+bool redcc_log_hand_out(const struct inspection *inspection, struct inspector *inspector,
                         redcc_worker *worker);
 
-/** All is told: was there memory, and was it not too much to be kept? */
+/** All is told, or it is late: was there memory, and was it not too much to be kept? */
 enum divide_result redcc_log_finish(const struct inspection *inspection);
 
 /** Cuts owners from the access graph; joined: without stealable blocks after all. */

@@ -31,23 +31,30 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool in_levels
         redcc_divide_begin(divide, &inspection->partition, inspection->touched, threads,
                            inspection->call->request.trip);
     divide->barrier = inspection->barrier;
+    divide->deadline = inspection->deadline;
     if (in_levels) /* whatever they take: the method was named */
         divide->most_told = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }
 
-bool redcc_log_hand_out(struct inspection *inspection, struct inspector *inspector,
-                        redcc_worker *worker) {
-    struct divide *divide = &inspection->divide;
-    const redcc_int begin = redcc_own_begin(inspection, inspector);
-    const redcc_int end = redcc_own_end(inspection, inspector);
+void redcc_log_start(const struct inspection *inspection, struct inspector *inspector) {
+    const struct divide *divide = &inspection->divide;
+    inspector->at = redcc_own_begin(inspection, inspector);
     inspector->failed =
         !redcc_told_begin(&divide->told[inspector->thread], &divide->units, divide->partition,
-                          begin, expected_touches(inspection, inspector, true),
+                          inspector->at, expected_touches(inspection, inspector, true),
                           expected_touches(inspection, inspector, false), divide->most_told);
-    if (inspector->failed || begin == end)
+}
+
+bool redcc_log_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                        redcc_worker *worker) {
+    const redcc_int first = inspector->at, end = redcc_own_end(inspection, inspector);
+    inspector->late = redcc_inspection_is_late(inspection);
+    if (inspector->failed || inspector->late || first == end)
         return false;
-    redcc_hand_out(inspector, worker, begin, end, 1, inspector->nowhere);
+    const bool all = inspection->deadline <= 0 || end - first < REDCC_BLOCK_BEFORE_DEADLINE;
+    inspector->at = all ? end : first + REDCC_BLOCK_BEFORE_DEADLINE;
+    redcc_hand_out(inspector, worker, first, inspector->at, 1, inspector->nowhere);
     return true;
 }
 

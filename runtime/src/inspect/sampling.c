@@ -69,14 +69,19 @@ static bool begin_sample(const struct inspection *inspection, struct inspector *
     return true;
 }
 
+void redcc_sample_start(const struct inspection *inspection, struct inspector *inspector) {
+    inspector->failed = !begin_sample(inspection, inspector);
+    inspector->next = redcc_own_begin(inspection, inspector); /* nothing is swept */
+    inspector->at = sample_stride(inspection) * sampled_before(inspection, inspector);
+}
+
 bool redcc_sample_hand_out(const struct inspection *inspection, struct inspector *inspector,
                            redcc_worker *worker) {
-    const redcc_int stride = sample_stride(inspection);
-    const redcc_int first = stride * sampled_before(inspection, inspector);
+    const redcc_int stride = sample_stride(inspection), first = inspector->at;
     const redcc_int end = redcc_own_end(inspection, inspector);
-    inspector->failed = !begin_sample(inspection, inspector);
     if (inspector->failed || first >= end)
         return false;
+    inspector->at = end;
     redcc_hand_out(inspector, worker, first, end, stride, inspector->nowhere);
     return true;
 }
@@ -146,6 +151,7 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
         (estimate && !redcc_estimate(partition, inspection->samples, threads, estimate)))
         return false;
     inspection->touches = estimate ? estimate->touches : 0;
+    inspection->rows = estimate ? estimate->rows : 0;
     return true;
 }
 

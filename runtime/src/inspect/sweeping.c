@@ -3,8 +3,6 @@
  *  summaries, the exact extents and the overlap guard. */
 #include "inspect/inspection.h"
 
-#include "base/clock.h"
-
 #include <assert.h>
 #include <string.h>
 
@@ -17,10 +15,6 @@ static redcc_int iterations_at_once(redcc_int own, size_t hashed) {
     return each < REDCC_BLOCK ? each : REDCC_BLOCK;
 }
 
-/* Where there is a deadline, it is looked at after so many iterations: 50 microseconds to a
- * millisecond. */
-enum { BLOCK_BEFORE_DEADLINE = 16384 };
-
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed) {
     const struct partition *partition = &inspection->partition;
@@ -31,8 +25,8 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     inspector->next = begin;
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
-    if (inspection->deadline > 0 && inspector->block > BLOCK_BEFORE_DEADLINE)
-        inspector->block = BLOCK_BEFORE_DEADLINE;
+    if (inspection->deadline > 0 && inspector->block > REDCC_BLOCK_BEFORE_DEADLINE)
+        inspector->block = REDCC_BLOCK_BEFORE_DEADLINE;
     inspector->told_all = true;
     inspector->late = false;
 }
@@ -42,7 +36,7 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
     const redcc_int end = redcc_own_end(inspection, inspector), first = inspector->next;
     if (inspector->failed || !inspector->told_all || first == end)
         return false;
-    inspector->late = inspection->deadline > 0 && redcc_seconds() > inspection->deadline;
+    inspector->late = redcc_inspection_is_late(inspection);
     if (inspector->late)
         return false;
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;

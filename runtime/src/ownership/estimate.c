@@ -25,6 +25,19 @@ struct span_of_owners {
     uint32_t high;
 };
 
+/* Is it the first of its iteration at this address? */
+static bool is_new_row(const struct sample *sample, size_t i) {
+    enum { LOOKED_BACK = 32 };
+    const struct sampled *item = &sample->item[i];
+    for (size_t back = 1; back <= i && back <= LOOKED_BACK; back++) {
+        if (item[-(ptrdiff_t)back].iteration != item->iteration)
+            return true;
+        if (item[-(ptrdiff_t)back].address == item->address)
+            return false;
+    }
+    return true;
+}
+
 /* A thread's sample: who takes part, and how often one iteration differs from the one before. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
@@ -59,11 +72,13 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
         return false;
     const struct parts parts = {part, part + owners};
     uint32_t iterations = 1, most = 0, changes = 0, overhead = 0;
-    double touches = 0;
+    double touches = 0, rows = 0;
     for (int thread = 0; thread < threads; thread++) {
         changes += count_parts(partition, sample[thread], iterations, parts);
         iterations += sample[thread]->iterations + 1;
         touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
+        for (size_t i = 0; i < sample[thread]->count; i++)
+            rows += is_new_row(sample[thread], i) ? (double)sample[thread]->keep_each : 0;
     }
     for (size_t owner = 0; owner < owners; owner++)
         overhead += parts.of_owner[owner].iterations;
@@ -75,6 +90,7 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
     *estimate = (struct estimate){.share = (double)most / iterations,
                                   .overhead = (double)overhead / iterations,
                                   .touches = touches / iterations,
+                                  .rows = rows / iterations,
                                   .changes = (double)changes / iterations};
     redcc_memory_give(part);
     return true;

@@ -10,6 +10,7 @@ struct estimate {
                         stealable ones behind it included */
     double overhead; /* of the iterations: what is executed once more because of stealable owners */
     double touches;  /* of an iteration */
+    double rows;     /* ... at different addresses */
     double changes; /* of the iterations: those that touch other owners than the one sampled before.
                        Those in between may be alike: no more than these begin a run, about */
 };

@@ -176,6 +176,33 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     ask_tracking(reuse);
 }
 
+/* Where it begins is known, and that lies in a source that is known as a whole: another part of the
+ * same array. */
+static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known, uint32_t source) {
+    const uintptr_t first = (uintptr_t)known[source].first;
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (known[s].end && (uintptr_t)known[s].first <= first && first < (uintptr_t)known[s].end)
+            return true;
+    return false;
+}
+
+bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known,
+                             struct fingerprint *all) {
+    *all = redcc_fingerprint(NULL, 0);
+    if (!(loop->flags & REDCC_VERIFIABLE))
+        return false;
+    for (uint32_t s = 0; s < loop->source_count; s++) {
+        if (!loop->sources[s].is_subscript || (!known[s].end && is_part_of_another(loop, known, s)))
+            continue;
+        if (!known[s].end)
+            return false;
+        const size_t bytes = (size_t)(known[s].end - known[s].first);
+        const struct fingerprint parts[] = {*all, redcc_fingerprint(known[s].first, bytes)};
+        *all = redcc_fingerprint_join(parts, 2);
+    }
+    return true;
+}
+
 /* ---- are its subscripts what they were? --------------------------------------------------------
  */
 

@@ -62,6 +62,10 @@ struct reuse {
  *  0: there are none such. */
 void redcc_reuse_sample(struct reuse *reuse);
 
+/** Of all subscripts, as far as it is known where they lie; false: of some array nothing is. */
+bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known,
+                             struct fingerprint *all);
+
 /** Looks for a plan of that way (SEQUENTIAL: of any) that may serve the call by so many threads, if
  *  its subscripts are what they were: everything is compared but these, of which only the sample
  * is, and the guard is asked. Asks which of its subscripts the system shows to be unmodified. Sets

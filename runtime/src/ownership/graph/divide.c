@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ownership/graph/divide.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/share.h"
 #include "ownership/graph/bisect.h"
@@ -94,13 +95,14 @@ static struct share share_of(const struct divide *divide, uint32_t count, int th
                           (uint32_t)redcc_share(count, divide->threads, thread + 1)};
 }
 
-/* All meet; the last one does `alone`, if nobody has failed. Returns the same to all: is it going
- * well? */
+/* All meet; the last one does `alone`, if nobody has failed and it is not late. Returns the same to
+ * all: is it going well? */
 static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *)) {
     if (!done)
         atomic_store(&divide->failed, true);
     if (redcc_barrier_arrive(divide->barrier, divide->threads)) {
-        divide->going = !atomic_load(&divide->failed) && (!alone || alone(divide));
+        const bool late = divide->deadline > 0 && redcc_seconds() > divide->deadline;
+        divide->going = !late && !atomic_load(&divide->failed) && (!alone || alone(divide));
         redcc_barrier_release(divide->barrier);
     }
     return divide->going;

@@ -42,13 +42,14 @@ struct divide {
     uint32_t *rim;               /* [units.leading] */
     uint32_t *rim_count;         /* [threads] */
     atomic_ushort *vote;         /* [units.count - units.leading] */
+    double deadline; /* on the clock of redcc_seconds, looked at where all meet; 0: none */
     atomic_bool failed;
-    bool going; /* nobody has failed so far */
+    bool going; /* nobody has failed so far, and it is not late */
 };
 
 enum divide_result {
     DIVIDE_DONE,
-    DIVIDE_NO_MEMORY,
+    DIVIDE_NO_MEMORY, /* or late */
     DIVIDE_UNSUITABLE /* too many units, touches or owners to be worth it, or none */
 };
 
