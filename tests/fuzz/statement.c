@@ -216,7 +216,7 @@ static void choice(kernel *k) {
 }
 
 static void skip(kernel *k) {
-    if (!k->scope.in_loop && k->may_continue)
+    if (k->scope.in_loop ? k->scope.can_skip : k->may_continue)
         put(k, &k->body, "if (%s)\ncontinue;\n", condition(k));
 }
 

@@ -45,11 +45,13 @@ typedef struct counted_loop {
     const ir_node *bound; /* loop-invariant expression */
     const ir_variable *bound_variable; /* that the header sets to `bound`, and that is mentioned
                                           nowhere else in the loop; NULL: there is none */
-    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
-                               as counter <comparison> bound */
-    int64_t step;           /* non-zero constant; sign agrees with comparison */
-    const ir_node *body;    /* executed each iteration; for a while, the increment is its last
-                               statement, `increment`, and not part of the copy */
+    unsigned start_count;
+    const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
+    ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
+                                 as counter <comparison> bound */
+    int64_t step;             /* non-zero constant; sign agrees with comparison */
+    const ir_node *body;      /* executed each iteration; for a while, the increment is its last
+                                 statement, `increment`, and not part of the copy */
     const ir_node *increment;
 } counted_loop;
 
@@ -135,6 +137,13 @@ typedef struct private_variable {
     bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
     bool is_last_sought;     /* its last value is needed, but some iterations leave it as it was: a
                                 scalar that is assigned by statements of its own (IR_EXPRESSION) */
+    bool is_stepped;     /* an integer that each iteration moves by `step`, once: it begins with the
+                            value on entry and as many steps as there were iterations before */
+    bool is_step_wanted; /* is_stepped: its value after the loop is needed */
+    bool is_in_slice;    /* is_stepped: the inspector asks for it */
+    int64_t step;
+    const ir_node *entry; /* is_stepped: its value on entry, which the header gives it; NULL: the
+                             one that it has */
 } private_variable;
 
 /** How an operand of a scalar's update is kept: as the type in which the operation is made. */

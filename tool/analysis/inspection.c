@@ -227,6 +227,12 @@ static bool take_slice(judgement *j, const touch_list *touches, reason_id why, c
     if (result.obstacle)
         return judgement_refuse(j, why, result.obstacle, name);
     j->in_slice = result.keep;
+    for (unsigned i = 0; i < j->privates.count; i++) {
+        private_variable *item = &j->privates.items[i];
+        item->is_in_slice = false;
+        for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
+            item->is_in_slice |= result.needed[k] == item->variable;
+    }
     j->slice_has_floating_work = result.has_floating_work;
     return true;
 }

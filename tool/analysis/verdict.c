@@ -3,6 +3,7 @@
 #include "analysis/analyser.h"
 #include "analysis/candidate.h"
 #include "analysis/expression.h"
+#include "analysis/induction.h"
 #include "analysis/live.h"
 #include "analysis/reason.h"
 #include "analysis/scalars.h"
@@ -235,8 +236,8 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
     j->an = an;
     j->function = function;
     j->loop = loop;
-    bool is_fine =
-        judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) && judge_updates(j);
+    bool is_fine = judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) &&
+                   judge_header_steps(j) && judge_updates(j);
     /* What looked like a shared array may be private to each iteration. */
     if (is_fine && j->arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};

@@ -1,0 +1,149 @@
+/* Which arrays decide where a plan holds: those that say which elements could be touched, not
+ * those by which it is decided whether they are. */
+void cut_off(int n, double *restrict f, const double *restrict x, const int *restrict p,
+             const int *restrict q, double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p,q
+        int i = p[t], j = q[t];
+        double d = x[i] - x[j];
+        if (d * d > cut)
+            continue;
+        f[i] += d;
+        f[j] -= d;
+    }
+}
+
+void cut_off_in_a_row(int n, double *restrict f, const double *restrict x,
+                      const int *restrict start, const int *restrict q, double cut) {
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) verifiable subscripts=start,q
+        for (int k = start[i]; k < start[i + 1]; k++) {
+            int j = q[k];
+            double d = x[i] - x[j];
+            if (d * d > cut)
+                continue;
+            f[i] += d;
+            f[j] -= d;
+        }
+}
+
+void components(int n, double *restrict f, const double *restrict x, const int *restrict p,
+                double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p
+        int i = p[t];
+        double r = x[3 * i] * x[3 * i + 1];
+        if (r > cut)
+            continue;
+        for (int c = 0; c < 3; c++)
+            f[3 * i + c] += r;
+    }
+}
+
+void components_under_a_condition(int n, double *restrict f, const double *restrict x,
+                                  const int *restrict p, double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p
+        int i = p[t];
+        double r = x[3 * i] * x[3 * i + 1];
+        if (r <= cut) {
+            int first = 3 * i;
+            for (int c = 0; c < 3; c++)
+                f[first + c] += r;
+        }
+    }
+}
+
+/* Behind the condition something is read that the program might not read. */
+void read_behind(int n, double *restrict f, const double *restrict x, const int *restrict p,
+                 const int *restrict q, double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x,q
+        int i = p[t];
+        if (x[i] <= cut) {
+            int j = q[i];
+            f[j] += x[i];
+        }
+    }
+}
+
+void read_behind_in_a_row(int n, double *restrict f, const double *restrict x,
+                          const int *restrict start, const int *restrict q, double cut) {
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) subscripts=start,x,q
+        for (int k = start[i]; k < start[i + 1]; k++) {
+            if (x[k] > cut)
+                continue;
+            int j = q[k];
+            f[j] += x[k];
+        }
+}
+
+/* What is counted by the condition goes on to the next round of the inner loop. */
+void counted_in_a_row(int n, double *restrict f, const double *restrict x,
+                      const int *restrict start, double cut) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform f(+) subscripts=start,x
+        int place = 0;
+        for (int k = start[i]; k < start[i + 1]; k++) {
+            if (x[k] > cut)
+                continue;
+            f[3 * start[i] + place] += x[k];
+            place++;
+        }
+    }
+}
+
+void kept_from_the_round_before(int n, double *restrict f, const double *restrict x,
+                                const int *restrict p, double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x
+        int at = p[t], c;
+        for (c = 0; c < 3; c++) {
+            if (x[3 * t + c] > cut)
+                continue;
+            f[at] += x[3 * t + c];
+            at = c;
+        }
+    }
+}
+
+void leaves_after(int n, double *restrict f, const double *restrict x, const int *restrict start,
+                  const int *restrict q, double cut) {
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) subscripts=start,q,x
+        for (int k = start[i]; k < start[i + 1]; k++) {
+            int j = q[k];
+            if (x[k] > cut)
+                continue;
+            f[j] += x[k];
+            if (j == 5)
+                break;
+        }
+}
+
+void set_by_the_condition(int n, double *restrict f, const double *restrict x,
+                          const int *restrict p, double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=x,p
+        int i = 0;
+        if (x[t] > cut) {
+            int j = p[t];
+            i = j;
+        }
+        f[i] += x[t];
+    }
+}
+
+/* The inner counter outlives the condition. */
+void counter_outlives(int n, double *restrict f, const double *restrict x, const int *restrict p,
+                      double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=x,p
+        int c = 0;
+        if (x[t] <= cut)
+            for (c = 0; c < 3; c++)
+                f[3 * p[t] + c] += x[t];
+        f[p[t] + c] += 1;
+    }
+}
+
+void divides(int n, double *restrict f, const double *restrict x, const int *restrict p, int m,
+             double cut) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x
+        int i = p[t];
+        if (x[t] <= cut) {
+            int at = i / m;
+            f[at] += x[t];
+        }
+    }
+}
