@@ -58,6 +58,8 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
             if (facts->arrays[i].is_interleaved)
                 buffer_format(&out, " interleaved=%s", facts->arrays[i].name);
         describe_subscripts(&out, facts);
+        if (facts->unkept.name)
+            buffer_format(&out, " unkept=%s", facts->unkept.name);
     }
     const char *text = arena_copy(a, out.data, out.length);
     buffer_free(&out);

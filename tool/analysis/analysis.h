@@ -177,6 +177,12 @@ typedef struct loop_span {
     counted_loop counted;
 } loop_span;
 
+/** A read because of which no plan of the loop can be kept. */
+typedef struct unkept_read {
+    const char *name; /* of what is read; NULL: plans are kept, as far as the analysis knows */
+    ir_range range;   /* of the read, or of the call that makes it */
+} unkept_read;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is judged */
     ir_function *function;
@@ -210,6 +216,7 @@ typedef struct loop_facts {
     bool has_inspector;           /* false: subscripts as dear as the body, or not sliceable */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    unkept_read unkept; /* the first one, where not is_verifiable */
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
     const ir_node *const *key;
 } loop_facts;

@@ -148,7 +148,22 @@ static bool may_wrap(const counted_loop *loop) {
 
 /* ---- putting it together -------------------------------------------------------------------- */
 
+/* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
+static const char *first_name(const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return node->variable->name;
+    if (node->kind == IR_FOR || node->kind == IR_WHILE)
+        return first_name(node->children[node->kind == IR_FOR ? 1 : 0]);
+    const char *name = NULL;
+    for (unsigned i = 0; i < node->child_count && !name; i++)
+        name = first_name(node->children[i]);
+    return name;
+}
+
+/* `name`: of the counter; NULL: it is not known, and whatever is compared stands for it. */
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
+    if (!name)
+        name = first_name(node);
     return (counted_result){.why = why, .node = node, .name = name};
 }
 
@@ -246,18 +261,18 @@ static counted_result recognise_for(const ir_node *loop) {
         condition = condition->children[0];
     counted_loop counted = {.body = loop->children[3]};
     if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
-        return not_counted(REASON_TRIP_COUNT, loop, "?");
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *all = increment;
     if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA)
         increment = own_increment(increment, condition);
     if (!increment)
-        return not_counted(REASON_TRIP_COUNT, all, "?");
+        return not_counted(REASON_TRIP_COUNT, all, NULL);
     counted.increment = increment;
     if (!counted_step(increment, &counted.counter, &counted.step)) {
         ir_variable *variable = ir_root_variable(
             expression_written(increment) ? expression_written(increment) : increment);
         return not_counted(variable ? REASON_STEP : REASON_TRIP_COUNT, increment,
-                           variable ? variable->name : "?");
+                           variable ? variable->name : NULL);
     }
     if (counted.step == 0)
         return not_counted(REASON_STEP, increment, counted.counter->name);
@@ -288,12 +303,12 @@ static counted_result recognise_while(const ir_node *loop) {
     const ir_node *body = loop->children[1];
     counted_loop counted = {.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)
-        return not_counted(REASON_TRIP_COUNT, loop, "?");
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *last = body->children[body->child_count - 1];
     if (last->kind != IR_EXPRESSION ||
         !counted_step(last->children[0], &counted.counter, &counted.step) ||
         !split_condition(condition, counted.counter, &counted.comparison, &counted.bound))
-        return not_counted(REASON_TRIP_COUNT, condition, "?");
+        return not_counted(REASON_TRIP_COUNT, condition, NULL);
     if (continues(body) || counted.step == 0)
         return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
     counted.increment = last;
@@ -305,7 +320,7 @@ counted_result counted_recognise_judged(ir_node *loop) {
         return recognise_for(loop);
     if (loop->kind == IR_WHILE)
         return recognise_while(loop);
-    return not_counted(REASON_TRIP_COUNT, loop, "?");
+    return not_counted(REASON_TRIP_COUNT, loop, NULL);
 }
 
 static counted_result without_calls(counted_result result, const ir_node *loop) {

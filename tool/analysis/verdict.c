@@ -206,6 +206,7 @@ static loop_facts *finish_facts(judgement *j) {
     facts->slice_has_floating_work = j->slice_has_floating_work;
     facts->has_inspector = true;
     facts->is_verifiable = j->is_verifiable;
+    facts->unkept = j->unkept;
     facts->key = j->key.items;
     facts->key_count = j->key.count;
     return facts;

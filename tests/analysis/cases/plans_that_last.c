@@ -147,3 +147,37 @@ void divides(int n, double *restrict f, const double *restrict x, const int *res
         }
     }
 }
+
+static int find(const int *start, const int *col, int row, int column) {
+    for (int k = start[row]; k < start[row + 1]; k++)
+        if (col[k] == column)
+            return k;
+    return -1;
+}
+
+void searched(int n, double *restrict f, const int *start, const int *col, const int *p,
+              const int *q) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) not-verifiable unkept=col
+        int k = find(start, col, p[t], q[t]);
+        if (k >= 0)
+            f[k] += 1;
+    }
+}
+
+/* What a function reads under its own condition is told without it. */
+static double optional(const double *x, const int *at, int t, int is_there) {
+    return is_there ? x[at[t]] : 1;
+}
+
+void maybe_no_table(int n, double *h, const double *x, const int *p, const int *at, int is_there) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+        h[p[t]] += optional(x, at, t, is_there);
+}
+
+void table_in_any_case(int n, double *h, const double *x, const int *p, const int *at,
+                       int is_there) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform h(+) guards=1 verifiable
+        h[p[t]] += optional(x, at, t, is_there);
+        h[at[t]] += 1;
+    }
+}
