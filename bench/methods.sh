@@ -24,7 +24,7 @@ cells() { # arguments for loops after the mesh
 }
 cells "$warm" others
 REDCC_ORDER=any cells "$warm"
-for method in atomic localwrite spare-localwrite graph-localwrite wavefront expansion:a expansion:b pseudo-expansion dwa-lip \
+for method in atomic localwrite localwrite-steal graph-localwrite wavefront expansion:a expansion:b pseudo-expansion dwa-lip \
   pe-dwa-lip:2 dwa-lip-fixed expansion-fixed; do
   REDCC_METHOD=$method cells 1
 done

@@ -8,7 +8,7 @@
 #   PAPER_METHODS="..."       the methods
 . bench/common.sh
 methods=${PAPER_METHODS:-expansion:b pseudo-expansion dwa-lip pe-dwa-lip:2 pe-dwa-lip:4 localwrite \
-  spare-localwrite graph-localwrite spare-graph-localwrite wavefront dwa-lip-fixed}
+  localwrite-steal graph-localwrite graph-localwrite-steal wavefront dwa-lip-fixed}
 model=${PAPER_MODEL:-4 8 16 32}
 warm=${PAPER_WARM:-1}
 cmake --build --preset release --target bench_loops bench_cache_model >/dev/null

@@ -20,7 +20,7 @@ run() { # kind, threads, WARM
 for ((threads = 1; threads <= cores; threads *= 2)); do
   run measured "$threads" "${WARM:-15}"
 done
-for method in localwrite spare-localwrite graph-localwrite wavefront; do
+for method in localwrite localwrite-steal graph-localwrite wavefront; do
   for threads in 2 8 16 33 64; do
     OMP_WAIT_POLICY=passive REDCC_METHOD=$method run modelled "$threads" 0
   done

@@ -216,7 +216,7 @@ static enum stage fall_back(struct execution *execution) {
         return refuse(execution, REASON_LEVELS);
     execution->inspection.route = ROUTE_OWNERS;
     if (named)
-        return begin_plan(execution, named->spares ? &redcc_method_spare_localwrite
+        return begin_plan(execution, named->steals ? &redcc_method_localwrite_steal
                                                    : &redcc_method_localwrite);
     redcc_tell_no_graph(&execution->advice);
     return choose_method(execution);

@@ -27,7 +27,7 @@ enum mode {
         MODE_COUNT
 };
 
-enum { REDCC_TEXTS = 8, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
+enum { REDCC_TEXTS = 6, REDCC_TEXT = 192, REDCC_LOST = 4, REDCC_NAME = 64 };
 
 /** A text that names things of the user's, and how often it was true. */
 struct told_text {
@@ -130,6 +130,13 @@ bool redcc_report_validation(void);
  *  members "process" and "started". */
 enum { REDCC_REPORT_HEAD = 80 };
 void redcc_report_head(char head[REDCC_REPORT_HEAD]);
+
+/** The first translated loop begins: seconds and lost cores count from here. */
+void redcc_report_begin(void);
+
+/** Should a program that lost its cores `lost` times in so many seconds wait asleep? policy:
+ *  OMP_WAIT_POLICY, NULL where it is not set; told: another variable says how long to spin. */
+bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told);
 
 /** Writes the rest of the object: what holds for all loops, and "loops". */
 void redcc_report_body(FILE *out);

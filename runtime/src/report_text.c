@@ -2,6 +2,7 @@
 /** What a report says, as JSON and as a table. docs/report.md describes both. */
 #include "report.h"
 
+#include "base/clock.h"
 #include "base/system.h"
 #include "settings.h"
 #include "variables.h"
@@ -170,6 +171,15 @@ static void write_variable(FILE *out, const char *key, const char *variable) {
     fputs(", ", out);
 }
 
+/* Since the first loop began. */
+static double began_at;
+static long lost_before;
+
+void redcc_report_begin(void) {
+    began_at = redcc_seconds();
+    lost_before = redcc_system_cores_lost();
+}
+
 void redcc_report_head(char head[REDCC_REPORT_HEAD]) {
     snprintf(head, REDCC_REPORT_HEAD, "{\"process\": %ld, \"started\": %llu, ",
              redcc_system_process(), redcc_system_started());
@@ -188,7 +198,9 @@ void redcc_report_body(FILE *out) {
     write_variable(out, "proc_bind", "OMP_PROC_BIND");
     write_variable(out, "places", "OMP_PLACES");
     write_variable(out, "wait_policy", "OMP_WAIT_POLICY");
-    fputs("\"loops\": [", out);
+    fprintf(out, "\"cores_lost\": %ld", redcc_system_cores_lost() - lost_before);
+    write_decimal(out, "seconds", redcc_seconds() - began_at, 6);
+    fputs(", \"loops\": [", out);
     redcc_report_list(out);
     fputs("]}\n", out);
 }
@@ -210,6 +222,26 @@ static void write_notes(FILE *out, const struct statistics *it) {
                     it->lost.array[i].count, it->lost.array[i].name);
 }
 
+/* Beside busy neighbours cores are lost some 50 to 200 times a second (docs/report.md), on a quiet
+ * machine now and then. */
+bool redcc_advises_sleep(long lost, double seconds, const char *policy, bool told) {
+    enum { MANY = 10, A_SECOND = 20 };
+    const bool sleeps = policy && (policy[0] == 'p' || policy[0] == 'P');
+    return !sleeps && !told && lost >= MANY && (double)lost >= A_SECOND * seconds;
+}
+
+static void write_advice(FILE *out) {
+    const long lost = redcc_system_cores_lost() - lost_before;
+    const double seconds = redcc_seconds() - began_at;
+    const bool told = redcc_environment("GOMP_SPINCOUNT") || redcc_environment("KMP_BLOCKTIME");
+    if (redcc_advises_sleep(lost, seconds, redcc_environment("OMP_WAIT_POLICY"), told))
+        fprintf(
+            out,
+            "redcc: other programs took this one's cores %ld times in %.1f s. Its waiting threads "
+            "spin meanwhile: OMP_WAIT_POLICY=passive lets them sleep, and may be faster\n",
+            lost, seconds);
+}
+
 void redcc_report_table(FILE *out) {
     fputs(
         "redcc: calls threads  built reused lost inspecting executing sequential speed-up method, "
@@ -228,4 +260,6 @@ void redcc_report_table(FILE *out) {
             mode_slug(it), rule_slug(it), loop->file, loop->line, loop->function);
         write_notes(out, it);
     }
+    if (redcc_report_loops())
+        write_advice(out);
 }

@@ -215,6 +215,7 @@ static void read_environment(void) {
     for (struct named_loop *loop = named.loops; loop; loop = loop->next)
         copy_settings(loop);
     redcc_note_unknown_variables();
+    redcc_report_begin();
 }
 
 /* Of several threads that come first, one reads. */

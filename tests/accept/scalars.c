@@ -97,6 +97,17 @@ static void rarely_touching(int n) {
     total += sum;
 }
 
+/* Added to -0.0, nothing must stay nothing: 0.0 would be something. */
+static double never(int n) {
+    double sum = -0.0;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        h[s[t]] += v[t];
+        if (c[t] > 100)
+            sum += v[t];
+    }
+    return sum;
+}
+
 int main(void) {
     case_values(v, N);
     for (int i = 0; i < N; i++) {
@@ -107,6 +118,8 @@ int main(void) {
         case_subscripts(s, N, M);
         const double sum = plain(N - round);
         case_print("sum", &sum, sizeof sum);
+        const double zero = never(N);
+        case_print("zero", &zero, sizeof zero);
         under_conditions(N);
         several_operators(N);
         switched(N);

@@ -14,9 +14,9 @@ static void describe_array(buffer *out, const reduction_array *array) {
                   op && array->order_is_kept ? "," : "", array->order_is_kept ? "kept" : "");
 }
 
-/* " subscripts=start,q": whose contents decide which elements are touched, each name once. */
+/* " rests-on=start,q": whose contents decide which elements are touched, each name once. */
 static void describe_subscripts(buffer *out, const loop_facts *facts) {
-    const char *joint = " subscripts=";
+    const char *joint = " rests-on=";
     for (unsigned i = 0; i < facts->source_count; i++) {
         bool is_first = facts->sources[i].is_subscript;
         for (unsigned k = 0; k < i && is_first; k++)
@@ -27,6 +27,28 @@ static void describe_subscripts(buffer *out, const loop_facts *facts) {
         if (is_first)
             joint = ",";
     }
+}
+
+/* How the sources are known before anything is written, and what of the slice is short. */
+static void describe_sources(buffer *out, const loop_facts *facts) {
+    unsigned subscripts = 0, told = 0, checked = 0, sometimes = 0;
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        subscripts += facts->sources[i].is_subscript;
+        told += facts->sources[i].extent == EXTENT_TOUCHED;
+        checked += facts->sources[i].is_checked;
+        sometimes += facts->sources[i].is_sometimes;
+    }
+    buffer_format(out, " subscripts=%u told=%u checked=%u sometimes=%u spans=%u", subscripts, told,
+                  checked, sometimes, facts->span_count);
+}
+
+static void describe_scalars(buffer *out, const loop_facts *facts) {
+    static const char *const types[] = {
+        [OPERAND_INTEGER] = "integer", [OPERAND_FLOAT] = "float", [OPERAND_DOUBLE] = "double"};
+    for (unsigned i = 0; i < facts->scalar_count; i++)
+        buffer_format(out, " %s=%s%s", facts->scalars[i].variable->name,
+                      types[facts->scalars[i].operand],
+                      facts->scalars[i].is_conditional ? "-sometimes" : "");
 }
 
 const char *expectation_describe(arena *a, const loop_verdict *verdict) {
@@ -60,6 +82,10 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
         describe_subscripts(&out, facts);
         if (facts->unkept.name)
             buffer_format(&out, " unkept=%s", facts->unkept.name);
+        describe_sources(&out, facts);
+        describe_scalars(&out, facts);
+        if (facts->sets_errno)
+            buffer_text(&out, " sets-errno");
     }
     const char *text = arena_copy(a, out.data, out.length);
     buffer_free(&out);

@@ -2,8 +2,7 @@
 /**
  * Verdicts against what a source's comments say. A comment on the line of a loop's keyword:
  *     // EXPECT: transform h(+) b(+) [guards=2] [verifiable | not-verifiable] [privates=1] [keys=0]
- *                [unkept=col: why no plan is kept]
- *                [subscripts=start,q: whose contents a plan rests on, in the order of reading]
+ *                          and what else expectation_describe prints
  *     // EXPECT: refuse other-store
  * Loops without a comment must have no verdict. Anywhere in the file:
  *     // PURE: f, g         as --pure=f,g

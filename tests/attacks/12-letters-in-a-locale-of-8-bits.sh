@@ -17,7 +17,7 @@ cc -w -O2 -fopenmp -idirafter "$ATTACK_INCLUDE" parallel.c "$ATTACK_LIBRARY" -lm
 ./sequential >expected
 [ "$(sort -u expected | cut -d' ' -f2 | sort -u | wc -l)" -gt 1 ] || { echo "all locales are alike" >&2; exit 1; }
 for threads in 1 2 3 7; do
-    for method in auto localwrite spare-localwrite; do
+    for method in auto localwrite localwrite-steal; do
         REDCC_METHOD=$method OMP_NUM_THREADS=$threads ./parallel >found
         cmp expected found || { echo "$method, $threads threads: other letters" >&2; exit 1; }
     done

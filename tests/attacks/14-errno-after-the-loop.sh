@@ -72,7 +72,7 @@ cc -w -O2 -ffp-contract=off main.c loops.c -lm -o sequential
 cc -w -O2 -ffp-contract=off -fopenmp -idirafter "$ATTACK_INCLUDE" main.c parallel.c "$ATTACK_LIBRARY" -lm -o parallel
 ./sequential >expected
 for threads in 1 2 3 7; do
-    for method in auto localwrite spare-localwrite; do
+    for method in auto localwrite localwrite-steal; do
         REDCC_METHOD=$method OMP_NUM_THREADS=$threads ./parallel >found
         cmp expected found || fail "$method, $threads threads: another errno: $(diff expected found | head -n 4)"
     done

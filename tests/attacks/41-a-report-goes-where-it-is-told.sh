@@ -44,7 +44,7 @@ wait $process
 jq -e '.loops[0].method == "localwrite"' "run-$process.json" >/dev/null
 
 REDCC_REPORT=- ./parallel 2>table
-grep -q 'localwrite *loop.c:7' table
+grep -q 'localwrite, built, named; loop.c:7 (main)' table
 [ ! -e ./- ]
 REDCC_REPORT=./plain.json ./parallel
 jq -e '.loops[0].method == "localwrite"' plain.json >/dev/null

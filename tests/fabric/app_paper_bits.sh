@@ -11,7 +11,7 @@ source "$(dirname "$0")/app_common.sh"
 for scene in tablecloth hanging; do
   run=(run $scene --steps "${STEPS:-26}" --frames 0 --progress none)
   expect 0 "" "$serial" "${run[@]}" -o serial-$scene
-  for method in auto localwrite spare-localwrite graph-localwrite spare-graph-localwrite wavefront; do
+  for method in auto localwrite localwrite-steal graph-localwrite graph-localwrite-steal wavefront; do
     for threads in 1 2 3 8; do
       export REDCC_METHOD=$method
       same_bits serial-$scene "$parallel" "${run[@]}" --threads $threads

@@ -150,7 +150,7 @@ static bool survives(const struct method *method, enum change to_make) {
 static void a_changed_schedule_trips_an_assertion(void **unused) {
     (void)unused;
     static const struct method *const methods[] = {
-        &redcc_method_localwrite, &redcc_method_spare_localwrite, &redcc_method_graph_localwrite,
+        &redcc_method_localwrite, &redcc_method_localwrite_steal, &redcc_method_graph_localwrite,
         &redcc_method_wavefront,  &redcc_method_expansion,        &redcc_method_pseudo_expansion,
         &redcc_method_dwa_lip};
     for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {

@@ -50,9 +50,9 @@ static struct outcome run(const char *variables, const char *program, const char
 static const char *const methods[] = {"auto",
                                       "serial",
                                       "localwrite",
-                                      "spare-localwrite",
+                                      "localwrite-steal",
                                       "graph-localwrite",
-                                      "spare-graph-localwrite",
+                                      "graph-localwrite-steal",
                                       "wavefront",
                                       "expansion",
                                       "expansion:a",
@@ -69,9 +69,9 @@ static void the_bits_are_those_of_the_plain_program(void **unused) {
     static const char *const exact[] = {"auto",
                                         "serial",
                                         "localwrite",
-                                        "spare-localwrite",
+                                        "localwrite-steal",
                                         "graph-localwrite",
-                                        "spare-graph-localwrite",
+                                        "graph-localwrite-steal",
                                         "wavefront"};
     const struct outcome expected = run("", plain, "5000 9");
     for (char **program = programs; *program; program++)
@@ -285,12 +285,12 @@ static void what_is_traced(void **unused) {
     assert_non_null(strstr(found.errors, "used again: localwrite, 3 threads"));
     assert_non_null(strstr(found.errors, "redcc: execution: springs.c:4 (springs): 6000 iter"));
     assert_null(strstr(found.errors, "choice"));
-    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=localwrite-steal", programs[0],
-                "2000 1"); /* the field's name for it */
-    assert_non_null(strstr(found.errors, "built: spare-localwrite"));
-    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=graph-localwrite-steal",
+    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-localwrite", programs[0],
+                "2000 1"); /* an older name of it */
+    assert_non_null(strstr(found.errors, "built: localwrite-steal"));
+    found = run("OMP_NUM_THREADS=2 REDCC_TRACE=plan REDCC_METHOD=spare-graph-localwrite",
                 programs[0], "2000 1");
-    assert_non_null(strstr(found.errors, "built: spare-graph-localwrite"));
+    assert_non_null(strstr(found.errors, "built: graph-localwrite-steal"));
     snprintf(variables, sizeof variables, "OMP_NUM_THREADS=1 REDCC_TRACE=choice");
     found = run(variables, programs[0], "2000 2");
     assert_non_null(strstr(found.errors, "redcc: choice: springs.c:4 (springs): the original loop: "
@@ -312,6 +312,10 @@ static void the_report_says_what_was_done(void **unused) {
     (void)unused;
     json_t *report = report_of("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", "2000 5");
     const json_t *loops = json_object_get(report, "loops");
+    assert_true(number(report, "process") > 1);
+    assert_true(number(report, "started") > 1);
+    assert_true(number(report, "cores_lost") >= 0);
+    assert_true(json_is_real(json_object_get(report, "seconds")));
     assert_int_equal(json_array_size(loops), 1);
     const json_t *loop = json_array_get(loops, 0);
     assert_string_equal(json_string_value(json_object_get(loop, "file")), "springs.c");
@@ -443,7 +447,7 @@ static void the_report_says_why_not(void **unused) {
     (void)unused;
     expect_fallback("OMP_NUM_THREADS=1 REDCC_METHOD=localwrite", "one-thread", "one thread", 5);
     expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=serial", "named-serial", "says serial", 5);
-    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=20K", "no-memory",
+    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=24K", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
 }
 

@@ -335,15 +335,15 @@ static const struct method *method_of_long_iterations(const struct mesh *mesh, d
     return method;
 }
 
-static void auto_adds_spare_parts_where_iterations_are_long(void **unused) {
+static void auto_adds_stealable_blocks_where_iterations_are_long(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1};
-    assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_spare_graph_localwrite);
+    assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_graph_localwrite_steal);
     assert_ptr_equal(method_of_long_iterations(&mesh, 50e-9), &redcc_method_graph_localwrite);
 }
 
 /* They are there, and one of them takes part in all: they are joined to the others. */
-static void auto_joins_spare_parts_that_cost_too_much(void **unused) {
+static void auto_joins_stealable_blocks_that_cost_too_much(void **unused) {
     (void)unused;
     const struct mesh mesh = {.side = 257, .sheets = 1, .hub = true};
     assert_ptr_equal(method_of_long_iterations(&mesh, 1e-6), &redcc_method_graph_localwrite);
@@ -352,8 +352,8 @@ static void auto_joins_spare_parts_that_cost_too_much(void **unused) {
 int main(void) {
     const struct CMUnitTest by_auto[] = {
         cmocka_unit_test(auto_comes_to_the_graph),
-        cmocka_unit_test(auto_adds_spare_parts_where_iterations_are_long),
-        cmocka_unit_test(auto_joins_spare_parts_that_cost_too_much)};
+        cmocka_unit_test(auto_adds_stealable_blocks_where_iterations_are_long),
+        cmocka_unit_test(auto_joins_stealable_blocks_that_cost_too_much)};
     if (!redcc_settings()->method)
         return cmocka_run_group_tests(by_auto, NULL, NULL);
     const struct CMUnitTest tests[] = {

@@ -55,9 +55,9 @@ static void a_limit_is_kept(void **unused) {
     struct described described;
     problem_describe(&problem, &described);
     long last;
-    redcc_memory_limit(20000);
+    redcc_memory_limit(24000);
     assert_false(problem_run(&problem, &described, 2, &last));
-    assert_true(redcc_memory_in_use() <= 20000);
+    assert_true(redcc_memory_in_use() <= 24000);
     const struct loop_state *state = described.loop.state;
     assert_int_equal(atomic_load(&state->reported.statistics.fallback[REASON_NO_MEMORY]), 1);
     redcc_memory_limit(0);

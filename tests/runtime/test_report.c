@@ -138,6 +138,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     assert_int_equal(it->lost.count, 0);
     for (int round = 1; round <= 2; round++) {
         shift_rows(&fixture);
+        problem_run_tells = false; /* auto stays sequential, beside the plan that is lost */
         run(&fixture);
         assert_int_equal(it->lost.count, round);
         assert_string_equal(it->lost.array[0].name, "row");
@@ -145,6 +146,7 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
         assert_int_equal(it->lost.array[1].count, 0);
         run(&fixture); /* nothing is lost twice */
         assert_int_equal(it->lost.count, round);
+        problem_run_tells = true;
         run_until_reused(&fixture);
     }
     fixture.problem.start[1]++; /* of another array a single element, which a sample may not see */
@@ -152,6 +154,27 @@ static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
     if (redcc_settings()->method) {
         assert_int_equal(it->lost.count, 3);
         assert_string_equal(it->lost.array[1].name, "start");
+    }
+    fixture_end(&fixture);
+}
+
+/* However many calls follow that are left to the sequential loop. */
+static void no_plan_is_lost_twice(void **unused) {
+    (void)unused;
+    struct fixture fixture;
+    unsigned fits, changed;
+    fixture_begin(&fixture);
+    run_until_reused(&fixture);
+    struct reuse *reuse = &((struct loop_state *)fixture.described.loop.state)->execution.reuse;
+    for (long t = 1; t < fixture.problem.trip; t += 2) /* a sample is of what lies where it says */
+        fixture.problem.start[t] = fixture.problem.start[t - 1];
+    for (int call = 0; call < 3; call++) {
+        reuse->changed_source = -1;
+        redcc_reuse_sample(reuse);
+        redcc_reuse_survey(reuse, THREADS, &fits, &changed);
+        assert_int_equal(fits, 0);
+        assert_int_not_equal(changed, 0);
+        assert_int_equal(reuse->changed_source >= 0, call == 0);
     }
     fixture_end(&fixture);
 }
@@ -188,13 +211,27 @@ static void modes_follow_the_calls(void **unused) {
     fixture_end(&fixture);
 }
 
+static void who_is_advised_to_sleep(void **unused) {
+    (void)unused;
+    assert_true(redcc_advises_sleep(100, 1, NULL, false));
+    assert_true(redcc_advises_sleep(20, 1, "active", false));
+    assert_false(redcc_advises_sleep(19, 1, NULL, false));
+    assert_false(redcc_advises_sleep(9, 0.01, NULL, false));
+    assert_true(redcc_advises_sleep(10, 0.01, NULL, false));
+    assert_false(redcc_advises_sleep(100, 1, "passive", false));
+    assert_false(redcc_advises_sleep(100, 1, "PASSIVE", false));
+    assert_false(redcc_advises_sleep(100, 1, NULL, true));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slug_is_documented),
         cmocka_unit_test(no_slug_stands_for_two),
         cmocka_unit_test(every_variable_is_documented),
         cmocka_unit_test(a_lost_plan_has_the_array_that_had_changed),
+        cmocka_unit_test(no_plan_is_lost_twice),
         cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
+        cmocka_unit_test(who_is_advised_to_sleep),
         cmocka_unit_test(modes_follow_the_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -13,6 +13,7 @@
 #include <elf.h>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/sysinfo.h>
 
 /* The library's word for what the kernel told the program at its start, under a reserved name. */
@@ -137,6 +138,11 @@ unsigned long long redcc_system_started(void) {
     return at ? strtoull(at, NULL, 10) : 0;
 }
 
+long redcc_system_cores_lost(void) {
+    struct rusage used;
+    return redcc_system(SYS_getrusage, RUSAGE_SELF, &used) == 0 ? used.ru_nivcsw : 0;
+}
+
 bool redcc_system_is_privileged(void) {
     return told(AT_SECURE) != 0;
 }
@@ -203,6 +209,10 @@ long redcc_system_process(void) {
 }
 
 unsigned long long redcc_system_started(void) {
+    return 0;
+}
+
+long redcc_system_cores_lost(void) {
     return 0;
 }
 

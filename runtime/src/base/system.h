@@ -113,6 +113,9 @@ long redcc_system_process(void);
  *  other process has it. */
 unsigned long long redcc_system_started(void);
 
+/** How often the process's threads had to leave their cores to others; 0: not known. */
+long redcc_system_cores_lost(void);
+
 /** Has the program more rights than its caller (setuid), so that the environment must not tell it
  *  anything? */
 bool redcc_system_is_privileged(void);

@@ -9,12 +9,12 @@
 
 #include <stdatomic.h>
 
-static const double better = 0.95;       /* of the sequential loop, or a plan is not worth making */
-static const double uneven = 1.25;       /* of an equal share of the iterations */
-static const double shorter = 0.9;       /* than by the owners that were cut */
-static const double even_share = 1.1;    /* of an equal share of the iterations */
-static const double most_spared = 0.015; /* of the iterations; stealable blocks save 2 to 20 % */
-static const double frequent = 0.25;     /* runs, of the iterations */
+static const double better = 0.95;    /* of the sequential loop, or a plan is not worth making */
+static const double uneven = 1.25;    /* of an equal share of the iterations */
+static const double shorter = 0.9;    /* than by the owners that were cut */
+static const double even_share = 1.1; /* of an equal share of the iterations */
+static const double most_overhead = 0.015; /* of the iterations; stealable blocks save 2 to 20 % */
+static const double frequent = 0.25;       /* runs, of the iterations */
 /* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
@@ -172,11 +172,11 @@ static struct findings begin_findings(const struct chooser *chooser,
         .checked = bytes_to_check(&call->request)};
 }
 
-/* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, spared and
- * changes? */
+/* Are stealable blocks (partition.h) worth what they cost, of which *found tells share, overhead
+ * and changes? */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
-    if (found->spared > most_spared || found->share * call->threads > even_share)
+    if (found->overhead > most_overhead || found->share * call->threads > even_share)
         return false;
     return found->changes < frequent ||
            usual_iteration(chooser, call->request.trip) >= long_iteration;
@@ -209,10 +209,10 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     struct partition *partition = &inspection->partition;
     if (call->method)
         return ROUTE_OWNERS;
-    const bool steals = partition->spares > 0 && stealing_pays(chooser, call, estimate);
+    const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
     const struct decision decision = pick_way(chooser, inspection, estimate);
-    if (partition->spares > 0 && (!steals || decision.way != WAY_INDEX))
-        redcc_partition_join_spares(partition);
+    if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
+        redcc_partition_join_stealable(partition);
     entry->way = decision.way;
     if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
@@ -251,7 +251,8 @@ const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *
     entry->way = WAY_INDEX;
     if (!index_pays(chooser, inspection, reusable))
         return NULL;
-    return inspection->partition.spares ? &redcc_method_spare_localwrite : &redcc_method_localwrite;
+    return inspection->partition.stealable ? &redcc_method_localwrite_steal
+                                           : &redcc_method_localwrite;
 }
 
 /* ---- after the log and the partition ----------------------------------------------------------
@@ -259,8 +260,8 @@ const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *
 
 /* The iterations of an owner lie scattered over the loop. */
 static bool stealing_is_worth(const struct chooser *chooser, const struct call *call, double share,
-                              double spared) {
-    const struct estimate found = {.share = share, .spared = spared, .changes = 1};
+                              double overhead) {
+    const struct estimate found = {.share = share, .overhead = overhead, .changes = 1};
     return stealing_pays(chooser, call, &found);
 }
 
@@ -271,12 +272,12 @@ const struct method *redcc_advise_logged(const struct chooser *chooser,
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;
     const uint32_t threads = (uint32_t)call->threads;
-    if (call->method || partition->spares || partition->room > REDCC_OWNERS_MOST ||
+    if (call->method || partition->stealable || partition->room > REDCC_OWNERS_MOST ||
         inspection->divide.units.leading / threads < LEAST_UNITS_TO_STEAL ||
         !stealing_is_worth(chooser, call, 1.0 / threads, 0))
         return method;
-    redcc_partition_add_spares(partition);
-    return &redcc_method_spare_graph_localwrite;
+    redcc_partition_add_stealable(partition);
+    return &redcc_method_graph_localwrite_steal;
 }
 
 void redcc_tell_no_graph(struct advice *entry) {
@@ -287,7 +288,7 @@ void redcc_tell_no_graph(struct advice *entry) {
 static bool goes_without_stealing(const struct chooser *chooser,
                                   const struct inspection *inspection) {
     const struct call *call = inspection->call;
-    if (call->method || !inspection->partition.spares)
+    if (call->method || !inspection->partition.stealable)
         return false;
     const redcc_int with = redcc_executed_in_all(inspection);
     const redcc_int without = redcc_executed_joined(inspection);
@@ -312,7 +313,7 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
                                           struct inspection *inspection,
                                           const struct method **method) {
     if (goes_without_stealing(chooser, inspection)) {
-        redcc_partition_join_spares(&inspection->partition);
+        redcc_partition_join_stealable(&inspection->partition);
         *method = &redcc_method_graph_localwrite;
         return PARTITIONED_JOIN;
     }

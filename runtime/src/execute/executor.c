@@ -247,7 +247,7 @@ static bool steal(struct runner *runner) {
     struct run *run = runner->run;
     const unsigned claimed =
         atomic_fetch_add_explicit(&run->blocks_claimed, 1, memory_order_relaxed);
-    const uint32_t next = redcc_spare_schedule(runner->plan, claimed);
+    const uint32_t next = redcc_stealable_schedule(runner->plan, claimed);
     runner->schedule = next == UINT32_MAX ? runner->schedule : next;
     return next != UINT32_MAX;
 }
@@ -256,7 +256,7 @@ static bool steal(struct runner *runner) {
 static bool turn_to_schedule(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
-    if (!plan->method->spares || !steal(runner))
+    if (!plan->method->steals || !steal(runner))
         return false;
     worker->position = 0;
     place_owners(runner);

@@ -11,7 +11,7 @@ enum { LEAST_TRIP_TO_STEAL = 4096 };
 void redcc_inspection_set_owners(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const uint32_t each = 1 + inspection->stealable;
-    inspection->partition.spares = inspection->stealable;
+    inspection->partition.stealable = inspection->stealable;
     inspection->partition.owners = call->method && call->method->owners
                                        ? call->method->owners(call->threads, call->parameter)
                                        : (uint32_t)call->threads * each;
@@ -21,10 +21,10 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
 static uint32_t most_owners(const struct call *call) {
     const uint32_t threads = (uint32_t)call->threads;
     if (!call->method)
-        return threads * (1 + REDCC_SPARES);
+        return threads * (1 + REDCC_STEALABLE);
     if (call->method->owners)
         return call->method->owners(call->threads, call->parameter);
-    return threads * (call->method->spares ? 1 + REDCC_SPARES : 1);
+    return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
 bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
@@ -32,8 +32,8 @@ bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
     const struct request *request = &call->request;
     const size_t threads = (size_t)call->threads;
     const bool cuts_blocks =
-        call->method ? call->method->spares : steals && request->trip >= LEAST_TRIP_TO_STEAL;
-    inspection->stealable = cuts_blocks ? REDCC_SPARES : 0;
+        call->method ? call->method->steals : steals && request->trip >= LEAST_TRIP_TO_STEAL;
+    inspection->stealable = cuts_blocks ? REDCC_STEALABLE : 0;
     inspection->route = ROUTE_OWNERS;
     inspection->no_copies = false;
     inspection->samples = redcc_memory_take(threads * sizeof *inspection->samples);

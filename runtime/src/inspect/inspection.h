@@ -52,7 +52,7 @@ struct inspection {
     struct barrier *barrier;
     struct range *touched;  /* [array_count] by all threads; the loop's */
     struct range *sources;  /* [source_count] where they lie; the loop's */
-    uint32_t stealable;     /* blocks to be cut for each thread (partition.spares) */
+    uint32_t stealable;     /* blocks to be cut for each thread (partition.stealable) */
     enum route route;       /* as far as it is decided */
     double deadline;        /* on the clock of redcc_seconds; 0: none */
     bool no_copies;         /* by all iterations they cannot be had */

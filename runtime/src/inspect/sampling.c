@@ -20,7 +20,7 @@ enum {
  * few owners need would cost more than the sweep of all iterations. */
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
-    const redcc_int shares = partition->owners / (1 + partition->spares);
+    const redcc_int shares = partition->owners / (1 + partition->stealable);
     const redcc_int wanted = shares * SAMPLED_FOR_AN_OWNER;
     return inspection->call->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
 }

@@ -27,7 +27,7 @@ redcc_int redcc_executed_joined(const struct inspection *inspection) {
     redcc_int sum = 0;
     for (int thread = 0; thread < inspection->call->threads; thread++)
         sum += redcc_sweep_executed(&inspection->divide.sweep[thread],
-                                    1 + inspection->partition.spares);
+                                    1 + inspection->partition.stealable);
     return sum;
 }
 
@@ -38,7 +38,7 @@ double redcc_largest_share(const struct inspection *inspection) {
         const redcc_int executed = executed_by(inspection, owner);
         most = executed > most ? executed : most;
     }
-    const double even = partition->spares
+    const double even = partition->stealable
                             ? (double)redcc_executed_in_all(inspection) / inspection->call->threads
                             : 0;
     return (even > (double)most ? even : (double)most) / (double)inspection->call->request.trip;

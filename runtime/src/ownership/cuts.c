@@ -109,7 +109,7 @@ static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     uint32_t different = 0;
     for (uint32_t owner = 1; owner < partition->owners; owner++) {
         const size_t rank =
-            redcc_amount_below(partition->owners, partition->spares, owner, points.count);
+            redcc_amount_below(partition->owners, partition->stealable, owner, points.count);
         cut[owner] =
             points.count ? redcc_unit_begin(partition, group, points.point[rank].address) : 0;
         different += cut[owner] != cut[owner - 1];

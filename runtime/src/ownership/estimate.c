@@ -3,15 +3,15 @@
 
 #include "base/memory.h"
 
-/* Of each owner, and of each share, which is an owner and the spare ones behind it: iterations that
- * it takes part in, and the last one of them, counted from 1. */
+/* Of each owner, and of each share, which is an owner and the stealable ones behind it: iterations
+ * that it takes part in, and the last one of them, counted from 1. */
 struct part {
     uint32_t iterations;
     uint32_t last;
 };
 struct parts {
     struct part *of_owner; /* [owners] */
-    struct part *of_share; /* [owners / (1 + spares)] */
+    struct part *of_share; /* [owners / (1 + stealable)] */
 };
 
 static void take_part(struct part *part, uint32_t iteration) {
@@ -28,7 +28,7 @@ struct span_of_owners {
 /* A thread's sample: who takes part, and how often one iteration differs from the one before. */
 static uint32_t count_parts(const struct partition *partition, const struct sample *sample,
                             uint32_t first, struct parts parts) {
-    const uint32_t each = 1 + partition->spares;
+    const uint32_t each = 1 + partition->stealable;
     const struct span_of_owners none = {UINT32_MAX, 0};
     struct span_of_owners before = none, now = none;
     uint32_t changes = 0;
@@ -53,12 +53,12 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
 
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate) {
-    const size_t owners = partition->owners, shares = owners / (1 + partition->spares);
+    const size_t owners = partition->owners, shares = owners / (1 + partition->stealable);
     struct part *part = redcc_memory_take_zeroed(owners + shares, sizeof *part);
     if (!part)
         return false;
     const struct parts parts = {part, part + owners};
-    uint32_t iterations = 1, most = 0, changes = 0, spared = 0;
+    uint32_t iterations = 1, most = 0, changes = 0, overhead = 0;
     double touches = 0;
     for (int thread = 0; thread < threads; thread++) {
         changes += count_parts(partition, sample[thread], iterations, parts);
@@ -66,14 +66,14 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
         touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
     }
     for (size_t owner = 0; owner < owners; owner++)
-        spared += parts.of_owner[owner].iterations;
+        overhead += parts.of_owner[owner].iterations;
     for (size_t share = 0; share < shares; share++) {
         const uint32_t taken = parts.of_share[share].iterations;
         most = taken > most ? taken : most;
-        spared -= taken;
+        overhead -= taken;
     }
     *estimate = (struct estimate){.share = (double)most / iterations,
-                                  .spared = (double)spared / iterations,
+                                  .overhead = (double)overhead / iterations,
                                   .touches = touches / iterations,
                                   .changes = (double)changes / iterations};
     redcc_memory_give(part);

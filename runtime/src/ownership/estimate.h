@@ -6,10 +6,10 @@
 #include "ownership/sample.h"
 
 struct estimate {
-    double share;   /* of the iterations: what the owner that takes part in most of them has, the
-                       spare ones behind it included */
-    double spared;  /* of the iterations: what is executed once more because of spare owners */
-    double touches; /* of an iteration */
+    double share;    /* of the iterations: what the owner that takes part in most of them has, the
+                        stealable ones behind it included */
+    double overhead; /* of the iterations: what is executed once more because of stealable owners */
+    double touches;  /* of an iteration */
     double changes; /* of the iterations: those that touch other owners than the one sampled before.
                        Those in between may be alike: no more than these begin a run, about */
 };

@@ -24,16 +24,16 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
 
 void redcc_partition_in_one(struct partition *partition) {
     partition->owners = 1;
-    partition->spares = 0;
+    partition->stealable = 0;
     for (uint32_t group = 0; group < partition->array_count; group++) {
         redcc_cuts(partition, group)[0] = 0;
         redcc_cuts(partition, group)[1] = UINTPTR_MAX;
     }
 }
 
-void redcc_partition_join_spares(struct partition *partition) {
-    assert(partition->owners % (1 + partition->spares) == 0);
-    const uint32_t each = 1 + partition->spares, joined = partition->owners / each;
+void redcc_partition_join_stealable(struct partition *partition) {
+    assert(partition->owners % (1 + partition->stealable) == 0);
+    const uint32_t each = 1 + partition->stealable, joined = partition->owners / each;
     uintptr_t *to = partition->cut;
     for (uint32_t group = 0; group < partition->array_count; group++) {
         const uintptr_t *cut = redcc_cuts(partition, group);
@@ -41,25 +41,26 @@ void redcc_partition_join_spares(struct partition *partition) {
             *to++ = cut[(size_t)owner * each]; /* never behind where it is read */
     }
     partition->owners = joined;
-    partition->spares = 0;
+    partition->stealable = 0;
 }
 
-void redcc_partition_add_spares(struct partition *partition) {
-    assert(partition->spares == 0 && partition->owners * (1 + REDCC_SPARES) <= partition->room);
-    const uint32_t shares = partition->owners, each = 1 + REDCC_SPARES;
+void redcc_partition_add_stealable(struct partition *partition) {
+    assert(partition->stealable == 0 &&
+           partition->owners * (1 + REDCC_STEALABLE) <= partition->room);
+    const uint32_t shares = partition->owners, each = 1 + REDCC_STEALABLE;
     for (uint32_t group = partition->array_count; group-- > 0;) {
         const uintptr_t *from = redcc_cuts(partition, group);
         uintptr_t *to = partition->cut + (size_t)group * (shares * each + 1);
         uintptr_t next = to[(size_t)shares * each] = from[shares];
         for (uint32_t share = shares; share-- > 0;) { /* never before where it is still read */
             const uintptr_t first = from[share];
-            for (uint32_t spare = 1; spare < each; spare++)
-                to[(size_t)share * each + spare] = next;
+            for (uint32_t block = 1; block < each; block++)
+                to[(size_t)share * each + block] = next;
             next = to[(size_t)share * each] = first;
         }
     }
     partition->owners = shares * each;
-    partition->spares = REDCC_SPARES;
+    partition->stealable = REDCC_STEALABLE;
 }
 
 void redcc_partition_end(struct partition *partition) {

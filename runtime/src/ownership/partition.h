@@ -15,17 +15,17 @@ static inline bool redcc_is_scattered(const void *base) {
     return base == NULL;
 }
 
-/** How many spare parts go with each share, where there are any. */
-enum { REDCC_SPARES = 2 };
+/** How many stealable blocks go with each share, where there are any. */
+enum { REDCC_STEALABLE = 2 };
 
 struct partition {
     const redcc_array *arrays; /* borrowed from the loop */
     uint32_t array_count;
     uint32_t room; /* for so many owners */
     uint32_t owners;
-    uint32_t spares; /* of every 1 + spares owners in a row the first has most, and the others are
-                        stealable blocks: small parts for threads that finish early */
-    uintptr_t *base; /* [array_count] the arrays' first elements */
+    uint32_t stealable; /* of every 1 + stealable owners in a row the first has most, and the others
+                        are stealable blocks: small parts for threads that finish early */
+    uintptr_t *base;    /* [array_count] the arrays' first elements */
     uint32_t *group_of; /* [array_count] its group, called by one of the group's arrays: the one
                            with the largest unit */
     uintptr_t *cut;     /* [array_count * (owners + 1)] of group g: cut[g * (owners + 1) + o] is
@@ -34,12 +34,12 @@ struct partition {
     uint32_t leader;    /* the group that the others are cut beside */
 };
 
-/** Of `amount` to be shared out, what owners below `owner` get: each share's owner 84 %, the spare
- *  ones behind it 10 and 6 %. Without spare ones all get the same. */
-static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t spares, uint32_t owner,
+/** Of `amount` to be shared out, what owners below `owner` get: each share's owner 84 %, the
+ *  stealable ones behind it 10 and 6 %. Without stealable ones all get the same. */
+static inline uint64_t redcc_amount_below(uint32_t owners, uint32_t stealable, uint32_t owner,
                                           uint64_t amount) {
-    static const uint64_t per_thousand[1 + REDCC_SPARES] = {0, 840, 940};
-    const uint32_t each = 1 + spares, shares = owners / each;
+    static const uint64_t per_thousand[1 + REDCC_STEALABLE] = {0, 840, 940};
+    const uint32_t each = 1 + stealable, shares = owners / each;
     return (amount * (owner / each) + amount * per_thousand[owner % each] / 1000) / shares;
 }
 
@@ -51,12 +51,12 @@ bool redcc_partition_begin(struct partition *partition, const redcc_loop *loop, 
  * after partition->owners has been set to that. */
 void redcc_partition_in_one(struct partition *partition);
 
-/** Makes owners[o * (1 + spares)] and the spare ones behind it one owner, number o. */
-void redcc_partition_join_spares(struct partition *partition);
+/** Makes owners[o * (1 + stealable)] and the stealable ones behind it one owner, number o. */
+void redcc_partition_join_stealable(struct partition *partition);
 
-/** Cuts nothing off: every owner gets spare ones behind it, which have nothing by address. There is
- *  room for them. */
-void redcc_partition_add_spares(struct partition *partition);
+/** Cuts nothing off: every owner gets stealable ones behind it, which have nothing by address.
+ * There is room for them. */
+void redcc_partition_add_stealable(struct partition *partition);
 
 /** Gives back its memory. */
 void redcc_partition_end(struct partition *partition);

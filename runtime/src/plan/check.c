@@ -81,7 +81,7 @@ static bool owner_follows(struct walk *walk, const struct summary *summary, uint
 
 static bool owner_is_right(const struct plan *plan, const struct evidence *evidence,
                            uint32_t owner) {
-    const uint32_t each = plan->method->spares ? 1 + REDCC_SPARES : 1;
+    const uint32_t each = plan->method->steals ? 1 + REDCC_STEALABLE : 1;
     const int thread = owner % each == 0 ? (int)(owner / each) : -1; /* -1: a stealable block */
     struct walk walk = {.schedule = &plan->schedule[owner]};
     for (int from = 0; from < evidence->threads; from++)

@@ -17,8 +17,8 @@ static redcc_int iterations_of(const struct schedule *schedule, const struct chu
     return sum;
 }
 
-/* Who has executed least takes the next spare schedule. */
-static redcc_int length_with_spares(const struct plan *plan, struct place *place) {
+/* Who has executed least takes the next stealable schedule. */
+static redcc_int length_with_stealing(const struct plan *plan, struct place *place) {
     redcc_int length = 0;
     for (int thread = 0; thread < plan->threads; thread++)
         place[thread].time = plan->schedule[redcc_own_schedule(plan, thread)].iterations;
@@ -26,7 +26,7 @@ static redcc_int length_with_spares(const struct plan *plan, struct place *place
         struct place *first = place;
         for (int thread = 1; thread < plan->threads; thread++)
             first = place[thread].time < first->time ? &place[thread] : first;
-        first->time += plan->schedule[redcc_spare_schedule(plan, claimed)].iterations;
+        first->time += plan->schedule[redcc_stealable_schedule(plan, claimed)].iterations;
     }
     for (int thread = 0; thread < plan->threads; thread++)
         length = place[thread].time > length ? place[thread].time : length;
@@ -105,8 +105,8 @@ redcc_int redcc_plan_length(const struct plan *plan) {
         length = most_iterations(plan, 0, plan->threads);
     else if (plan->flags)
         length = length_by_flags(plan, place, up);
-    else if (plan->method->spares)
-        length = length_with_spares(plan, place);
+    else if (plan->method->steals)
+        length = length_with_stealing(plan, place);
     else
         for (int team = 0; team < plan->teams.count; team++) {
             const redcc_int own = length_of_team(plan, team, place);

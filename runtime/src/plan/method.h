@@ -39,7 +39,7 @@ enum copy_kind {
 
 struct method {
     const char *name;      /* the literature's; what REDCC_METHOD says */
-    const char *alias;     /* OPTIONAL; what REDCC_METHOD may say as well */
+    const char *alias;     /* OPTIONAL; what REDCC_METHOD may say as well: an older name */
     const char *parameter; /* "a|b", "N": what may follow after a colon; NULL: nothing */
 
     /* Promises */
@@ -54,8 +54,8 @@ struct method {
                        (ownership/graph/divide.h; else, as without it, by address), */
     bool in_levels; /* or the iterations are put in levels (ownership/graph/levels.h) */
     bool locks;     /* each unit is locked while it is updated */
-    bool spares;    /* REDCC_SPARES spare owners go with each thread's own: whoever comes free first
-                       executes what is theirs. (`owners` is not asked) */
+    bool steals; /* REDCC_STEALABLE stealable owners go with each thread's own: who finishes early
+                    executes what is theirs. (`owners` is not asked) */
 
     /** REQUIRED with parameter: its value from the text after the colon; 0: no such one. */
     int (*parse)(const char *text);
@@ -68,9 +68,9 @@ struct method {
     uint32_t (*owners)(int threads, int parameter);
     /** OPTIONAL; how many flags its tasks wait for each other by. */
     uint32_t (*flags)(uint32_t owners);
-    /** What `thread` executes, into plan->schedule[thread]; with spares the schedules are those of
-     *  owners, and it fills those of its own and the spare ones behind it. Called by all threads at
-     *  once. False: no memory. NULL: the method is the sequential loop itself. */
+    /** What `thread` executes, into plan->schedule[thread]; where it steals the schedules are those
+     * of owners, and it fills those of its own and the stealable ones behind it. Called by all
+     * threads at once. False: no memory. NULL: the method is the sequential loop itself. */
     bool (*prepare)(struct plan *plan, const struct evidence *evidence, int thread);
 };
 
@@ -83,9 +83,9 @@ static inline enum way redcc_way_of(const struct method *method) {
 
 extern const struct method redcc_method_serial;
 extern const struct method redcc_method_localwrite;
-extern const struct method redcc_method_spare_localwrite;
+extern const struct method redcc_method_localwrite_steal;
 extern const struct method redcc_method_graph_localwrite;
-extern const struct method redcc_method_spare_graph_localwrite;
+extern const struct method redcc_method_graph_localwrite_steal;
 extern const struct method redcc_method_wavefront;
 extern const struct method redcc_method_expansion;
 extern const struct method redcc_method_pseudo_expansion;

@@ -73,7 +73,7 @@ struct plan *redcc_plan_new(const struct method *method, int parameter, int thre
     plan->trip = trip;
     plan->array_count = partition->array_count;
     plan->owners = partition->owners;
-    plan->schedules = method->spares ? plan->owners : (uint32_t)threads;
+    plan->schedules = method->steals ? plan->owners : (uint32_t)threads;
     plan->round = 1;
     if (!take_tables(plan, partition->arrays)) {
         redcc_plan_free(plan);
@@ -188,9 +188,9 @@ static bool names_what_is_there(const struct plan *plan, const struct schedule *
 void redcc_plan_finish(struct plan *plan) {
     for (uint32_t s = 0; s < plan->schedules; s++)
         assert(names_what_is_there(plan, &plan->schedule[s]));
-    for (int team = 0; team < plan->teams.count && !plan->method->spares; team++)
+    for (int team = 0; team < plan->teams.count && !plan->method->steals; team++)
         number_stages(plan, team);
-    if (plan->method->spares)
+    if (plan->method->steals)
         plan->teams.stages[0] = 1; /* whatever is executed when */
     plan->executed = 0;
     for (uint32_t s = 0; s < plan->schedules; s++)

@@ -61,15 +61,15 @@ struct plan {
     redcc_int length;   /* how long its threads take, in iterations (length.h) */
 };
 
-/** The schedule that a thread begins with; the spare ones behind it, where there are any, it fills
- *  as well. */
+/** The schedule that a thread begins with; the stealable ones behind it, where there are any, it
+ * fills as well. */
 static inline uint32_t redcc_own_schedule(const struct plan *plan, int thread) {
-    return (uint32_t)thread * (plan->method->spares ? 1 + REDCC_SPARES : 1);
+    return (uint32_t)thread * (plan->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 
-/** The spare schedule that is claimed after `claimed` others: of all threads the first, which are
- *  the largest, then the second. UINT32_MAX: they are all claimed. */
-static inline uint32_t redcc_spare_schedule(const struct plan *plan, uint32_t claimed) {
+/** The stealable schedule that is claimed after `claimed` others: of all threads the first, which
+ * are the largest, then the second. UINT32_MAX: they are all claimed. */
+static inline uint32_t redcc_stealable_schedule(const struct plan *plan, uint32_t claimed) {
     const uint32_t threads = (uint32_t)plan->threads;
     if (claimed >= plan->schedules - threads)
         return UINT32_MAX;

@@ -2,7 +2,7 @@
  * those by which it is decided whether they are. */
 void cut_off(int n, double *restrict f, const double *restrict x, const int *restrict p,
              const int *restrict q, double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p,q
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable rests-on=p,q
         int i = p[t], j = q[t];
         double d = x[i] - x[j];
         if (d * d > cut)
@@ -14,7 +14,7 @@ void cut_off(int n, double *restrict f, const double *restrict x, const int *res
 
 void cut_off_in_a_row(int n, double *restrict f, const double *restrict x,
                       const int *restrict start, const int *restrict q, double cut) {
-    for (int i = 0; i < n; i++) // EXPECT: transform f(+) verifiable subscripts=start,q
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) verifiable rests-on=start,q
         for (int k = start[i]; k < start[i + 1]; k++) {
             int j = q[k];
             double d = x[i] - x[j];
@@ -27,7 +27,7 @@ void cut_off_in_a_row(int n, double *restrict f, const double *restrict x,
 
 void components(int n, double *restrict f, const double *restrict x, const int *restrict p,
                 double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable rests-on=p
         int i = p[t];
         double r = x[3 * i] * x[3 * i + 1];
         if (r > cut)
@@ -39,7 +39,7 @@ void components(int n, double *restrict f, const double *restrict x, const int *
 
 void components_under_a_condition(int n, double *restrict f, const double *restrict x,
                                   const int *restrict p, double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable subscripts=p
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable rests-on=p
         int i = p[t];
         double r = x[3 * i] * x[3 * i + 1];
         if (r <= cut) {
@@ -53,7 +53,7 @@ void components_under_a_condition(int n, double *restrict f, const double *restr
 /* Behind the condition something is read that the program might not read. */
 void read_behind(int n, double *restrict f, const double *restrict x, const int *restrict p,
                  const int *restrict q, double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x,q
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=p,x,q
         int i = p[t];
         if (x[i] <= cut) {
             int j = q[i];
@@ -64,7 +64,7 @@ void read_behind(int n, double *restrict f, const double *restrict x, const int 
 
 void read_behind_in_a_row(int n, double *restrict f, const double *restrict x,
                           const int *restrict start, const int *restrict q, double cut) {
-    for (int i = 0; i < n; i++) // EXPECT: transform f(+) subscripts=start,x,q
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) rests-on=start,x,q
         for (int k = start[i]; k < start[i + 1]; k++) {
             if (x[k] > cut)
                 continue;
@@ -76,7 +76,7 @@ void read_behind_in_a_row(int n, double *restrict f, const double *restrict x,
 /* What is counted by the condition goes on to the next round of the inner loop. */
 void counted_in_a_row(int n, double *restrict f, const double *restrict x,
                       const int *restrict start, double cut) {
-    for (int i = 0; i < n; i++) { // EXPECT: transform f(+) subscripts=start,x
+    for (int i = 0; i < n; i++) { // EXPECT: transform f(+) rests-on=start,x
         int place = 0;
         for (int k = start[i]; k < start[i + 1]; k++) {
             if (x[k] > cut)
@@ -89,7 +89,7 @@ void counted_in_a_row(int n, double *restrict f, const double *restrict x,
 
 void kept_from_the_round_before(int n, double *restrict f, const double *restrict x,
                                 const int *restrict p, double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=p,x
         int at = p[t], c;
         for (c = 0; c < 3; c++) {
             if (x[3 * t + c] > cut)
@@ -102,7 +102,7 @@ void kept_from_the_round_before(int n, double *restrict f, const double *restric
 
 void leaves_after(int n, double *restrict f, const double *restrict x, const int *restrict start,
                   const int *restrict q, double cut) {
-    for (int i = 0; i < n; i++) // EXPECT: transform f(+) subscripts=start,q,x
+    for (int i = 0; i < n; i++) // EXPECT: transform f(+) rests-on=start,q,x
         for (int k = start[i]; k < start[i + 1]; k++) {
             int j = q[k];
             if (x[k] > cut)
@@ -115,7 +115,7 @@ void leaves_after(int n, double *restrict f, const double *restrict x, const int
 
 void set_by_the_condition(int n, double *restrict f, const double *restrict x,
                           const int *restrict p, double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=x,p
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=x,p
         int i = 0;
         if (x[t] > cut) {
             int j = p[t];
@@ -128,7 +128,7 @@ void set_by_the_condition(int n, double *restrict f, const double *restrict x,
 /* The inner counter outlives the condition. */
 void counter_outlives(int n, double *restrict f, const double *restrict x, const int *restrict p,
                       double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=x,p
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=x,p
         int c = 0;
         if (x[t] <= cut)
             for (c = 0; c < 3; c++)
@@ -139,7 +139,7 @@ void counter_outlives(int n, double *restrict f, const double *restrict x, const
 
 void divides(int n, double *restrict f, const double *restrict x, const int *restrict p, int m,
              double cut) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) subscripts=p,x
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) rests-on=p,x
         int i = p[t];
         if (x[t] <= cut) {
             int at = i / m;

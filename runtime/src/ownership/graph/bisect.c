@@ -14,7 +14,7 @@ struct division {
     uint32_t *seen;  /* [count] the search that met the node last */
     uint32_t search;
     uint32_t parts;
-    uint32_t spares;
+    uint32_t stealable;
     uint64_t load[REDCC_PARTS_MOST];
     uint64_t most[REDCC_PARTS_MOST];
 };
@@ -137,11 +137,11 @@ static uint64_t slightly_more(uint64_t share, uint64_t heaviest) {
 /* Of `sum` for parts [low, high), what parts [low, middle) get. */
 static uint64_t share_of(const struct division *division, uint64_t sum, uint32_t low,
                          uint32_t middle, uint32_t high) {
-    const uint32_t parts = division->parts, spares = division->spares;
+    const uint32_t parts = division->parts, stealable = division->stealable;
     const uint64_t scale = 1000 * (uint64_t)parts;
-    const uint64_t below_low = redcc_amount_below(parts, spares, low, scale);
-    const uint64_t lower = redcc_amount_below(parts, spares, middle, scale) - below_low;
-    const uint64_t both = redcc_amount_below(parts, spares, high, scale) - below_low;
+    const uint64_t below_low = redcc_amount_below(parts, stealable, low, scale);
+    const uint64_t lower = redcc_amount_below(parts, stealable, middle, scale) - below_low;
+    const uint64_t both = redcc_amount_below(parts, stealable, high, scale) - below_low;
     return sum / both * lower + sum % both * lower / both;
 }
 
@@ -187,10 +187,11 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
     bisect(division, node + first, count - first, middle, high);
 }
 
-bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t spares,
+bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stealable,
                         unsigned char *part) {
     const size_t count = graph->count;
-    struct division division = {.graph = graph, .part = part, .parts = parts, .spares = spares};
+    struct division division = {
+        .graph = graph, .part = part, .parts = parts, .stealable = stealable};
     division.node = redcc_memory_take(count * sizeof *division.node);
     division.order = redcc_memory_take(count * sizeof *division.order);
     division.seen = redcc_memory_take_zeroed(count, sizeof *division.seen);

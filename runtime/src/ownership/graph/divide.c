@@ -158,7 +158,7 @@ static bool divide_coarse(struct divide *divide) {
     coarse->start[0] = 0;
     for (uint32_t cluster = 0; cluster < coarse->count; cluster++)
         coarse->start[cluster + 1] += coarse->start[cluster];
-    return redcc_divide_graph(coarse, divide->partition->owners, divide->partition->spares,
+    return redcc_divide_graph(coarse, divide->partition->owners, divide->partition->stealable,
                               divide->part);
 }
 
@@ -195,10 +195,10 @@ static bool refine_rims(struct divide *divide) {
         load[divide->part[cluster]] += divide->coarse.weight[cluster];
         sum += divide->coarse.weight[cluster];
     }
-    const uint32_t owners = divide->partition->owners, spares = divide->partition->spares;
+    const uint32_t owners = divide->partition->owners, stealable = divide->partition->stealable;
     for (uint32_t owner = 0; owner < owners; owner++) {
-        const uint64_t even = redcc_amount_below(owners, spares, owner + 1, sum) -
-                              redcc_amount_below(owners, spares, owner, sum);
+        const uint64_t even = redcc_amount_below(owners, stealable, owner + 1, sum) -
+                              redcc_amount_below(owners, stealable, owner, sum);
         most[owner] = even + even / 100;
     }
     redcc_refine(graph, divide->rim, listed, divide->owner, 0, owners, load, most, ROUNDS);
@@ -308,7 +308,7 @@ enum divide_result redcc_divide(struct divide *divide, int thread, struct range 
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen) {
     const struct share share = share_of(divide, divide->units.count, thread);
     for (uint32_t unit = share.first; unit < share.end; unit++) {
-        divide->owner[unit] /= 1 + REDCC_SPARES;
+        divide->owner[unit] /= 1 + REDCC_STEALABLE;
         assert(divide->owner[unit] < divide->partition->owners);
     }
     redcc_sweep_end(&divide->sweep[thread]);

@@ -61,8 +61,8 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
  *  result. seen [array_count] is the thread's. */
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen);
 
-/** The same parts with what is spare joined to the owner before it, as the partition has them now.
- *  Each thread's part; all call it, and each gets the same result. */
+/** The same parts with what is stealable joined to the owner before it, as the partition has them
+ * now. Each thread's part; all call it, and each gets the same result. */
 enum divide_result redcc_divide_join(struct divide *divide, int thread, struct range *seen);
 
 /** Gives back what was taken on the way to the result. */

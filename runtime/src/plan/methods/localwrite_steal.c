@@ -13,21 +13,21 @@
 static bool prepare(struct plan *plan, const struct evidence *evidence, int thread) {
     const uint32_t own = redcc_own_schedule(plan, thread);
     bool enough = redcc_localwrite_select(plan, evidence, own, thread);
-    for (uint32_t spare = 1; enough && spare <= REDCC_SPARES; spare++)
-        enough = redcc_localwrite_select(plan, evidence, own + spare, -1);
+    for (uint32_t block = 1; enough && block <= REDCC_STEALABLE; block++)
+        enough = redcc_localwrite_select(plan, evidence, own + block, -1);
     return enough;
 }
 
-const struct method redcc_method_spare_localwrite = {.name = "spare-localwrite",
-                                                     .alias = "localwrite-steal",
+const struct method redcc_method_localwrite_steal = {.name = "localwrite-steal",
+                                                     .alias = "spare-localwrite",
                                                      .keeps = REDCC_ORDER_SERIAL,
-                                                     .spares = true,
+                                                     .steals = true,
                                                      .prepare = prepare};
 
 /* The same with owners cut from the access graph. */
-const struct method redcc_method_spare_graph_localwrite = {.name = "spare-graph-localwrite",
-                                                           .alias = "graph-localwrite-steal",
+const struct method redcc_method_graph_localwrite_steal = {.name = "graph-localwrite-steal",
+                                                           .alias = "spare-graph-localwrite",
                                                            .keeps = REDCC_ORDER_SERIAL,
                                                            .by_graph = true,
-                                                           .spares = true,
+                                                           .steals = true,
                                                            .prepare = prepare};

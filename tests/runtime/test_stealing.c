@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Spare parts: how they are cut, what they cost, who executes them, and when auto takes them. The
- * loop that is executed:
+/* Stealable blocks: how they are cut, what they cost, who executes them, and when auto takes them.
+ * The loop that is executed:
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] += 1.0 / (t + 1); b[row[t] + 1] += 0.1 * t; }
  */
@@ -22,7 +22,7 @@
 
 #include <cmocka.h>
 
-enum { TRIP = 60000, EACH = 1 + REDCC_SPARES };
+enum { TRIP = 60000, EACH = 1 + REDCC_STEALABLE };
 
 static int row[TRIP];
 static double b[TRIP + 1], expected[TRIP + 1];
@@ -30,7 +30,7 @@ static char executed_by[TRIP][2]; /* thread 0, thread 1: how often */
 
 static const redcc_array array = {"b", REDCC_SUM, REDCC_DOUBLE, 8, 8};
 static const redcc_source source = {"row", 1};
-static redcc_loop loop = {.file = "test_spares.c",
+static redcc_loop loop = {.file = "test_stealing.c",
                           .line = 5,
                           .function = "execute",
                           .order = REDCC_ORDER_SERIAL,
@@ -129,8 +129,8 @@ static int count_of(int thread) {
     return count;
 }
 
-/* Who waits executes what is his own, and nothing else; the other executes all spare parts. */
-static void who_comes_free_takes_the_spare_parts(void **unused) {
+/* Who waits executes what is his own, and nothing else; the other executes all stealable blocks. */
+static void who_finishes_early_takes_the_stealable_blocks(void **unused) {
     (void)unused;
     if (!redcc_settings()->method)
         skip();
@@ -187,7 +187,7 @@ static void auto_takes_them_where_they_cost_little(void **unused) {
     if (redcc_settings()->method)
         skip();
     sort_rows();
-    assert_ptr_equal(method_by_auto(), &redcc_method_spare_localwrite);
+    assert_ptr_equal(method_by_auto(), &redcc_method_localwrite_steal);
 }
 
 /* Each cut parts one iteration of a hundred. */
@@ -209,7 +209,7 @@ static void take_chain(struct sample *sample, int rows) {
     }
 }
 
-static void spare_parts_are_small_and_joined_again(void **unused) {
+static void stealable_blocks_are_small_and_joined_again(void **unused) {
     (void)unused;
     enum { ROWS = 10000, SHARES = 2 };
     static const int begins[] = {0, 4200, 4700, 5000, 9200, 9700};
@@ -221,45 +221,45 @@ static void spare_parts_are_small_and_joined_again(void **unused) {
     const struct sample *samples[] = {&sample};
     take_chain(&sample, ROWS);
     assert_true(redcc_partition_begin(&partition, &one, bases, SHARES * EACH));
-    partition.spares = REDCC_SPARES;
+    partition.stealable = REDCC_STEALABLE;
     assert_true(redcc_choose_cuts(&partition, samples, 1));
     for (uint32_t owner = 0; owner < SHARES * EACH; owner++) {
         const uintptr_t cut = redcc_cuts(&partition, 0)[owner];
         const int at = cut ? (int)((cut - (uintptr_t)b) / sizeof *b) : 0;
         assert_in_range(at + 2, begins[owner], begins[owner] + 4);
     }
-    /* Each of five cuts parts one iteration; one of them is there without spare parts, too. */
+    /* Each of five cuts parts one iteration; one of them is there without stealable blocks, too. */
     assert_true(redcc_estimate(&partition, samples, 1, &estimate));
-    const double spared = estimate.spared * (double)ROWS;
-    assert_true(spared > 3.9 && spared < 4.1);
+    const double overhead = estimate.overhead * (double)ROWS;
+    assert_true(overhead > 3.9 && overhead < 4.1);
     assert_true(estimate.share > 0.499 && estimate.share < 0.501);
     const uintptr_t middle = redcc_cuts(&partition, 0)[EACH];
-    redcc_partition_join_spares(&partition);
+    redcc_partition_join_stealable(&partition);
     assert_int_equal(partition.owners, SHARES);
-    assert_int_equal(partition.spares, 0);
+    assert_int_equal(partition.stealable, 0);
     assert_int_equal(redcc_cuts(&partition, 0)[0], 0);
     assert_int_equal(redcc_cuts(&partition, 0)[1], middle);
     assert_int_equal(redcc_cuts(&partition, 0)[2], UINTPTR_MAX);
     assert_true(redcc_estimate(&partition, samples, 1, &estimate));
-    assert_true(estimate.spared == 0);
+    assert_true(estimate.overhead == 0);
     redcc_partition_end(&partition);
     redcc_sample_end(&sample);
     assert_int_equal(redcc_memory_live(), 0);
 }
 
-/* Each spare schedule once, the larger ones first, and the length is that of who has most. */
-static void spare_schedules_are_claimed_in_turn(void **unused) {
+/* Each stealable schedule once, the larger ones first, and the length is that of who has most. */
+static void stealable_schedules_are_claimed_in_turn(void **unused) {
     (void)unused;
     static const uint32_t order[] = {1, 4, 7, 2, 5, 8, UINT32_MAX};
     static const redcc_int iterations[] = {100, 20, 5, 90, 20, 5, 10, 20, 5};
     struct schedule schedule[9] = {{0}};
-    const struct plan plan = {.method = &redcc_method_spare_localwrite,
+    const struct plan plan = {.method = &redcc_method_localwrite_steal,
                               .threads = 3,
                               .teams = {.count = 1},
                               .schedule = schedule,
                               .schedules = 9};
     for (uint32_t claimed = 0; claimed < 7; claimed++)
-        assert_int_equal(redcc_spare_schedule(&plan, claimed), order[claimed]);
+        assert_int_equal(redcc_stealable_schedule(&plan, claimed), order[claimed]);
     for (int s = 0; s < 9; s++)
         schedule[s].iterations = iterations[s];
     /* 10 + 20 + 20 + 20 + 5 + 5 + 5 = 85 */
@@ -270,9 +270,9 @@ static void spare_schedules_are_claimed_in_turn(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spare_parts_are_small_and_joined_again),
-        cmocka_unit_test(spare_schedules_are_claimed_in_turn),
-        cmocka_unit_test(who_comes_free_takes_the_spare_parts),
+        cmocka_unit_test(stealable_blocks_are_small_and_joined_again),
+        cmocka_unit_test(stealable_schedules_are_claimed_in_turn),
+        cmocka_unit_test(who_finishes_early_takes_the_stealable_blocks),
         cmocka_unit_test(the_bits_are_those_of_the_loop),
         cmocka_unit_test(auto_takes_them_where_they_cost_little),
         cmocka_unit_test(auto_does_without_them_where_they_cost_more),

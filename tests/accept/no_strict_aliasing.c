@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Integers are read from the doubles that the loop adds to, as the compiler is told that they may be.
+// CFLAGS: -fno-strict-aliasing
+// INTEGERS: no
+// MAY-RUN-SERIALLY: what the second loop reads is what it writes
+#include "case.h"
+
+enum { N = 6000, M = 3000 };
+static int s[N];
+static double h[M];
+
+__attribute__((noinline)) static void add(int n, const int *w, double *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[s[t]] += w[t];
+}
+
+int main(void) {
+    case_values(h, M);
+    for (int round = 0; round < 3; round++) {
+        case_subscripts(s, N, M);
+        add(N, s, h);
+        CASE_PRINT(h);
+        add(N, (const int *)h, h);
+        CASE_PRINT(h);
+    }
+    return 0;
+}
