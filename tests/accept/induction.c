@@ -119,25 +119,25 @@ static int again_and_again(int n, int rows) {
 }
 
 int main(void) {
-    long sum = 0;
+    unsigned long sum = 0;
     case_values(e, 3 * N + 9);
     for (int round = 0; round < 4; round++) {
         if (round != 2)
             case_subscripts(s, 3 * N + 9, ROWS);
-        sum = 3 * sum + behind(round, N - round, round == 1 ? 40 : 7, 0.5);
-        sum = 3 * sum + behind(5, 2, 11, 0.5);
-        sum = 3 * sum + by_three(N - round);
-        sum = 3 * sum + in_header(N);
-        sum = 3 * sum + counter_second(N - 1);
-        sum = 3 * sum + set_in_header(N - 1, round);
-        sum = 3 * sum + several(N);
-        sum = 3 * sum + wrapping(N);
-        sum = 3 * sum + used_where_it_moves(N, round);
-        sum = 3 * sum + by_while(N, N + round);
+        sum = 3 * sum + (unsigned long)behind(round, N - round, round == 1 ? 40 : 7, 0.5);
+        sum = 3 * sum + (unsigned long)behind(5, 2, 11, 0.5);
+        sum = 3 * sum + (unsigned long)by_three(N - round);
+        sum = 3 * sum + (unsigned long)in_header(N);
+        sum = 3 * sum + (unsigned long)counter_second(N - 1);
+        sum = 3 * sum + (unsigned long)set_in_header(N - 1, round);
+        sum = 3 * sum + (unsigned long)several(N);
+        sum = 3 * sum + (unsigned long)wrapping(N);
+        sum = 3 * sum + (unsigned long)used_where_it_moves(N, round);
+        sum = 3 * sum + (unsigned long)by_while(N, N + round);
         skipped_after(N, 3);
-        sum = 3 * sum + again_and_again(N, 2);
+        sum = 3 * sum + (unsigned long)again_and_again(N, 2);
     }
-    printf("%ld\n", sum);
+    printf("%lu\n", sum);
     CASE_PRINT(h);
     CASE_PRINT(counted);
     CASE_PRINT(bytes);
