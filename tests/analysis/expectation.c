@@ -14,6 +14,21 @@ static void describe_array(buffer *out, const reduction_array *array) {
                   op && array->order_is_kept ? "," : "", array->order_is_kept ? "kept" : "");
 }
 
+/* " rests-on=start,q": whose contents decide which elements are touched, each name once. */
+static void describe_subscripts(buffer *out, const loop_facts *facts) {
+    const char *joint = " rests-on=";
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        bool is_first = facts->sources[i].is_subscript;
+        for (unsigned k = 0; k < i && is_first; k++)
+            is_first = !facts->sources[k].is_subscript ||
+                       strcmp(facts->sources[k].name, facts->sources[i].name) != 0;
+        if (is_first)
+            buffer_format(out, "%s%s", joint, facts->sources[i].name);
+        if (is_first)
+            joint = ",";
+    }
+}
+
 /* How the sources are known before anything is written, and what of the slice is short. */
 static void describe_sources(buffer *out, const loop_facts *facts) {
     unsigned subscripts = 0, told = 0, checked = 0, sometimes = 0;
@@ -64,6 +79,9 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
         for (unsigned i = 0; i < facts->array_count; i++)
             if (facts->arrays[i].is_interleaved)
                 buffer_format(&out, " interleaved=%s", facts->arrays[i].name);
+        describe_subscripts(&out, facts);
+        if (facts->unkept.name)
+            buffer_format(&out, " unkept=%s", facts->unkept.name);
         describe_sources(&out, facts);
         describe_scalars(&out, facts);
         if (facts->sets_errno)

@@ -3,7 +3,7 @@
 #include "fuzz/kernel.h"
 
 static void put_body(kernel *k, scope outside) {
-    k->scope.in_loop = true;
+    k->scope.in_loop = k->scope.can_skip = true;
     put(k, &k->body, "{\n");
     block(k, 1 + below(k, 2));
     put(k, &k->body, "}\n");
@@ -42,6 +42,7 @@ static void chain_loop(kernel *k) {
     const bool is_do = chance(k, 30);
     put(k, &k->body, is_do ? "do {\n" : "while (%s > 0) {\n", c);
     k->scope.in_loop = true;
+    k->scope.can_skip = false;
     block(k, 1);
     put(k, &k->body, "%s", step);
     if (chance(k, 20))
@@ -58,7 +59,7 @@ static void lagging_loop(kernel *k) {
     put(k, &k->body, "int %s = 0;\nfor (int %s = 0; %s < 3; %s++) ", lag, c, c, c);
     add_name(&k->scope.subscripts, lag);
     add_name(&k->scope.smalls, c);
-    k->scope.in_loop = true;
+    k->scope.in_loop = k->scope.can_skip = true;
     put(k, &k->body, "{\n");
     block(k, 1);
     put(k, &k->body, "%s = %s;\n}\n", lag, subscript(k));

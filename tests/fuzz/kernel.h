@@ -79,6 +79,7 @@ typedef struct scope {
     names smalls;     /* in 0 ... 2 */
     int depth;        /* of blocks in the loop's body; 0: always executed */
     bool in_loop;     /* inside an inner loop */
+    bool can_skip;    /* which goes on by itself after a `continue` */
 } scope;
 
 typedef struct kernel {

@@ -216,7 +216,7 @@ static void choice(kernel *k) {
 }
 
 static void skip(kernel *k) {
-    if (!k->scope.in_loop && k->may_continue)
+    if (k->scope.in_loop ? k->scope.can_skip : k->may_continue)
         put(k, &k->body, "if (%s)\ncontinue;\n", condition(k));
 }
 
@@ -249,6 +249,22 @@ static void scalar_sum(kernel *k) {
     store_after(k, name);
 }
 
+/* A counter beside the loop's own, used before and after its step. */
+static void counter_beside(kernel *k) {
+    static const char *const types[] = {"int", "int", "long", "unsigned"};
+    if (k->scope.in_loop || (k->scope.depth && chance(k, 80)))
+        return;
+    const char *name = new_name(k, "a");
+    const char *place = chance(k, 50) ? name : text(k, "(%s + 1)", name);
+    declare_outside(k, types[below(k, LENGTH(types))], name, text(k, "%d", below(k, 5)));
+    add_name(&k->scope.positions, place);
+    if (chance(k, 50))
+        plain_update(k);
+    put(k, &k->body, chance(k, 50) ? "%s++;\n" : "%s += 1;\n", name);
+    if (chance(k, 40))
+        store_after(k, name);
+}
+
 void statement(kernel *k) {
     static const struct {
         void (*make)(kernel *k);
@@ -272,6 +288,7 @@ void statement(kernel *k) {
         {protected_subscript, 2},
         {own_store, 1},
         {scalar_sum, 1},
+        {counter_beside, 3},
     };
     const size_t begin = begin_statement(k);
     if (k->is_wide && chance(k, 15)) {
@@ -289,7 +306,7 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
-    int which = below(k, 105), i = 0;
+    int which = below(k, 108), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;
     kinds[i].make(k);

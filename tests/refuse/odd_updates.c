@@ -120,7 +120,7 @@ void count_then_use(int n, const int *k, int *c, double *h) {
 
 void ptr_walk(int n, const int *k, double *h) {
     const int *p = k;
-    for (int t = 0; t < n; t++, p++) // EXPECT: refuse trip-count
+    for (int t = 0; t < n; t++, p++) // EXPECT: refuse scalar-carried
         h[*p] += 1;
 }
 

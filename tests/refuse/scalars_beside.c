@@ -30,7 +30,8 @@ int read_in_subscript(int n, const int *k, double *h) {
 int read_in_condition(int n, const int *k, double *h) {
     int count = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
-        count++;
+        if (k[t] > 0)
+            count++;
         if (count < 100)
             h[k[t]] += 1.0;
     }
@@ -42,7 +43,8 @@ int read_as_bound(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         for (int i = 0; i < count; i++)
             h[k[t]] += 1.0;
-        count++;
+        if (k[t] > 0)
+            count++;
     }
     return count;
 }

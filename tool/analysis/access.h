@@ -19,6 +19,7 @@ typedef struct access {
     const ir_type *type;       /* of the values accessed */
     bool is_presumed;          /* by the user's word it is apart from what the loop accumulates */
     bool is_conditional;       /* not executed each time the piece is */
+    bool is_behind;            /* a condition of the callee's decides whether it is made */
     const ir_node *node;       /* the expression: access, or call */
     const ir_function *callee; /* the access is the callee's; NULL: in the text itself */
     update_form form;          /* ACCESS_UPDATE in the text itself */

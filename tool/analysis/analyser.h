@@ -70,6 +70,7 @@ typedef struct judgement {
     VECTOR(loop_span) spans;
     bool slice_has_floating_work;
     bool is_verifiable;
+    unkept_read unkept;
     bool counter_is_live_after;
     reason why;
 } judgement;

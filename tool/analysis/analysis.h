@@ -45,11 +45,13 @@ typedef struct counted_loop {
     const ir_node *bound; /* loop-invariant expression */
     const ir_variable *bound_variable; /* that the header sets to `bound`, and that is mentioned
                                           nowhere else in the loop; NULL: there is none */
-    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
-                               as counter <comparison> bound */
-    int64_t step;           /* non-zero constant; sign agrees with comparison */
-    const ir_node *body;    /* executed each iteration; for a while, the increment is its last
-                               statement, `increment`, and not part of the copy */
+    unsigned start_count;
+    const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
+    ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
+                                 as counter <comparison> bound */
+    int64_t step;             /* non-zero constant; sign agrees with comparison */
+    const ir_node *body;      /* executed each iteration; for a while, the increment is its last
+                                 statement, `increment`, and not part of the copy */
     const ir_node *increment;
 } counted_loop;
 
@@ -133,6 +135,13 @@ typedef struct private_variable {
     bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
     bool is_last_sought;     /* its last value is needed, but some iterations leave it as it was: a
                                 scalar that is assigned by statements of its own (IR_EXPRESSION) */
+    bool is_stepped;     /* an integer that each iteration moves by `step`, once: it begins with the
+                            value on entry and as many steps as there were iterations before */
+    bool is_step_wanted; /* is_stepped: its value after the loop is needed */
+    bool is_in_slice;    /* is_stepped: the inspector asks for it */
+    int64_t step;
+    const ir_node *entry; /* is_stepped: its value on entry, which the header gives it; NULL: the
+                             one that it has */
 } private_variable;
 
 /** How an operand of a scalar's update is kept: as the type in which the operation is made. */
@@ -168,6 +177,12 @@ typedef struct loop_span {
     counted_loop counted;
 } loop_span;
 
+/** A read because of which no plan of the loop can be kept. */
+typedef struct unkept_read {
+    const char *name; /* of what is read; NULL: plans are kept, as far as the analysis knows */
+    ir_range range;   /* of the read, or of the call that makes it */
+} unkept_read;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is judged */
     ir_function *function;
@@ -201,6 +216,7 @@ typedef struct loop_facts {
     bool has_inspector;           /* false: subscripts as dear as the body, or not sliceable */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    unkept_read unkept; /* the first one, where not is_verifiable */
     unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
     const ir_node *const *key;
 } loop_facts;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/counted.h"
 
+#include "analysis/counted_start.h"
 #include "analysis/expression.h"
 
 /* ---- who writes a variable ------------------------------------------------------------------ */
@@ -30,8 +31,7 @@ static bool is_variable(const ir_node *node, const ir_variable *variable) {
     return node->kind == IR_VARIABLE && node->variable == variable;
 }
 
-/* v++, v += c, v = v + c and the like: the step. */
-static bool step_of(const ir_node *node, ir_variable **variable, int64_t *step) {
+bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step) {
     const ir_node *target = expression_written(node);
     if (!target || target->kind != IR_VARIABLE)
         return false;
@@ -82,97 +82,6 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
         return false;
     }
     return !expression_mentions(*bound, counter);
-}
-
-static const ir_node *declarator_of(const ir_node *declaration, const ir_variable *variable) {
-    for (unsigned i = 0; i < declaration->child_count; i++)
-        if (declaration->children[i]->variable == variable)
-            return declaration->children[i];
-    return NULL;
-}
-
-static bool mentions_declared(const ir_node *node, const ir_node *declaration,
-                              const ir_variable *except) {
-    for (unsigned i = 0; i < declaration->child_count; i++)
-        if (declaration->children[i]->variable != except &&
-            expression_mentions(node, declaration->children[i]->variable))
-            return true;
-    return false;
-}
-
-/* for (int t = 0, last = n - 1; t <= last; t++): with the value of `last`, where that is all there
- * is of it, in its place. */
-static bool split_declaration(const ir_node *loop, const ir_node *declaration,
-                              counted_loop *counted) {
-    const ir_node *own = declarator_of(declaration, counted->counter);
-    const ir_variable *counter = counted->counter;
-    if (!own || !own->child_count)
-        return false;
-    counted->lower = own->children[0];
-    counted->counter_is_declared_in_header = true;
-    if (declaration->child_count == 1)
-        return true;
-    const ir_node *bound = counted->bound->kind == IR_VARIABLE
-                               ? declarator_of(declaration, counted->bound->variable)
-                               : NULL;
-    if (bound) {
-        const ir_type *type = bound->variable->type;
-        if (!bound->child_count || type->is_volatile || type->is_atomic ||
-            !ir_type_equal(type, bound->children[0]->type))
-            return false;
-        counted->bound = bound->children[0];
-    }
-    for (unsigned i = 0; i < declaration->child_count; i++)
-        if (declaration->children[i]->child_count &&
-            !expression_is_plain(declaration->children[i]->children[0]))
-            return false;
-    return !mentions_declared(counted->lower, declaration, NULL) &&
-           !mentions_declared(counted->bound, declaration, NULL) &&
-           !mentions_declared(loop->children[2], declaration, counter) &&
-           !mentions_declared(counted->body, declaration, counter);
-}
-
-/* The value that an assignment of the variable by = gives it; NULL: it is none. */
-static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
-    return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
-                   is_variable(node->children[0], variable)
-               ? node->children[1]
-               : NULL;
-}
-
-/* for (v = base, end = g->n; v < end; v++): with the value of `end`, where that is all the loop
- * does with it, in its place. */
-static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *counted) {
-    const ir_variable *variable =
-        counted->bound->kind == IR_VARIABLE ? counted->bound->variable : NULL;
-    const ir_node *value = variable ? assigned_value(node, variable) : NULL;
-    if (!value || !variable_is_automatic(variable) || variable->address_taken ||
-        variable->type->is_volatile || variable->type->is_atomic ||
-        !ir_type_equal(variable->type, value->type) || !expression_is_plain(value))
-        return false;
-    if (expression_mentions(value, variable) || expression_mentions(value, counted->counter) ||
-        expression_mentions(counted->lower, variable) ||
-        expression_mentions(loop->children[2], variable) ||
-        expression_mentions(counted->body, variable))
-        return false;
-    counted->bound = value;
-    counted->bound_variable = variable;
-    return true;
-}
-
-static bool split_initialisation(const ir_node *loop, const ir_node *node, counted_loop *counted) {
-    if (node->kind == IR_EXPRESSION)
-        node = node->children[0];
-    if (node->kind == IR_EMPTY)
-        return true;
-    const ir_node *other = NULL;
-    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA) {
-        const bool is_left = assigned_value(node->children[0], counted->counter) != NULL;
-        other = node->children[is_left ? 1 : 0];
-        node = node->children[is_left ? 0 : 1];
-    }
-    counted->lower = assigned_value(node, counted->counter);
-    return counted->lower && (!other || split_bound(loop, other, counted));
 }
 
 /* ---- can the counter wrap around? ----------------------------------------------------------- */
@@ -239,7 +148,22 @@ static bool may_wrap(const counted_loop *loop) {
 
 /* ---- putting it together -------------------------------------------------------------------- */
 
+/* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
+static const char *first_name(const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return node->variable->name;
+    if (node->kind == IR_FOR || node->kind == IR_WHILE)
+        return first_name(node->children[node->kind == IR_FOR ? 1 : 0]);
+    const char *name = NULL;
+    for (unsigned i = 0; i < node->child_count && !name; i++)
+        name = first_name(node->children[i]);
+    return name;
+}
+
+/* `name`: of the counter; NULL: it is not known, and whatever is compared stands for it. */
 static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
+    if (!name)
+        name = first_name(node);
     return (counted_result){.why = why, .node = node, .name = name};
 }
 
@@ -313,6 +237,21 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     return (counted_result){.is_counted = true, .loop = *loop};
 }
 
+/* i++, q += 3: the part that steps the variable that the condition compares. */
+static const ir_node *own_increment(const ir_node *increment, const ir_node *condition) {
+    ir_variable *variable;
+    int64_t step;
+    const ir_node *bound;
+    ir_operator comparison;
+    if (increment->kind != IR_BINARY || increment->op != IR_OP_COMMA)
+        return counted_step(increment, &variable, &step) &&
+                       split_condition(condition, variable, &comparison, &bound)
+                   ? increment
+                   : NULL;
+    const ir_node *left = own_increment(increment->children[0], condition);
+    return left ? left : own_increment(increment->children[1], condition);
+}
+
 static counted_result recognise_for(const ir_node *loop) {
     const ir_node *increment = loop->children[2];
     const ir_node *condition = loop->children[1];
@@ -320,22 +259,31 @@ static counted_result recognise_for(const ir_node *loop) {
         increment = increment->children[0];
     if (condition->kind == IR_EXPRESSION)
         condition = condition->children[0];
-    counted_loop counted = {.body = loop->children[3], .increment = increment};
+    counted_loop counted = {.body = loop->children[3]};
     if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
-        return not_counted(REASON_TRIP_COUNT, loop, "?");
-    if (!step_of(increment, &counted.counter, &counted.step)) {
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    const ir_node *all = increment;
+    if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA)
+        increment = own_increment(increment, condition);
+    if (!increment)
+        return not_counted(REASON_TRIP_COUNT, all, NULL);
+    counted.increment = increment;
+    if (!counted_step(increment, &counted.counter, &counted.step)) {
         ir_variable *variable = ir_root_variable(
             expression_written(increment) ? expression_written(increment) : increment);
         return not_counted(variable ? REASON_STEP : REASON_TRIP_COUNT, increment,
-                           variable ? variable->name : "?");
+                           variable ? variable->name : NULL);
     }
     if (counted.step == 0)
         return not_counted(REASON_STEP, increment, counted.counter->name);
     const ir_node *start = loop->children[0];
     if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
-        !(start->kind == IR_DECLARATION ? split_declaration(loop, start, &counted)
-                                        : split_initialisation(loop, start, &counted)))
+        !(start->kind == IR_DECLARATION ? counted_split_declaration(loop, start, &counted)
+                                        : counted_split_initialisation(loop, start, &counted)))
         return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
+    const char *written = NULL;
+    if (all != increment && written_by(all, counted.bound, &written))
+        return not_counted(REASON_BOUND_VARIES, counted.bound, written);
     return check(&counted, loop, NULL);
 }
 
@@ -355,12 +303,12 @@ static counted_result recognise_while(const ir_node *loop) {
     const ir_node *body = loop->children[1];
     counted_loop counted = {.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)
-        return not_counted(REASON_TRIP_COUNT, loop, "?");
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *last = body->children[body->child_count - 1];
     if (last->kind != IR_EXPRESSION ||
-        !step_of(last->children[0], &counted.counter, &counted.step) ||
+        !counted_step(last->children[0], &counted.counter, &counted.step) ||
         !split_condition(condition, counted.counter, &counted.comparison, &counted.bound))
-        return not_counted(REASON_TRIP_COUNT, condition, "?");
+        return not_counted(REASON_TRIP_COUNT, condition, NULL);
     if (continues(body) || counted.step == 0)
         return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
     counted.increment = last;
@@ -372,7 +320,7 @@ counted_result counted_recognise_judged(ir_node *loop) {
         return recognise_for(loop);
     if (loop->kind == IR_WHILE)
         return recognise_while(loop);
-    return not_counted(REASON_TRIP_COUNT, loop, "?");
+    return not_counted(REASON_TRIP_COUNT, loop, NULL);
 }
 
 static counted_result without_calls(counted_result result, const ir_node *loop) {
@@ -380,6 +328,11 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
         return result;
     if (result.loop.counter->address_taken)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
+    const ir_node *header = loop->kind == IR_FOR ? loop->children[2] : NULL;
+    if (header && header->kind == IR_EXPRESSION)
+        header = header->children[0];
+    if (header && (header != result.loop.increment || result.loop.start_count))
+        return not_counted(REASON_TRIP_COUNT, header, result.loop.counter->name);
     if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
         return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
     return result;

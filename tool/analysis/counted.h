@@ -19,9 +19,13 @@ typedef struct counted_result {
 counted_result counted_recognise(ir_node *loop);
 
 /** The same, with what is left to the caller: the bound may call functions, the counter's address
- *  may be taken outside the loop, and the header may set a variable to the bound (bound_variable).
+ *  may be taken outside the loop, the header may set a variable to the bound (bound_variable) and
+ *  step others beside the counter.
  */
 counted_result counted_recognise_judged(ir_node *loop);
+
+/** v++, v += c, v = v + c and the like, with a constant: the variable and the step. */
+bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);
 
 /** Is this a for loop over constants, with at least one iteration? Then its counter takes values
  *  in [*first, *last] (first <= last, whichever way it runs) in the body. */

@@ -406,6 +406,7 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         access item = known->items.items[i];
         item.node = call;
         item.callee = function;
+        item.is_behind = item.is_conditional;
         if (item.lvalue) {
             item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
             item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&

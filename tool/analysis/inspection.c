@@ -155,6 +155,13 @@ static bool add_search(judgement *j, const judged_access *read) {
 
 static void add_read(judgement *j, const judged_access *read, bool is_subscript);
 
+/* What is read here decides subscripts, and cannot be compared. */
+static void keep_no_plan(judgement *j, const ir_node *lvalue, const ir_node *node) {
+    if (j->is_verifiable)
+        j->unkept = (unkept_read){judgement_name(j, lvalue), node->range};
+    j->is_verifiable = false;
+}
+
 static bool is_load(const ir_node *node) {
     return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
            ir_type_is_scalar(node->type);
@@ -179,7 +186,7 @@ static void add_loads_below(judgement *j, const ir_node *row) {
         if (load && load->class != CLASS_FORWARDED)
             add_read(j, load, true);
         else if (is_load(child) && !load)
-            j->is_verifiable = false;
+            keep_no_plan(j, child, child);
         add_loads_below(j, child);
     }
 }
@@ -193,7 +200,7 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
         if (!is_keyed)
             contents = source_plan_of(j, read, true);
         if (!is_keyed && !contents.is_possible && !add_search(j, read))
-            j->is_verifiable = false;
+            keep_no_plan(j, read->access.lvalue, read->access.node);
     }
     if (contents.is_possible) {
         contents.source.is_subscript = true;
@@ -210,6 +217,7 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
 
 static void add_sources(judgement *j, const bool *keep) {
     j->is_verifiable = true;
+    j->unkept = (unkept_read){0};
     j->sources.count = 0;
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -227,6 +235,12 @@ static bool take_slice(judgement *j, const touch_list *touches, reason_id why, c
     if (result.obstacle)
         return judgement_refuse(j, why, result.obstacle, name);
     j->in_slice = result.keep;
+    for (unsigned i = 0; i < j->privates.count; i++) {
+        private_variable *item = &j->privates.items[i];
+        item->is_in_slice = false;
+        for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
+            item->is_in_slice |= result.needed[k] == item->variable;
+    }
     j->slice_has_floating_work = result.has_floating_work;
     return true;
 }

@@ -30,7 +30,7 @@ static bool is_assigned_by_statements(const judgement *j, const ir_variable *var
 
 static bool judge_last_value(judgement *j, private_variable *item) {
     const ir_variable *variable = item->variable;
-    if (item->is_declared_inside)
+    if (item->is_declared_inside || item->is_stepped)
         return true;
     if (variable_escapes(j->an->facts, variable))
         return judgement_refuse(j, REASON_ESCAPES, j->loop, variable->name);

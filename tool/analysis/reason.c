@@ -27,15 +27,17 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
     [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
-    [REASON_MAY_ALIAS] =
-        "declare the pointers restrict, or write #pragma redcc independent above the loop",
+    [REASON_MAY_ALIAS] = "where they never overlap, declare the pointers restrict, or write "
+                         "#pragma redcc independent above the loop",
     [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
-    [REASON_SCALAR_CARRIED] = "move the scalar's accumulation to a loop of its own",
+    [REASON_SCALAR_CARRIED] = "where its values do not depend on the updates, compute them into an "
+                              "array in a loop of its own first",
     [REASON_PRIVATE_NOT_PROVED] =
-        "declare it inside the loop's body, or write #pragma redcc private(NAME) above the loop",
-    [REASON_LAST_VALUE] = "declare it inside the loop's body",
-    [REASON_ESCAPES] =
-        "declare it inside the loop's body, and pass it only to functions of this file",
+        "where no iteration uses what another left in it, declare it inside the loop's body, or "
+        "write #pragma redcc private(NAME) above the loop",
+    [REASON_LAST_VALUE] = "find the value that is wanted after the loop in a loop of its own",
+    [REASON_ESCAPES] = "where no iteration uses what another left in it, declare it inside the "
+                       "loop's body, and pass it only to functions of this file",
     [REASON_UNION] = "use a struct",
     [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
     [REASON_COUNTER_MODIFIED] = "use another variable in the body",
@@ -43,13 +45,15 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_STEP] = "use a constant step",
     [REASON_COUNTER_TYPE] = "use a local counter of type int, long or size_t",
     [REASON_COUNTER_WRAPS] = "use a signed counter, and < or > instead of <=, >= or !=",
-    [REASON_BREAK] = "use a condition around the body instead",
-    [REASON_RETURN] = "use a condition around the body instead",
+    [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
+    [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_GOTO] = "use structured control",
     [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), --pure=NAME, or "
                            "#pragma redcc pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
-    [REASON_CALLEE_READS] = "define the function in this file, or say #pragma redcc pure(NAME)",
+    [REASON_CALLEE_READS] =
+        "where it reads nothing that is updated, declare the pointers restrict, or write #pragma "
+        "redcc independent above the loop",
     [REASON_INTERPOSED] =
         "make it static, hide it (-fvisibility=hidden), or say that what takes its "
         "place does the same (-fno-semantic-interposition)",

@@ -5,7 +5,7 @@
  * the very subscripts of the executor, which two copies of one text do only where the compiler
  * rounds each operation by itself (docs/decisions/0003).
  * Control that only decides whether an address is touched is kept where it can be computed without
- * floating-point arithmetic; else it is left out, if the address may be computed without it.
+ * floating-point values; else it is left out, if the address may be computed without it.
  */
 #include "analysis/slice.h"
 
@@ -25,13 +25,13 @@ typedef struct slicer {
     const judgement *j;
     bool *keep;
     VECTOR(needed_part) needed;
-    bool is_integer_only; /* for now: floating-point arithmetic is an obstacle */
+    bool is_integer_only; /* for now: floating-point values are an obstacle */
     bool has_floating_work;
     const ir_node *obstacle;
 } slicer;
 
 static void need_expression(slicer *s, const ir_node *node);
-static void keep_statement(slicer *s, const ir_node *statement);
+static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of);
 
 static void fail(slicer *s, const ir_node *node) {
     if (!s->obstacle)
@@ -41,15 +41,15 @@ static void fail(slicer *s, const ir_node *node) {
 /* ---- control ----------------------------------------------------------------------------------
  */
 
-static void keep_jumps(slicer *s, const ir_node *node, bool take_breaks, bool take_continues) {
-    if ((node->kind == IR_BREAK && take_breaks) || (node->kind == IR_CONTINUE && take_continues))
-        keep_statement(s, node);
-    if (ir_is_loop(node))
+/* The jumps that leave a loop or switch. Those that end an iteration of it are of their own. */
+static void keep_breaks(slicer *s, const ir_node *node) {
+    if (node->kind == IR_BREAK)
+        keep_statement(s, node, NULL);
+    if (ir_is_loop(node) || node->kind == IR_SWITCH)
         return;
-    bool breaks_inside = take_breaks && node->kind != IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!ir_is_expression(node->children[i]))
-            keep_jumps(s, node->children[i], breaks_inside, take_continues);
+            keep_breaks(s, node->children[i]);
 }
 
 static void keep_header_declaration(slicer *s, const ir_node *part) {
@@ -70,32 +70,40 @@ static void keep_control(slicer *s, const ir_node *node) {
         break;
     case IR_SWITCH:
         need_expression(s, node->children[0]);
-        keep_jumps(s, node->children[1], true, false);
+        keep_breaks(s, node->children[1]);
         break;
     case IR_WHILE:
         need_expression(s, node->children[0]);
-        keep_jumps(s, node->children[1], true, true);
+        keep_breaks(s, node->children[1]);
         break;
     case IR_DO:
         need_expression(s, node->children[1]);
-        keep_jumps(s, node->children[0], true, true);
+        keep_breaks(s, node->children[0]);
         break;
     case IR_FOR:
         for (unsigned i = 0; i < 3; i++)
             if (node->children[i]->kind != IR_EMPTY)
                 need_expression(s, node->children[i]);
         keep_header_declaration(s, node->children[0]);
-        keep_jumps(s, node->children[3], true, true);
+        keep_breaks(s, node->children[3]);
         break;
     default:
         break;
     }
 }
 
-/* Everything around a node that is kept, up to the loop's body. */
-static void keep_around(slicer *s, const ir_node *node) {
+static bool is_declared_in(const slicer *s, const ir_variable *variable, const ir_node *node) {
+    const ir_node *declarator = variable_fact_of(s->j->an->facts, variable)->declarator;
+    return variable->storage == IR_LOCAL && declarator && ir_contains(node, declarator);
+}
+
+/* Everything around a node that is kept, up to the loop's body. Whether a condition holds around
+ * the block in which the variable is declared says nothing of the value that it has there: what the
+ * node is kept for stands there as well, and has its conditions kept, or is safe without them. */
+static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
     for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
-        keep_control(s, outer);
+        if (outer->kind != IR_IF || !of || !is_declared_in(s, of, outer))
+            keep_control(s, outer);
 }
 
 /* ---- data -------------------------------------------------------------------------------------
@@ -182,12 +190,13 @@ static void need_part(slicer *s, needed_part part) {
     const ir_node *loop = s->j->loop;
     const variable_fact *fact = variable_fact_of(s->j->an->facts, variable);
     if (fact->declarator && ir_contains(loop, fact->declarator))
-        keep_statement(s, fact->declarator);
+        keep_statement(s, fact->declarator, variable);
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
         const ir_node *bottom = bottom_of(write);
-        if (ir_contains(loop, write) && concerns(part.field, bottom ? part_of(bottom) : NULL))
-            keep_statement(s, expression_place(write));
+        if (ir_contains(s->j->counted.body, write) &&
+            concerns(part.field, bottom ? part_of(bottom) : NULL))
+            keep_statement(s, expression_place(write), variable);
     }
     for (unsigned i = 0; is_in_memory(variable) && i < fact->occurrences.count; i++) {
         const ir_node *use = fact->occurrences.items[i];
@@ -196,7 +205,7 @@ static void need_part(slicer *s, needed_part part) {
         if (!is_followed(use))
             fail(s, use);
         else if (hands_over(use))
-            keep_statement(s, expression_place(use));
+            keep_statement(s, expression_place(use), NULL);
     }
 }
 
@@ -231,7 +240,7 @@ static void need_forward(slicer *s, const forwarded_store *store) {
         return;
     s->keep[store->statement->id] = true;
     need_expression(s, store->value);
-    keep_around(s, store->statement);
+    keep_around(s, store->statement, NULL);
 }
 
 static void need_expression(slicer *s, const ir_node *node) {
@@ -240,6 +249,8 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_forward(s, &s->j->forwards.items[forward]);
         return;
     }
+    if (s->is_integer_only && node->type && node->type->kind == IR_FLOATING)
+        fail(s, node); /* data, which another execution may find changed */
     if (expression_is_floating_work(node))
         need_floating_work(s, node, is_repeatable(s, node));
     if (node->kind == IR_CALL)
@@ -250,8 +261,9 @@ static void need_expression(slicer *s, const ir_node *node) {
         need_expression(s, node->children[i]);
 }
 
-/* A simple statement, a declarator, a jump; or control, where the write stands in its header. */
-static void keep_statement(slicer *s, const ir_node *statement) {
+/* A simple statement, a declarator, a jump; or control, where the write stands in its header. `of`:
+ * for the value of this variable; NULL: for whatever it does. */
+static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
     if (!statement || s->obstacle)
         return;
     bool is_new = !s->keep[statement->id];
@@ -266,8 +278,7 @@ static void keep_statement(slicer *s, const ir_node *statement) {
     } else if (is_new) {
         keep_control(s, statement);
     }
-    if (is_new)
-        keep_around(s, statement);
+    keep_around(s, statement, of);
 }
 
 /* ---- control that only decides whether an address is touched ----------------------------------
@@ -295,7 +306,7 @@ static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
         return false;
     snapshot before = take_snapshot(s);
     s->is_integer_only = is_integer_only;
-    keep_statement(s, node);
+    keep_statement(s, node, NULL);
     s->is_integer_only = false;
     if (!s->obstacle)
         return true;
@@ -322,6 +333,54 @@ static bool is_wild(const slicer *s, const ir_node *node) {
     return false;
 }
 
+/* Does a statement change nothing but variables that are declared in `scope`? NULL: in the loop. */
+static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope) {
+    if (!scope)
+        return true;
+    const ir_node *target = expression_written(node);
+    const ir_variable *root = target ? ir_root_variable(target) : NULL;
+    if (target && (!root || root->type->kind == IR_POINTER || !is_declared_in(s, root, scope)))
+        return target->kind == IR_VARIABLE && root && is_declared_in(s, root, scope);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!stays_in(s, node->children[i], scope))
+            return false;
+    return true;
+}
+
+/* May the slice come to what it keeps in and below this statement where the program does not? */
+static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
+    const ir_variable *counter;
+    int64_t first, last;
+    switch (node->kind) {
+    case IR_EXPRESSION:
+    case IR_DECLARATOR:
+        return slice_is_safe_here(s->j, node, false) && stays_in(s, node, scope);
+    case IR_BREAK: /* it would leave a loop too early */
+        return false;
+    case IR_IF:
+        return slice_is_safe_here(s->j, node->children[0], false);
+    default:
+        return !has_own_condition(node) ||
+               (counted_constant(node, &counter, &first, &last) &&
+                stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope));
+    }
+}
+
+/* The same of all that it keeps below `node`, of what stands behind `from`. */
+static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *from,
+                           const ir_node *scope) {
+    if (node->id > from->id && s->keep[node->id] && !is_safe_to_enter(s, node, scope))
+        return false;
+    const bool is_header = node->kind == IR_FOR && node->id > from->id && s->keep[node->id];
+    if (node->kind == IR_EXPRESSION || node->kind == IR_DECLARATOR)
+        return true;
+    for (unsigned i = is_header ? 3 : 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]) &&
+            !is_safe_behind(s, node->children[i], from, scope))
+            return false;
+    return true;
+}
+
 static void keep_for_touch(slicer *s, const slice_touch *touch) {
     const bool is_safe = slice_is_safe_here(s->j, touch->row, true);
     const bool is_wanted = !is_safe || is_wild(s, touch->row);
@@ -337,7 +396,10 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
         if (ir_is_loop(outer) && !s->keep[outer->id] &&
             (is_safe || counted_constant(outer, &counter, &first, &last)))
             continue;
-        if (!try_to_keep(s, outer, true) && is_wanted && !try_to_keep(s, outer, false) && !is_safe)
+        if (try_to_keep(s, outer, true))
+            continue;
+        const bool can_go = is_safe && is_safe_behind(s, outer, outer, outer);
+        if ((is_wanted || !can_go) && !try_to_keep(s, outer, false) && !can_go)
             fail(s, outer);
     }
     for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;
@@ -349,38 +411,33 @@ static void keep_for_touch(slicer *s, const slice_touch *touch) {
 /* ---- continue ---------------------------------------------------------------------------------
  */
 
-/* Is everything that the slice does after the jump allowed where the jump would have led past? */
-static bool is_safe_after(const slicer *s, const ir_node *node, const ir_node *jump) {
-    bool is_simple = node->kind == IR_EXPRESSION || node->kind == IR_DECLARATOR;
-    if (node->id > jump->id && s->keep[node->id]) {
-        if (has_own_condition(node))
+/* A `continue` of this loop: where it cannot be kept without floating-point work, may the rest of
+ * the iteration be gone through as well? */
+static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node *jump,
+                            unsigned touch_count, const slice_touch *touches) {
+    const ir_node *body =
+        loop == s->j->loop ? s->j->counted.body : loop->children[loop->child_count - 1];
+    if (loop->kind == IR_DO)
+        body = loop->children[0];
+    for (unsigned i = 0; i < touch_count; i++)
+        if (touches[i].place->id > jump->id && ir_contains(body, touches[i].place) &&
+            !slice_is_safe_here(s->j, touches[i].row, true))
             return false;
-        if (is_simple && !slice_is_safe_here(s->j, node, false))
-            return false;
-    }
-    if (is_simple)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!ir_is_expression(node->children[i]) && !is_safe_after(s, node->children[i], jump))
-            return false;
-    return true;
+    return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
 }
 
-static void keep_continues(slicer *s, const ir_node *node, unsigned touch_count,
-                           const slice_touch *touches) {
-    if (node->kind == IR_CONTINUE && !try_to_keep(s, node, true)) {
-        bool is_safe = is_safe_after(s, s->j->counted.body, node);
-        for (unsigned i = 0; i < touch_count; i++)
-            if (touches[i].place->id > node->id && !slice_is_safe_here(s->j, touches[i].row, true))
-                is_safe = false;
-        if (!is_safe && !try_to_keep(s, node, false))
-            fail(s, node);
-    }
-    if (ir_is_loop(node))
+static void keep_continues(slicer *s, const ir_node *loop, const ir_node *node,
+                           unsigned touch_count, const slice_touch *touches) {
+    if (node->kind == IR_CONTINUE && !try_to_keep(s, node, true) &&
+        !is_safe_without(s, loop, node, touch_count, touches) && !try_to_keep(s, node, false))
+        fail(s, node);
+    if (ir_is_loop(node) && !s->keep[node->id])
         return;
+    if (ir_is_loop(node))
+        loop = node;
     for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
         if (!ir_is_expression(node->children[i]))
-            keep_continues(s, node->children[i], touch_count, touches);
+            keep_continues(s, loop, node->children[i], touch_count, touches);
 }
 
 static unsigned kept_count(const slicer *s) {
@@ -400,9 +457,13 @@ slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch 
         before = kept_count(&s);
         for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
             keep_for_touch(&s, &touches[i]);
-        keep_continues(&s, j->counted.body, touch_count, touches);
+        keep_continues(&s, j->loop, j->counted.body, touch_count, touches);
     } while (!s.obstacle && kept_count(&s) != before);
     if (j->counted.body->kind == IR_BLOCK)
         s.keep[j->counted.body->id] = true;
-    return (slice){s.keep, s.has_floating_work, s.obstacle};
+    const ir_variable **needed =
+        ARENA_ARRAY(j->an->memory, const ir_variable *, s.needed.count + 1);
+    for (unsigned i = 0; i < s.needed.count; i++)
+        needed[i] = s.needed.items[i].variable;
+    return (slice){s.keep, s.needed.count, needed, s.has_floating_work, s.obstacle};
 }

@@ -15,7 +15,9 @@ typedef struct slice_touch {
 } slice_touch;
 
 typedef struct slice {
-    bool *keep; /* [function->node_count] */
+    bool *keep;            /* [function->node_count] */
+    unsigned needed_count; /* variables of the iteration whose values it asks for */
+    const ir_variable **needed;
     bool has_floating_work;
     const ir_node *obstacle; /* why there is none; NULL: there is one */
 } slice;

@@ -160,7 +160,9 @@ static source_plan plan_touched(const judgement *j, const judged_access *read, l
     const ir_node *place = slice_place(j, node);
     item.extent = EXTENT_TOUCHED;
     item.place = place;
-    item.is_ahead = place && slice_is_ahead(node, place);
+    item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
+    if (read->access.is_behind && !slice_is_safe_here(j, item.row, true))
+        return (source_plan){false, item}; /* the row may not be there where the call reads none */
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);

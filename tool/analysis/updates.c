@@ -4,6 +4,7 @@
 #include "analysis/expression.h"
 #include "analysis/extremum.h"
 #include "analysis/forward.h"
+#include "analysis/induction.h"
 #include "analysis/scalars.h"
 #include "analysis/update_array.h"
 #include "analysis/update_call.h"
@@ -289,6 +290,18 @@ static bool judge_store(judgement *j, judged_access *store) {
     return refuse_store(j, store);
 }
 
+/* A counter of its own, which other statements read: else its steps are a sum beside the array. */
+static bool take_induction(judgement *j, const judged_access *write) {
+    const ir_variable *variable = write->where.object;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        if (read->access.kind == ACCESS_READ && read->where.object == variable &&
+            !ir_contains(expression_place(write->access.node), read->access.node))
+            return induction_take(j, variable);
+    }
+    return false;
+}
+
 static bool is_own_scalar(const judgement *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
@@ -306,12 +319,16 @@ static bool judge_write(judgement *j, judged_access *write) {
                                 write->access.callee->name);
     bool is_update = write->access.kind == ACCESS_UPDATE && !write->access.callee;
     if (is_own_object(j, where)) {
-        if (take_private(j, where->object)) {
+        if (take_private(j, where->object) || take_induction(j, write)) {
             write->class = CLASS_SCALAR;
             return true;
         }
         if (scalar_take_update(j, write))
             return true;
+        if (induction_take(j, where->object)) {
+            write->class = CLASS_SCALAR;
+            return true;
+        }
         if ((!is_update && !is_irregular_call(j, write)) || !is_element(write->access.lvalue) ||
             where->object->type->kind != IR_ARRAY)
             return refuse_variable(j, write);

@@ -3,6 +3,7 @@
 #include "analysis/analyser.h"
 #include "analysis/candidate.h"
 #include "analysis/expression.h"
+#include "analysis/induction.h"
 #include "analysis/live.h"
 #include "analysis/reason.h"
 #include "analysis/scalars.h"
@@ -205,6 +206,7 @@ static loop_facts *finish_facts(judgement *j) {
     facts->slice_has_floating_work = j->slice_has_floating_work;
     facts->has_inspector = true;
     facts->is_verifiable = j->is_verifiable;
+    facts->unkept = j->unkept;
     facts->key = j->key.items;
     facts->key_count = j->key.count;
     return facts;
@@ -236,8 +238,8 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
     j->an = an;
     j->function = function;
     j->loop = loop;
-    bool is_fine =
-        judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) && judge_updates(j);
+    bool is_fine = judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) &&
+                   judge_header_steps(j) && judge_updates(j);
     /* What looked like a shared array may be private to each iteration. */
     if (is_fine && j->arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};

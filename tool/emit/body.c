@@ -336,9 +336,10 @@ static void declare_variables(loop_text *loop, writer *out) {
         const private_variable *item = &facts->privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
-        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
+        writer_line(out, "__typeof__(%s) %s%s%s;", origin_variable(loop->arena, item->variable),
                     origin_declarator(loop->arena, item->variable),
-                    body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))");
+                    body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
+                    stepped_value(loop, i));
     }
     declare_forwards(loop, out, false);
     declare_repeated_operands(loop, out);

@@ -123,8 +123,16 @@ static bool is_verifiable(const loop_facts *facts) {
     return true;
 }
 
+/** Variables stepped with the counter, of which the slice asks the value. */
+static unsigned stepped_count(const loop_facts *facts) {
+    unsigned count = 0;
+    for (unsigned i = 0; i < facts->private_count; i++)
+        count += facts->privates[i].is_stepped && facts->privates[i].is_in_slice;
+    return count;
+}
+
 static unsigned key_count(const loop_facts *facts) {
-    return 1 + (is_verifiable(facts) ? facts->key_count : 0);
+    return 1 + (is_verifiable(facts) ? facts->key_count + stepped_count(facts) : 0);
 }
 
 void declare_key(loop_text *loop, writer *out) {
@@ -134,7 +142,13 @@ void declare_key(loop_text *loop, writer *out) {
 void fill_key(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "redcc__key[0] = (redcc_word)redcc__lower;");
-    for (unsigned i = 0; i + 1 < key_count(facts); i++) {
+    if (!is_verifiable(facts))
+        return;
+    unsigned number = 1 + facts->key_count;
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice)
+            writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);
+    for (unsigned i = 0; i < facts->key_count; i++) {
         const ir_node *key = facts->key[i];
         const char *text = loop_operand(loop, key);
         switch (form_of_key(key->type)) {

@@ -351,8 +351,8 @@ static void declare_variables(const inspector *self, writer *out) {
     for (unsigned i = 0; i < facts->private_count; i++) {
         const ir_variable *variable = facts->privates[i].variable;
         if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
-            writer_line(out, "__typeof__(%s) %s;", origin_variable(loop->arena, variable),
-                        origin_declarator(loop->arena, variable));
+            writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, variable),
+                        origin_declarator(loop->arena, variable), stepped_value(loop, i));
     }
     declare_forwards(loop, out, true);
 }

@@ -86,6 +86,7 @@ static void write_attempt(loop_text *loop, writer *out) {
     declare_extents(loop, out);
     declare_key(loop, out);
     declare_operands(loop, out);
+    declare_entry_values(loop, out, false);
     write_thread_local_copies(loop, out, false);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
@@ -119,6 +120,7 @@ static void write_outcome(loop_text *loop, writer *out) {
         writer_line(out, "%s = (%s)redcc__final;",
                     origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
     write_last_values(loop, out, true);
+    write_stepped_values(loop, out);
     take_sought_values(loop, out);
     out->depth--;
 }
@@ -155,6 +157,7 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     declare_inlined(loop, out);
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
+    declare_entry_values(loop, out, true);
     declare_last_values(loop, out);
     declare_sought_values(loop, out, false);
     writer_line(out, "int redcc__done = 0;");

@@ -147,6 +147,13 @@ void write_note(loop_text *loop, writer *out, unsigned number);
 void gather_sought_values(loop_text *loop, writer *out);
 void take_sought_values(loop_text *loop, writer *out);
 
+/** step.c: variables that each iteration moves by a constant: their values when the loop is
+ *  entered, as redcc__from_N, those that the header gives them or the others'; what private
+ * variable `number` begins an iteration with, " = ..."; their values after the loop. */
+void declare_entry_values(loop_text *loop, writer *out, bool by_header);
+const char *stepped_value(loop_text *loop, unsigned number);
+void write_stepped_values(loop_text *loop, writer *out);
+
 /** inspector.c: the statements of one iteration, counter and private variables declared: they tell
  *  its addresses, or probe them and leave the loop around them where they must be told. */
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes);

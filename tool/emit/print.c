@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/print.h"
 
+#include "analysis/expression.h"
 #include "emit/origin.h"
 
 static void complain(printer *p, const char *problem) {
@@ -29,6 +30,15 @@ static bool declares_kept(const printer *p, const ir_node *declaration) {
     return false;
 }
 
+static bool assigns(const ir_node *node) {
+    if (expression_written(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (assigns(node->children[i]))
+            return true;
+    return false;
+}
+
 static void print_declarator(printer *p, const ir_node *declarator) {
     const ir_variable *variable = declarator->variable;
     const char *text =
@@ -38,8 +48,10 @@ static void print_declarator(printer *p, const ir_node *declarator) {
         return;
     }
     const ir_node *initialiser = ir_child(declarator, 0);
-    if (initialiser)
-        writer_line(p->out, "%s = %s;", text, print_expression(p, initialiser));
+    if (initialiser) /* `w = e[k++]`: the slice may want it for k alone */
+        writer_line(p->out, "%s%s = %s;", text,
+                    assigns(initialiser) ? " __attribute__((__unused__))" : "",
+                    print_expression(p, initialiser));
     else
         writer_line(p->out, "%s;", text);
 }

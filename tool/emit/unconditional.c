@@ -28,11 +28,11 @@ static bool has_condition(const ir_node *node) {
     return node->kind == IR_IF || node->kind == IR_SWITCH;
 }
 
-/** Is there a `continue` of the loop above `statement` that the slice leaves out? */
+/** Is there a `continue`, of a loop around `statement` and above it, that the slice leaves out? */
 static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
     if (node->kind == IR_CONTINUE)
         return node->id < statement->id && !facts->in_slice[node->id];
-    if (ir_is_loop(node) || node->id >= statement->id)
+    if (node->id >= statement->id || (ir_is_loop(node) && !ir_contains(node, statement)))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (passes_by_jump(facts, node->children[i], statement))

@@ -79,6 +79,13 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                                  read->name),
                     "");
     }
+    if (!facts->is_verifiable && facts->unkept.name && has_place(facts->unkept.range))
+        message(out, input, facts->unkept.range.begin, "note",
+                arena_format(a,
+                             "the plan is made anew at each execution: what is read of '%s' here "
+                             "decides which elements are updated, and cannot be compared",
+                             facts->unkept.name),
+                "");
     by_other_files(a, out, input, verdict);
     by_pragma(a, out, input, verdict);
 }

@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// Counters that go along with the loop's own: stepped in the body, in the header, up and down,
+// wrapping around, and read after the loop.
+// covers: row 79
+#include "case.h"
+
+enum { N = 4000, ROWS = 90 };
+static int s[3 * N + 9];
+static double e[3 * N + 9], h[ROWS];
+static long counted[ROWS];
+static unsigned char bytes[ROWS];
+
+static int behind(int lo, int hi, int k, double a) {
+    int i;
+    for (i = lo; i < hi; i++) { // EXPECT: transformed
+        h[s[i]] -= a * e[k];
+        ++k;
+    }
+    return k;
+}
+
+static int by_three(int n) {
+    int q = 2;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        h[s[q]] += e[i];
+        q += 3;
+    }
+    return q;
+}
+
+static int in_header(int n) {
+    int q = 2;
+    for (int i = 0; i < n; i++, q += 3) // EXPECT: transformed
+        h[s[i]] += e[q];
+    return q;
+}
+
+static int counter_second(int n) {
+    int q = 3 * n, i;
+    for (i = 0; i < n; q -= 3, i++) // EXPECT: transformed
+        h[s[i]] += e[q];
+    return 7 * q + i;
+}
+
+static long set_in_header(int n, int m) {
+    int i, q, r;
+    long u = 3;
+    for (i = 0, q = 2 * m + 1; i < n; i++, q += 2) // EXPECT: transformed
+        h[s[i]] += e[q];
+    for (r = m, i = n - 1, u = 4; i >= 0; u++, --i, r -= 0) // EXPECT: transformed
+        h[s[u]] -= e[i] * r;
+    for (q = 7, i = n; i < m; i++, q++) // EXPECT: transformed
+        h[s[i]] += e[q];
+    return 100 * u + 10 * q + r;
+}
+
+static long several(int n) {
+    int q = n, r = 1;
+    long u = 5;
+    for (int i = n - 1; i >= 0; i -= 2, q--) { // EXPECT: transformed
+        h[s[i]] += e[r] * (double)u;
+        r++;
+        if (e[q] > 0.25)
+            h[s[r]] -= e[q];
+        u = u - 2;
+        r = 1 + r;
+    }
+    return 100 * u + 10 * q + r;
+}
+
+static unsigned wrapping(int n) {
+    unsigned k = 4294967290u;
+    unsigned char c = 250;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        counted[s[i]] += k % 7;
+        k += 5;
+        bytes[s[i]] += c;
+        c++;
+    }
+    return k + c;
+}
+
+static int used_where_it_moves(int n, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int at = s[k++];
+        const double w = e[++k];
+        h[at] += w;
+    }
+    return k;
+}
+
+static int by_while(int n, int k) {
+    int i = 0;
+    while (i < n) { // EXPECT: transformed
+        h[s[k]] += e[i];
+        k--;
+        i++;
+    }
+    return k;
+}
+
+static void skipped_after(int n, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        k += 2;
+        if (s[i] % 3 == 0)
+            continue;
+        h[s[k]] += e[i];
+    }
+}
+
+static int again_and_again(int n, int rows) {
+    int k = 0;
+    for (int r = 0; r < rows; r++)
+        for (int i = 0; i < n; i++) { // EXPECT: transformed
+            h[s[i]] += e[k];
+            k++;
+        }
+    return k;
+}
+
+int main(void) {
+    unsigned long sum = 0;
+    case_values(e, 3 * N + 9);
+    for (int round = 0; round < 4; round++) {
+        if (round != 2)
+            case_subscripts(s, 3 * N + 9, ROWS);
+        sum = 3 * sum + (unsigned long)behind(round, N - round, round == 1 ? 40 : 7, 0.5);
+        sum = 3 * sum + (unsigned long)behind(5, 2, 11, 0.5);
+        sum = 3 * sum + (unsigned long)by_three(N - round);
+        sum = 3 * sum + (unsigned long)in_header(N);
+        sum = 3 * sum + (unsigned long)counter_second(N - 1);
+        sum = 3 * sum + (unsigned long)set_in_header(N - 1, round);
+        sum = 3 * sum + (unsigned long)several(N);
+        sum = 3 * sum + (unsigned long)wrapping(N);
+        sum = 3 * sum + (unsigned long)used_where_it_moves(N, round);
+        sum = 3 * sum + (unsigned long)by_while(N, N + round);
+        skipped_after(N, 3);
+        sum = 3 * sum + (unsigned long)again_and_again(N, 2);
+    }
+    printf("%lu\n", sum);
+    CASE_PRINT(h);
+    CASE_PRINT(counted);
+    CASE_PRINT(bytes);
+    return 0;
+}
