@@ -151,6 +151,18 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
+/** The words of which the macros of loop.h are made; those of the runtime's apart. */
+static const char *const words_of_macros[] = {
+#include "macro_words.inc"
+};
+
+bool has_macro_of_header_words(const loop_text *loop) {
+    for (size_t i = 0; i < sizeof words_of_macros / sizeof *words_of_macros; i++)
+        if (macro_name_in(loop->arena, loop->unit, words_of_macros[i], strlen(words_of_macros[i])))
+            return true;
+    return false;
+}
+
 void check_macro_names(loop_text *loop, const buffer *written) {
     buffer piece = {0};
     const char *at = written->data, *const end = at + written->length;
