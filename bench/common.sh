@@ -11,5 +11,5 @@ trap 'rm -rf "$work"' EXIT
 median() { sort -g | awk '{v[NR]=$1} END {if (NR) printf "%.6g\n", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2}'; }
 minimum() { sort -g | head -n 1; }
 maximum() { sort -g | tail -n 1; }
-ratio() { awk -v a="$1" -v b="$2" 'BEGIN {printf "%.3f\n", b > 0 ? a / b : 0}'; }
+ratio() { awk -v a="$1" -v b="$2" 'BEGIN {printf "%.3f\n", (b > 0 ? a / b : 0)}'; }
 load_note() { awk -v n="$(nproc)" '$1 > n * 0.5 {print "note: load average " $1 " before the run: figures are noisy"}' /proc/loadavg; }

@@ -3,12 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "explain.h"
 #include "frontend/frontend.h"
-#include "options.h"
-#include "translate_file.h"
-#include "whole_program.h"
-#include "workers.h"
+#include "redcc/explain.h"
+#include "redcc/joined_report.h"
+#include "redcc/options.h"
+#include "redcc/translate_file.h"
+#include "redcc/whole_program.h"
+#include "redcc/workers.h"
 
 enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 
@@ -16,6 +17,7 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2, EXIT_REQUIREMENT = 3 };
 
 typedef struct inputs {
     const options *options;
+    joined_report *joined; /* where reports are put together */
     unsigned transformed;
     int status;
 } inputs;
@@ -26,6 +28,12 @@ static void translate_input(unsigned number, void *result, void *context) {
     *(file_outcome *)result =
         translate_file(a, all->options, all->options->inputs.items[number], NULL);
     arena_free(a);
+}
+
+static void add_report(unsigned number, FILE *printed, void *context) {
+    const inputs *all = context;
+    (void)number;
+    joined_report_add(all->joined, printed);
 }
 
 static void count_input(unsigned number, const void *result, int ended_by, void *context) {
@@ -43,16 +51,24 @@ static void count_input(unsigned number, const void *result, int ended_by, void 
         all->status = EXIT_USAGE;
 }
 
-static int translate_inputs(const options *o) {
-    inputs all = {.options = o};
+static int translate_inputs(arena *a, const options *o) {
+    const bool is_joined = joined_report_is_needed(o);
+    const options of_one = is_joined ? joined_report_of_one(o) : *o;
+    joined_report joined = joined_report_begin(o);
+    inputs all = {.options = &of_one, .joined = &joined};
     const workers how = {.count = o->inputs.count,
                          .at_once = o->in_process ? 0 : 1,
                          .result_size = sizeof(file_outcome),
+                         .keeps_output = is_joined,
+                         .take = is_joined ? add_report : NULL,
                          .work = translate_input,
                          .done = count_input,
                          .context = &all};
-    if (!workers_run(&how)) {
-        fputs("redcc: error: no process can be started\n", stderr);
+    const char *wrong = workers_run(&how) ? NULL : "no process can be started";
+    if (!wrong && is_joined)
+        wrong = joined_report_end(a, &joined);
+    if (wrong) {
+        fprintf(stderr, "redcc: error: %s\n", wrong);
         return EXIT_FAILED;
     }
     if (all.status == EXIT_DONE && o->require && all.transformed == 0) {
@@ -92,7 +108,7 @@ static int run(arena *a, int argc, char **argv) {
         return explain(a, o.explain);
     if (o.inputs.count == 0)
         return whole_program_analyse(a, &o) ? EXIT_DONE : EXIT_FAILED;
-    return translate_inputs(&o);
+    return translate_inputs(a, &o);
 }
 
 int main(int argc, char **argv) {

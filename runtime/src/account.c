@@ -6,25 +6,24 @@
 #include "base/trace.h"
 #include "plan/lost.h"
 
-#include <assert.h>
-
-static const char *text_of(enum reason reason) {
-    static const char *const texts[] = {
-#define REDCC_REASON(id, text) text,
-        REDCC_REASON_LIST(REDCC_REASON)
-#undef REDCC_REASON
-    };
-    _Static_assert(sizeof texts / sizeof *texts == REASON_COUNT, "a text for each reason");
-    assert(reason < REASON_COUNT);
-    return texts[reason];
-}
-
 void redcc_count_fallback(struct loop_state *state, enum reason reason) {
     redcc_trace(TRACE_CHOICE, state->execution.call.request.loop, "the original loop%s%s",
-                reason == REASON_NONE ? "" : ": ", text_of(reason));
+                reason == REASON_NONE ? "" : ": ", redcc_reason_text(reason));
+    redcc_note_mode(&state->reported.statistics, MODE_SEQUENTIAL);
     if (reason != REASON_NONE)
         atomic_fetch_add_explicit(&state->reported.statistics.fallback[reason], 1,
                                   memory_order_relaxed);
+}
+
+void redcc_note_mode(struct statistics *statistics, enum mode mode) {
+    atomic_store_explicit(&statistics->last.mode, (int)mode, memory_order_relaxed);
+}
+
+void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds) {
+    redcc_note_mode(statistics, MODE_TIMED);
+    statistics->sequential.calls++;
+    statistics->sequential.iterations += iterations;
+    statistics->sequential.seconds += seconds;
 }
 
 void redcc_note_rule(struct statistics *statistics, enum rule rule) {
@@ -86,9 +85,10 @@ static void account_refused(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
     const redcc_int trip = execution->call.request.trip;
-    if (execution->reason == REASON_OVERLAP)
+    if (execution->reason == REASON_OVERLAP) {
         count_overlap(execution);
-    else
+        redcc_note_mode(statistics, MODE_SEQUENTIAL);
+    } else
         redcc_count_fallback(state, execution->reason);
     redcc_note_serial(statistics);
     statistics->inspect_seconds += now - execution->call.entered;
@@ -133,9 +133,9 @@ static void count_nodes(const struct execution *execution, struct statistics *st
     for (int t = 0; t < execution->call.threads; t++) {
         const struct thread_state *thread = execution->state->thread[t];
         nodes |= thread->node >= 0 ? 1ull << (thread->node & 63) : 0;
-        statistics->moves += thread->moved;
+        statistics->placement.moves += thread->moved;
     }
-    statistics->nodes = __builtin_popcountll(nodes);
+    statistics->placement.nodes = __builtin_popcountll(nodes);
 }
 
 static void tell_auto(struct execution *execution, double now) {
@@ -150,6 +150,14 @@ static void tell_auto(struct execution *execution, double now) {
                                     .set_up = built ? ready - entered : 0};
     redcc_tell(&state->chooser, &outcome, REASON_NONE);
     redcc_note_rule(&state->reported.statistics, redcc_advice_rule(&state->chooser, plan->trip));
+}
+
+void redcc_count_lost(struct execution *execution) {
+    struct reuse *reuse = &execution->reuse;
+    if (reuse->changed_source >= 0)
+        redcc_report_lost(&execution->state->reported.statistics,
+                          execution->call.request.loop->sources[reuse->changed_source].name);
+    reuse->changed_source = -1;
 }
 
 /* What is learned of the team, whatever became of the loop. */
@@ -170,13 +178,14 @@ static void account_execution(struct execution *execution, double now) {
     statistics->method = plan->method;
     statistics->parameter = plan->parameter;
     statistics->threads = execution->call.threads;
+    redcc_note_mode(statistics, built ? MODE_BUILT : MODE_REUSED);
     statistics->plans_built += built;
     statistics->plans_reused += !built;
     statistics->watched += !built && redcc_reuse_skipped_sources(&execution->reuse) > 0;
     statistics->inspect_seconds += run->ready - execution->call.entered;
     statistics->execute_seconds += now - run->ready;
-    statistics->extra_bytes = bytes > statistics->extra_bytes ? bytes : statistics->extra_bytes;
-    statistics->executed += plan->executed;
+    statistics->extra.bytes = bytes > statistics->extra.bytes ? bytes : statistics->extra.bytes;
+    statistics->extra.executed += plan->executed;
     statistics->in_loops += plan->trip;
     statistics->last.stages = redcc_plan_stages(plan);
     statistics->last.trip = plan->trip;
@@ -197,6 +206,7 @@ bool redcc_account(struct execution *execution) {
         redcc_validation_end(&run->validation, run->plan, request->loop, request->bases,
                              run->validated);
     tell_team(execution);
+    redcc_count_lost(execution);
     if (run->plan)
         account_execution(execution, now);
     else

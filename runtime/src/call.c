@@ -14,12 +14,6 @@
 #include <errno.h>
 #include <string.h>
 
-static char *copy_text(const char *text) {
-    const size_t bytes = strlen(text) + 1;
-    char *copy = redcc_memory_take(bytes);
-    return copy ? memcpy(copy, text, bytes) : NULL;
-}
-
 static void state_free(struct loop_state *state) {
     if (!state)
         return;
@@ -61,8 +55,8 @@ static struct loop_state *state_new(redcc_loop *loop) {
     request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
     inspection->touched = redcc_memory_take(loop->array_count * sizeof *inspection->touched);
     inspection->sources = redcc_memory_take(loop->source_count * sizeof *inspection->sources);
-    state->reported.file = copy_text(loop->file);
-    state->reported.function = copy_text(loop->function);
+    state->reported.file = redcc_memory_take_text(loop->file);
+    state->reported.function = redcc_memory_take_text(loop->function);
     state->reported.line = loop->line;
     join_parts(state);
     if (!request->bases || !request->known || !request->key || !inspection->touched ||
@@ -234,6 +228,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
 static struct advice advice_for(struct execution *execution, int threads) {
     struct loop_state *state = execution->state;
     execution->reuse.sampled = 0;
+    execution->reuse.changed_source = -1;
     if (execution->call.method)
         return (struct advice){.action = ACTION_REUSE};
     const struct advice advice = redcc_advise_entry(&state->chooser, &execution->reuse, threads);
@@ -247,6 +242,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     struct loop_state *state = execution->state;
     struct call *call = &execution->call;
     execution->advice = advice_for(execution, threads);
+    redcc_count_lost(execution);
     *reason = execution->advice.reason;
     state->reported.statistics.order = call->order;
     if (execution->advice.action == ACTION_SEQUENTIAL) {
@@ -321,6 +317,7 @@ void redcc_sequential_done(redcc_loop *loop) {
     enum reason reason;
     original.loop = NULL;
     if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
+        redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
         redcc_tell(
             &state->chooser,
             &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
@@ -339,14 +336,16 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
     original.loop = NULL;
-    const struct settings *settings = redcc_settings();
+    const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
     struct loop_state *state = state_of(loop);
     if (!state)
         return 0;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
-    if (trip <= 0 || (settings->method && !settings->method->prepare))
+    if (trip <= 0)
         return 0;
+    if (settings->method && !settings->method->prepare)
+        return serially(state, REASON_NAMED);
     enum reason reason = reason_not_to(loop, settings, threads, nested, forked);
     if (reason != REASON_NONE && !settings->method)
         redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);

@@ -87,6 +87,15 @@ void redcc_count_fallback(struct loop_state *state, enum reason reason);
 /** Notes the row of auto's table for the report; thread-safe. */
 void redcc_note_rule(struct statistics *statistics, enum rule rule);
 
+/** Counts the plan that was lost since this was called last, where one was. */
+void redcc_count_lost(struct execution *execution);
+
+/** Notes how the last call was executed; thread-safe. */
+void redcc_note_mode(struct statistics *statistics, enum mode mode);
+
+/** Notes an execution of the original loop that was timed; one thread at a time. */
+void redcc_note_sequential(struct statistics *statistics, redcc_int iterations, double seconds);
+
 /** Notes that the last call was the sequential loop's. */
 void redcc_note_serial(struct statistics *statistics);
 

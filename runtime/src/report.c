@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/system.h"
 #include "settings.h"
+#include "variables.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -19,6 +20,10 @@ void redcc_report_add(struct reported *reported) {
     reported->next = atomic_load(&all);
     while (!atomic_compare_exchange_weak(&all, &reported->next, reported))
         ;
+}
+
+const struct reported *redcc_report_loops(void) {
+    return atomic_load(&all);
 }
 
 void redcc_report_remove(struct reported *reported) {
@@ -36,7 +41,7 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
     char text[REDCC_TEXT];
     snprintf(text, sizeof text, "'%s' overlaps '%s'", source, array);
     for (int i = 0; i < REDCC_TEXTS; i++) {
-        struct told_reason *told = &statistics->told[i];
+        struct told_text *told = &statistics->overlap[i];
         if (told->count == 0)
             memcpy(told->text, text, sizeof text);
         if (strcmp(told->text, text) == 0) {
@@ -47,186 +52,18 @@ void redcc_report_overlap(struct statistics *statistics, const char *source, con
     atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to tell apart */
 }
 
-static void write_string(FILE *out, const char *text) {
-    putc('"', out);
-    for (; *text; text++) {
-        const unsigned char letter = (unsigned char)*text;
-        if (letter == '"' || letter == '\\')
-            fprintf(out, "\\%c", letter);
-        else if (letter < 0x20)
-            fprintf(out, "\\u%04x", letter);
-        else
-            putc(letter, out);
-    }
-    putc('"', out);
-}
-
-static void write_fallback(FILE *out, const char **separator, const char *reason, long count) {
-    if (count == 0)
-        return;
-    fprintf(out, "%s{\"reason\": ", *separator);
-    write_string(out, reason);
-    fprintf(out, ", \"count\": %ld}", count);
-    *separator = ", ";
-}
-
-static const char *const reason_texts[] = {
-#define REDCC_REASON(id, text) text,
-    REDCC_REASON_LIST(REDCC_REASON)
-#undef REDCC_REASON
-};
-
-static void write_fallbacks(FILE *out, const struct statistics *statistics) {
-    const char *separator = "";
-    for (int reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
-        write_fallback(out, &separator, reason_texts[reason],
-                       atomic_load(&statistics->fallback[reason]));
-    for (int i = 0; i < REDCC_TEXTS; i++)
-        write_fallback(out, &separator, statistics->told[i].text, statistics->told[i].count);
-}
-
-enum { LONGEST_METHOD = 64 };
-
-static void spell_method(char name[LONGEST_METHOD], const struct statistics *statistics) {
-    const struct method *method = statistics->method ? statistics->method : &redcc_method_serial;
-    if (method->parameter && method->parameter[0] == 'N')
-        snprintf(name, LONGEST_METHOD, "%s:%d", method->name, statistics->parameter);
-    else if (method->parameter && statistics->parameter != method->usual)
-        snprintf(name, LONGEST_METHOD, "%s:%c", method->name, statistics->parameter);
-    else
-        snprintf(name, LONGEST_METHOD, "%s", method->name);
-}
-
-static void write_method(FILE *out, const struct statistics *statistics) {
-    char name[LONGEST_METHOD];
-    spell_method(name, statistics);
-    write_string(out, name);
-}
-
-static void write_choice(FILE *out, const struct statistics *statistics) {
-    static const char *const texts[] = {"named",
-#define REDCC_RULE(id, slug, known, done) slug,
-                                        REDCC_RULE_LIST(REDCC_RULE)
-#undef REDCC_RULE
-    };
-    fputs(", \"choice\": ", out);
-    write_string(out, texts[atomic_load(&statistics->rule)]);
-}
-
-static void write_loop(FILE *out, const struct reported *loop) {
-    const struct statistics *it = &loop->statistics;
-    fputs("{\"file\": ", out);
-    write_string(out, loop->file ? loop->file : "");
-    fprintf(out, ", \"line\": %d, \"function\": ", loop->line);
-    write_string(out, loop->function ? loop->function : "");
-    fputs(", \"method\": ", out);
-    write_method(out, it);
-    write_choice(out, it);
-    fprintf(out, ", \"order\": \"%s\", \"threads\": %d, \"calls\": %ld",
-            redcc_order_name(it->order), it->threads, atomic_load(&it->calls));
-    fprintf(out, ", \"nodes\": %d, \"moves\": %ld", it->nodes, it->moves);
-    fprintf(out, ", \"sum\": \"%s\"", it->last.compensated ? "compensated" : "plain");
-    if (it->validated.executions > 0)
-        fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
-                it->validated.broken);
-    fprintf(out, ", \"plans_built\": %ld, \"plans_reused\": %ld, \"watched\": %ld", it->plans_built,
-            it->plans_reused, it->watched);
-    fprintf(out, ", \"inspect_seconds\": %ld.%06ld, \"execute_seconds\": %ld.%06ld",
-            (long)it->inspect_seconds, (long)(it->inspect_seconds * 1e6) % 1000000,
-            (long)it->execute_seconds, (long)(it->execute_seconds * 1e6) % 1000000);
-    const redcc_int tenths = /* of a per mille; the decimal point must not depend on the locale */
-        it->in_loops ? (redcc_int)(1e4 * (double)it->executed / (double)it->in_loops + 0.5) : 10000;
-    fprintf(out, ", \"extra_bytes\": %zu, \"iterations\": %lld, \"stages\": %lld", it->extra_bytes,
-            it->executed, it->last.stages);
-    fprintf(out, ", \"replication\": %lld.%04lld", tenths / 10000, tenths % 10000);
-    const redcc_int modelled = it->last.length ? it->last.trip * 100 / it->last.length : 100;
-    fprintf(out, ", \"modelled_speedup\": %lld.%02lld, \"fallbacks\": [", modelled / 100,
-            modelled % 100);
-    write_fallbacks(out, it);
-    fputs("]}", out);
-}
-
-static bool tell_validation(const struct reported *loop) {
-    const struct validated *it = &loop->statistics.validated;
-    if (it->passed_over > 0)
-        fprintf(stderr,
-                "redcc: validated: %s:%d (%s): %ld executions not compared: elements lie where "
-                "pointers in memory lead to, and no copy of them can be made\n",
-                loop->file ? loop->file : "", loop->line, loop->function ? loop->function : "",
-                it->passed_over);
-    if (it->executions == 0)
-        return false;
-    fprintf(stderr, "redcc: validated: %s:%d (%s): %ld executions compared, ",
-            loop->file ? loop->file : "", loop->line, loop->function ? loop->function : "",
-            it->executions);
-    if (it->largest > 0)
-        fprintf(stderr, "largest difference %.4g ulps, in element %lld of %s", it->largest,
-                it->element, it->name);
-    else
-        fputs("no difference in ulps", stderr);
-    if (it->broken > 0)
-        fprintf(stderr, "; the promise of order %s is BROKEN in %ld of them\n",
-                redcc_order_name(loop->statistics.order), it->broken);
-    else if (loop->statistics.last.compensated)
-        fputs("; the sums are compensated, those of the sequential loop are not\n", stderr);
-    else
-        fprintf(stderr, "; order %s is kept\n", redcc_order_name(loop->statistics.order));
-    return it->broken > 0;
-}
-
-bool redcc_report_validation(void) {
-    bool broken = false;
-    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next)
-        broken = tell_validation(loop) || broken;
-    return broken;
-}
-
-/* What binds the threads, as the environment says it: to bind them is OpenMP's. */
-static void write_variable(FILE *out, const char *key, const char *variable) {
-    const char *value = redcc_environment(variable);
-    fprintf(out, "\"%s\": ", key);
-    if (value)
-        write_string(out, value);
-    else
-        fputs("null", out);
-    fputs(", ", out);
-}
-
-static bool write_all(FILE *out) {
-    putc('{', out);
-    write_variable(out, "proc_bind", "OMP_PROC_BIND");
-    write_variable(out, "places", "OMP_PLACES");
-    fputs("\"loops\": [", out);
-    const char *separator = "\n ";
-    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next) {
-        fputs(separator, out);
-        write_loop(out, loop);
-        separator = ",\n ";
-    }
-    fputs("]}\n", out);
-    const bool written = !ferror(out);
-    return fclose(out) == 0 && written;
-}
-
-/* For people: a line a loop, and why it ran sequentially where it did. */
-static void write_table(FILE *out) {
-    char method[LONGEST_METHOD];
-    fputs("redcc: calls threads plans-built plans-reused inspecting executing method  loop\n", out);
-    for (const struct reported *loop = atomic_load(&all); loop; loop = loop->next) {
-        const struct statistics *it = &loop->statistics;
-        spell_method(method, it);
-        fprintf(out, "redcc: %5ld %7d %11ld %12ld %9.4fs %8.4fs %s  %s:%d (%s)\n",
-                atomic_load(&it->calls), it->threads, it->plans_built, it->plans_reused,
-                it->inspect_seconds, it->execute_seconds, method, loop->file ? loop->file : "",
-                loop->line, loop->function ? loop->function : "");
-        for (int reason = REASON_NONE + 1; reason < REASON_COUNT; reason++)
-            if (atomic_load(&it->fallback[reason]) > 0)
-                fprintf(out, "redcc:       sequential %ld times: %s\n",
-                        atomic_load(&it->fallback[reason]), reason_texts[reason]);
-        for (int i = 0; i < REDCC_TEXTS; i++)
-            if (it->told[i].count > 0)
-                fprintf(out, "redcc:       sequential %ld times: %s\n", it->told[i].count,
-                        it->told[i].text);
+void redcc_report_lost(struct statistics *statistics, const char *array) {
+    char name[REDCC_NAME];
+    snprintf(name, sizeof name, "%s", array);
+    statistics->lost.count++;
+    for (int i = 0; i < REDCC_LOST; i++) {
+        struct lost_to *to = &statistics->lost.array[i];
+        if (to->count == 0)
+            memcpy(to->name, name, sizeof name);
+        if (strcmp(to->name, name) == 0) {
+            to->count++;
+            return;
+        }
     }
 }
 
@@ -249,35 +86,125 @@ static char *spell_name(const char *name) {
     return spelled;
 }
 
-/* What is no plain file (a pipe, a device, a link to a file) is written to, and never replaced. */
-static bool is_replaceable(const char *name) {
+/* ---- several runtimes in one process ---------------------------------------------------------
+ *
+ * A library that brings a runtime of its own writes to the same file, from the same process. Who
+ * comes second finds by its first line what the first has written, and adds its loops. */
+
+static const char end_of_report[] = "]}\n";
+
+/* A plain file; `otherwise`: nothing is known of it. */
+static bool is_regular(const char *name, unsigned flags, bool otherwise) {
 #if defined(__linux__)
     struct statx found;
-    return redcc_system(SYS_statx, AT_FDCWD, name, AT_SYMLINK_NOFOLLOW, STATX_TYPE, &found) != 0 ||
-           (found.stx_mode & S_IFMT) == S_IFREG;
+    if (redcc_system(SYS_statx, AT_FDCWD, name, flags, STATX_TYPE, &found) == 0)
+        return (found.stx_mode & S_IFMT) == S_IFREG;
 #else
     (void)name;
-    return false;
+    (void)flags;
+#endif
+    return otherwise;
+}
+
+/* All that the file holds, as a text; NULL: it cannot be read. */
+static char *read_all(const char *name) {
+#if defined(__linux__)
+    const int file = is_regular(name, 0, false) ? redcc_system_open(name) : -1;
+    size_t room = 4096, length = 0;
+    char *text = file >= 0 ? redcc_memory_take(room) : NULL;
+    while (text) {
+        const long more = redcc_system_read(file, text + length, room - 1 - length);
+        if (more <= 0)
+            break;
+        length += (size_t)more;
+        if (length + 1 < room)
+            continue;
+        char *longer = redcc_memory_resize(text, room *= 2);
+        if (!longer)
+            redcc_memory_give(text);
+        text = longer;
+    }
+    if (file >= 0)
+        redcc_system_close(file);
+    if (text)
+        text[length] = '\0';
+    return text;
+#else
+    (void)name;
+    return NULL;
 #endif
 }
 
-static bool write_through(const char *name) {
-    FILE *out = fopen(name, "w");
-    return out && write_all(out);
+/* What another runtime of this process wrote there, without its end; NULL: nothing. */
+static char *read_others(const char *name, const char *head) {
+    const size_t end = sizeof end_of_report - 1;
+    char *text = read_all(name);
+    const size_t length = text ? strlen(text) : 0;
+    if (text && strncmp(text, head, strlen(head)) == 0 && length > end &&
+        strcmp(text + length - end, end_of_report) == 0) {
+        text[length - end] = '\0';
+        return text;
+    }
+    redcc_memory_give(text);
+    return NULL;
 }
 
-/* Beside the file, then renamed: nobody reads half a report. */
-static bool replace(const char *name) {
+static bool write_whole(FILE *out, const char *head, const char *others) {
+    if (others) {
+        fputs(others, out);
+        if (redcc_report_loops() && others[strlen(others) - 1] == '}')
+            putc(',', out);
+        redcc_report_list(out);
+        fputs(end_of_report, out);
+    } else {
+        fputs(head, out);
+        redcc_report_body(out);
+    }
+    return !ferror(out);
+}
+
+static bool write_all(FILE *out, const char *head, const char *others) {
+    const bool written = write_whole(out, head, others);
+    return fclose(out) == 0 && written;
+}
+
+/* ---- the file -------------------------------------------------------------------------------- */
+
+static bool write_through(const char *name, const char *head, const char *others) {
+    FILE *out = fopen(name, "w");
+    return out && write_all(out, head, others);
+}
+
+/* Beside the file, then renamed: nobody reads half a report. Where nothing can be made beside it,
+ * the file itself may still be written. */
+static bool replace(const char *name, const char *head, const char *others) {
     const size_t room = strlen(name) + 32;
     char *beside = redcc_memory_take(room);
     if (!beside)
-        return write_through(name);
+        return write_through(name, head, others);
     snprintf(beside, room, "%s.%ld", name, redcc_system_process());
     FILE *out = fopen(beside, "w");
-    const bool written = out && write_all(out) && rename(beside, name) == 0;
+    const bool written = out ? write_all(out, head, others) && rename(beside, name) == 0
+                             : write_through(name, head, others);
     if (out && !written)
         remove(beside);
     redcc_memory_give(beside);
+    return written;
+}
+
+/* What is no plain file (a pipe, a device, a link to a file) is written to, and never replaced. */
+static bool write_file(const char *name) {
+    char head[REDCC_REPORT_HEAD];
+    redcc_report_head(head);
+    if (strcmp(name, "/dev/stdout") == 0) /* opened anew, what the program printed would be lost */
+        return write_whole(stdout, head, NULL);
+    if (strcmp(name, "/dev/stderr") == 0)
+        return write_whole(stderr, head, NULL);
+    char *others = read_others(name, head);
+    const bool written = is_regular(name, AT_SYMLINK_NOFOLLOW, true)
+                             ? replace(name, head, others)
+                             : write_through(name, head, others);
+    redcc_memory_give(others);
     return written;
 }
 
@@ -288,8 +215,8 @@ void redcc_report_write(void) {
     if (!name)
         return;
     if (strcmp(name, "-") == 0)
-        write_table(stderr);
-    else if (!(is_replaceable(name) ? replace(name) : write_through(name)))
+        redcc_report_table(stderr);
+    else if (!write_file(name))
         fprintf(stderr, "redcc: cannot write the report %s\n", name);
     redcc_memory_give(name);
 }

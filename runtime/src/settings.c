@@ -5,7 +5,10 @@
 #include "base/signals.h"
 #include "base/spin.h"
 #include "base/trace.h"
+#include "named.h"
 #include "report.h"
+#include "spelling.h"
+#include "variables.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -20,6 +23,7 @@ enum { LEAST_TRIP = 128 };
 redcc_int redcc_least_trip;
 
 static struct settings settings;
+static struct named named;
 static char complaint[1024]; /* what the environment says that is unknown; "": nothing */
 
 void redcc_stop(const char *format, ...) {
@@ -39,24 +43,13 @@ const char *redcc_order_name(redcc_order order) {
     return order_names[order];
 }
 
-/* How many letters to insert, remove or change to make one word of the other (Levenshtein). */
-static size_t distance(const char *a, const char *b) {
-    enum { LONGEST = 64 };
-    size_t row[LONGEST + 1];
-    const size_t width = strnlen(b, LONGEST);
-    for (size_t j = 0; j <= width; j++)
-        row[j] = j;
-    for (size_t i = 1; i <= LONGEST && a[i - 1]; i++) {
-        size_t diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= width; j++) {
-            const size_t changed = diagonal + (a[i - 1] != b[j - 1]);
-            const size_t shorter = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            diagonal = row[j];
-            row[j] = changed < shorter ? changed : shorter;
-        }
-    }
-    return row[width];
+void redcc_complain(const char *format, ...) {
+    va_list arguments;
+    if (complaint[0]) /* the first one counts */
+        return;
+    va_start(arguments, format);
+    vsnprintf(complaint, sizeof complaint, format, arguments);
+    va_end(arguments);
 }
 
 /* Appends to a text of at most `size` bytes; what does not fit is left out. */
@@ -65,52 +58,15 @@ static void append(char *text, size_t size, const char *more) {
     snprintf(text + used, size - used, "%s", more);
 }
 
-static void complain_of_unknown(const char *variable, const char *value, const char *const *names,
-                                size_t count) {
+void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
+                               size_t count) {
     char known[512] = "";
-    const char *nearest = names[0];
     for (size_t i = 0; i < count; i++) {
         append(known, sizeof known, i ? " " : "");
         append(known, sizeof known, names[i]);
-        if (distance(value, names[i]) < distance(value, nearest))
-            nearest = names[i];
     }
-    snprintf(complaint, sizeof complaint, "%s=%s is not known; did you mean %s? Known are: %s",
-             variable, value, nearest, known);
-}
-
-static void complain_of_unknown_method(const char *value) {
-    enum { MOST = 32, LONGEST = 64 };
-    static char spelled[MOST][LONGEST];
-    const char *names[MOST] = {"auto"};
-    size_t count = 1;
-    for (const struct method *const *method = redcc_methods; *method && count < MOST; method++) {
-        const char *parameter = (*method)->parameter;
-        snprintf(spelled[count], LONGEST, parameter ? "%s[:%s]" : "%s", (*method)->name, parameter);
-        names[count] = spelled[count];
-        count++;
-    }
-    complain_of_unknown("REDCC_METHOD", value, names, count);
-}
-
-static void read_method(const char *value) {
-    if (!value || !*value || strcmp(value, "auto") == 0)
-        return;
-    const size_t length = strcspn(value, ":");
-    for (const struct method *const *each = redcc_methods; *each; each++) {
-        const struct method *method = *each;
-        if (!redcc_method_is_named(method, value, length))
-            continue;
-        settings.method = method;
-        settings.parameter = method->usual;
-        if (value[length] == ':') {
-            settings.parameter = method->parse ? method->parse(value + length + 1) : 0;
-            if (!settings.parameter)
-                complain_of_unknown_method(value);
-        }
-        return;
-    }
-    complain_of_unknown_method(value);
+    redcc_complain("%s=%s is not known; did you mean %s? Known are: %s", variable, value,
+                   names[redcc_spelling_nearest(value, names, count)], known);
 }
 
 static void read_order(const char *value) {
@@ -122,7 +78,7 @@ static void read_order(const char *value) {
             settings.order = (redcc_order)order;
             return;
         }
-    complain_of_unknown("REDCC_ORDER", value, order_names, 3);
+    redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
 static void read_sum(const char *value) {
@@ -131,13 +87,14 @@ static void read_sum(const char *value) {
         return;
     settings.compensated = strcmp(value, names[1]) == 0;
     if (!settings.compensated && strcmp(value, names[0]) != 0)
-        complain_of_unknown("REDCC_SUM", value, names, 2);
-    const struct method *method = settings.method;
+        redcc_complain_of_unknown("REDCC_SUM", value, names, 2);
+}
+
+static void stop_at_uncompensated(const struct method *method) {
     if (settings.compensated && method && (method->keeps != REDCC_ORDER_SERIAL || !method->prepare))
-        snprintf(
-            complaint, sizeof complaint,
-            "REDCC_METHOD=%s cannot give REDCC_SUM=compensated, which is added up in the order "
-            "of the loop, element by element; localwrite can",
+        redcc_complain(
+            "REDCC_METHOD=%s cannot give REDCC_SUM=compensated, which is added up in the "
+            "order of the loop, element by element; localwrite can",
             method->name);
 }
 
@@ -147,7 +104,7 @@ static void read_validate(const char *value) {
         return;
     settings.validate = strcmp(value, names[1]) == 0;
     if (!settings.validate && strcmp(value, names[0]) != 0)
-        complain_of_unknown("REDCC_VALIDATE", value, names, 2);
+        redcc_complain_of_unknown("REDCC_VALIDATE", value, names, 2);
 }
 
 static void read_watch(const char *value) {
@@ -157,7 +114,7 @@ static void read_watch(const char *value) {
         return;
     settings.watch = strcmp(value, names[1]) == 0;
     if (!settings.watch && strcmp(value, names[0]) != 0)
-        complain_of_unknown("REDCC_WATCH", value, names, 2);
+        redcc_complain_of_unknown("REDCC_WATCH", value, names, 2);
 }
 
 /* Names with commas between them. */
@@ -170,7 +127,7 @@ static void read_trace(const char *value) {
         while (subject < TRACES && strcmp(name, redcc_trace_names[subject]) != 0)
             subject++;
         if (subject == TRACES && length > 0)
-            complain_of_unknown("REDCC_TRACE", name, redcc_trace_names, TRACES);
+            redcc_complain_of_unknown("REDCC_TRACE", name, redcc_trace_names, TRACES);
         redcc_traced |= subject < TRACES ? 1u << subject : 0;
         value += length + (value[length] == ',');
     }
@@ -199,37 +156,65 @@ static void read_memory_limit(const char *value) {
     if (!value || !*value)
         return;
     if (!redcc_parse_bytes(value, &settings.memory_limit))
-        snprintf(complaint, sizeof complaint,
-                 "REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
+        redcc_complain("REDCC_MEMORY_LIMIT=%s is no size; write digits, and K, M or G", value);
     if (settings.memory_limit == 0)
         settings.memory_limit = 1; /* nothing at all, not: no limit */
     redcc_memory_limit(settings.memory_limit);
 }
 
-/* Who starts a program that has more rights than himself may not tell it what to write where. */
-const char *redcc_environment(const char *name) {
-    return redcc_system_is_privileged() ? NULL : getenv(name);
+/* Under validation every loop that can is executed in parallel, from its first call on: auto would
+ * begin with the sequential loop, and end there where the program is short. */
+static struct named_method in_force(struct named_method said) {
+    if (!said.method && settings.validate)
+        said.method = &redcc_method_localwrite;
+    return said;
 }
 
-static char *copy_of(const char *text) {
-    const size_t bytes = strlen(text) + 1;
-    char *copy = redcc_memory_take(bytes);
-    return copy ? memcpy(copy, text, bytes) : NULL;
+static void take_methods(void) {
+    redcc_named_read(&named, redcc_environment("REDCC_METHOD"));
+    named.all = in_force(named.all);
+    settings.method = named.all.method;
+    settings.parameter = named.all.parameter;
+    stop_at_uncompensated(settings.method);
+    for (struct named_loop *loop = named.loops; loop; loop = loop->next) {
+        loop->as = in_force(loop->as);
+        stop_at_uncompensated(loop->as.method);
+    }
+}
+
+/* Everything else is as for the others. */
+static void copy_settings(struct named_loop *loop) {
+    loop->settings = redcc_memory_take(sizeof *loop->settings);
+    if (!loop->settings)
+        return;
+    *loop->settings = settings;
+    loop->settings->method = loop->as.method;
+    loop->settings->parameter = loop->as.parameter;
+}
+
+static void end_program(void) {
+    redcc_report_write();
+    redcc_named_note_unmet(&named, redcc_report_loops());
 }
 
 static void read_environment(void) {
-    read_method(redcc_environment("REDCC_METHOD"));
     read_order(redcc_environment("REDCC_ORDER"));
     read_sum(redcc_environment("REDCC_SUM"));
     read_validate(redcc_environment("REDCC_VALIDATE"));
+    take_methods();
     read_watch(redcc_environment("REDCC_WATCH"));
     read_trace(redcc_environment("REDCC_TRACE"));
     read_memory_limit(redcc_environment("REDCC_MEMORY_LIMIT"));
-    if (!settings.method && !settings.compensated && !settings.validate)
+    if (!settings.method && !named.loops && !settings.compensated)
         __atomic_store_n(&redcc_least_trip, LEAST_TRIP, __ATOMIC_RELAXED);
     const char *report = redcc_environment("REDCC_REPORT");
-    if (report && *report && (settings.report = copy_of(report)) != NULL)
-        atexit(redcc_report_write);
+    if (report && *report)
+        settings.report = redcc_memory_take_text(report);
+    if (settings.report || named.loops)
+        atexit(end_program);
+    for (struct named_loop *loop = named.loops; loop; loop = loop->next)
+        copy_settings(loop);
+    redcc_note_unknown_variables();
 }
 
 /* Of several threads that come first, one reads. */
@@ -251,4 +236,10 @@ const struct settings *redcc_settings(void) {
     if (complaint[0])
         redcc_stop("%s", complaint);
     return &settings;
+}
+
+const struct settings *redcc_settings_for(const redcc_loop *loop) {
+    const struct settings *all = redcc_settings();
+    const struct named_loop *one = named.loops ? redcc_named_find(&named, loop) : NULL;
+    return one && one->settings ? one->settings : all;
 }

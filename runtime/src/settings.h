@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the environment says: REDCC_METHOD, REDCC_ORDER, REDCC_MEMORY_LIMIT, REDCC_REPORT. */
+/** What the environment says (variables.h). */
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
 #include "plan/method.h"
 
 struct settings {
-    const struct method *method; /* NULL: auto */
+    const struct method *method; /* named, or asked for by REDCC_VALIDATE; NULL: auto */
     int parameter;               /* the method's */
     bool order_given;
     redcc_order order;   /* where given */
@@ -21,9 +21,16 @@ struct settings {
  *  status 2 where it says something unknown. Thread-safe. */
 const struct settings *redcc_settings(void);
 
-/** A variable of the environment; NULL: it is not set, or the program has more rights than who
- *  started it (setuid), who must not tell it anything then. */
-const char *redcc_environment(const char *name);
+/** The settings for the loop: as redcc_settings, but with the method that REDCC_METHOD names for it
+ *  alone. */
+const struct settings *redcc_settings_for(const redcc_loop *loop);
+
+/** What is wrong with the environment: redcc_settings stops with the first of them. */
+void redcc_complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/** The same of a value that is none of `count` known ones: names all, and the nearest. */
+void redcc_complain_of_unknown(const char *variable, const char *value, const char *const *names,
+                               size_t count);
 
 /** The sizes that REDCC_MEMORY_LIMIT may name: digits and K, M or G. False: it is none. */
 bool redcc_parse_bytes(const char *text, size_t *bytes);

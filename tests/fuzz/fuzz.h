@@ -34,6 +34,9 @@ enum fuzz_type {
     FUZZ_INT64
 };
 
+/** Does the program take part? Not if FUZZ_LEFT_OUT has its seed: seeds with commas between them.
+ */
+int fuzz_runs(unsigned long long seed);
 /** Begins the values of one program. */
 void fuzz_seed(unsigned long long seed);
 int fuzz_below(int n);

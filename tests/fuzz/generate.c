@@ -83,7 +83,9 @@ static int put_programs(buffer *b, const request *r) {
     buffer_text(b, "int main(void) {\n");
     for (int i = 0; i < r->count; i++)
         if (r->taken[i])
-            buffer_format(b, "    run_%llu();\n", (unsigned long long)r->first + (unsigned)i);
+            buffer_format(b, "    if (fuzz_runs(%llu))\n        run_%llu();\n",
+                          (unsigned long long)r->first + (unsigned)i,
+                          (unsigned long long)r->first + (unsigned)i);
     buffer_text(b, "    return 0;\n}\n");
     return statements;
 }

@@ -236,24 +236,6 @@ static void few_short_iterations_are_one_threads(void **unused) {
     assert_int_equal(redcc_advise_threads(20, 2, 1e-3, 10), 2);
 }
 
-/* docs/methods.md shows the decision table as the runtime has it. */
-static void the_decision_table_is_documented(void **unused) {
-    (void)unused;
-    static const char *const rows[] = {
-#define ROW(id, slug, known, done) "\n| `" slug "` | " known " | " done " |\n",
-        REDCC_RULE_LIST(ROW)
-#undef ROW
-    };
-    static char text[1 << 17];
-    FILE *in = fopen(METHODS_PAGE, "r");
-    assert_non_null(in);
-    text[fread(text, 1, sizeof text - 1, in)] = '\0';
-    fclose(in);
-    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++)
-        if (!strstr(text, rows[row]))
-            fail_msg("docs/methods.md lacks the row:%s", rows[row]);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_call_is_sequential_and_timed),
@@ -264,7 +246,6 @@ int main(void) {
         cmocka_unit_test(short_loops_are_left_alone),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
-        cmocka_unit_test(the_decision_table_is_documented),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

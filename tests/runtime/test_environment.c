@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,6 +99,26 @@ static void every_method_by_name(void **unused) {
         }
 }
 
+static json_t *report_of(const char *variables, const char *arguments) {
+    char all[512], name[128];
+    snprintf(name, sizeof name, "%s/report \"x\".json", folder);
+    snprintf(all, sizeof all, "%s REDCC_REPORT='%s'", variables, name);
+    const struct outcome found = run(all, programs[0], arguments);
+    assert_int_equal(found.status, 0);
+    json_error_t error;
+    json_t *report = json_load_file(name, 0, &error);
+    if (!report)
+        fail_msg("the report is no JSON: line %d: %s", error.line, error.text);
+    assert_int_equal(unlink(name), 0);
+    return report;
+}
+
+static long number(const json_t *loop, const char *key) {
+    const json_t *value = json_object_get(loop, key);
+    assert_true(json_is_number(value));
+    return (long)json_number_value(value);
+}
+
 static void expect_stop(const char *variables, const char *const *words) {
     const struct outcome found = run(variables, programs[0], "10 1");
     assert_int_equal(found.status, 2);
@@ -117,6 +138,62 @@ static void unknown_names_stop_the_program(void **unused) {
     expect_stop("REDCC_ORDER=seriel", (const char *[]){"REDCC_ORDER=seriel", "did you mean serial?",
                                                        "fixed", "any", NULL});
     expect_stop("REDCC_MEMORY_LIMIT=much", (const char *[]){"REDCC_MEMORY_LIMIT=much", NULL});
+}
+
+static void expect_method(const char *variables, const char *method) {
+    json_t *report = report_of(variables, "300 2");
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    assert_string_equal(json_string_value(json_object_get(loop, "method")), method);
+    json_decref(report);
+}
+
+static void methods_of_single_loops(void **unused) {
+    (void)unused;
+#define SINGLE "OMP_NUM_THREADS=3 REDCC_METHOD="
+    expect_method(SINGLE "springs.c:4=localwrite", "localwrite");
+    expect_method(SINGLE "springs.c:4=pe-dwa-lip:3,atomic", "pe-dwa-lip:3");
+    expect_method(SINGLE "atomic,/some/where/springs.c:4=wavefront", "wavefront");
+    expect_method(SINGLE "localwrite,springs.c:4=serial", "serial");
+    expect_method(SINGLE "localwrite,springs.c:4=auto", "serial"); /* too short for auto */
+    expect_method(SINGLE "springs.c:5=serial,localwrite", "localwrite");
+    expect_method(SINGLE "xsprings.c:4=serial,localwrite", "localwrite");
+    const char *unmet = SINGLE "localwrite,springs.c:9=serial,string.c:4=atomic,springs.c:4=atomic";
+    const struct outcome found = run(unmet, programs[0], "300 2");
+    assert_int_equal(found.status, 0);
+    assert_non_null(strstr(found.errors,
+                           "REDCC_METHOD names springs.c:9, but no translated loop that "
+                           "was executed is there; the nearest is springs.c:4\n"));
+    assert_non_null(strstr(found.errors, "names string.c:4"));
+    assert_null(strstr(found.errors, "names springs.c:4"));
+    expect_stop("REDCC_METHOD=springs.c:4=localwrit",
+                (const char *[]){"did you mean localwrite?", "pe-dwa-lip[:N]", NULL});
+    expect_stop("REDCC_METHOD=springs.c=serial",
+                (const char *[]){"'springs.c' is no FILE:LINE", "REDCC_REPORT=-", NULL});
+    expect_stop("REDCC_METHOD=springs.c:4x=serial", (const char *[]){"'springs.c:4x'", NULL});
+    expect_stop("REDCC_METHOD=:4=serial", (const char *[]){"':4' is no FILE:LINE", NULL});
+    expect_stop("REDCC_METHOD=springs.c:0=serial", (const char *[]){"no FILE:LINE", NULL});
+    expect_stop("REDCC_METHOD=springs.c:4=", (const char *[]){"is not known", NULL});
+    expect_stop("REDCC_METHOD=atomic,,", (const char *[]){"names two methods for all", NULL});
+    expect_stop("REDCC_METHOD=atomic,serial", (const char *[]){"names two methods for all", NULL});
+    expect_stop("REDCC_METHOD=springs.c:4=serial,tests/springs.c:4=atomic",
+                (const char *[]){"two methods for tests/springs.c:4", NULL});
+    expect_stop("REDCC_SUM=compensated REDCC_METHOD=springs.c:4=expansion",
+                (const char *[]){"expansion", "REDCC_SUM=compensated", NULL});
+    expect_stop("REDCC_ORDER=serial REDCC_METHOD=springs.c:4=dwa-lip",
+                (const char *[]){"REDCC_METHOD=dwa-lip cannot keep order serial", NULL});
+}
+
+static void unknown_variables_are_noted(void **unused) {
+    (void)unused;
+    const struct outcome found =
+        run("REDCC_METHDO=serial OMP_NUM_THREADS=2 REDCC_KEEP=/x REDCC_DISABEL=1 REDCC_CC=gcc "
+            "REDCC_OPTS= REDCC_STRICT=1 REDCC_ROOT=/x REDCC_BUILD_REPORT=x XREDCC_METHOD=1",
+            programs[0], "300 2");
+    assert_int_equal(found.status, 0);
+    assert_string_equal(found.errors,
+                        "redcc: the variable REDCC_METHDO is not known, and is ignored; "
+                        "the nearest known is REDCC_METHOD\n");
+    assert_string_equal(run("REDCC_METHDO=serial", plain, "300 2").errors, "");
 }
 
 static void unknown_sums_traces_and_validations(void **unused) {
@@ -146,12 +223,45 @@ static void validation_is_passed(void **unused) {
         assert_int_equal(looked_at.status, 0);
         if (strcmp(methods[m], "atomic") != 0) /* which has other bits in each run */
             assert_string_equal(looked_at.text, alone.text);
-        if (m >= 2) /* auto tries the sequential loop as well */
-            assert_non_null(strstr(looked_at.errors, "springs.c:4 (springs): 3 executions"));
+        const bool serial = strcmp(methods[m], "serial") == 0;
+        assert_non_null(strstr(looked_at.errors,
+                               serial ? "springs.c:4 (springs): never ran in parallel, 3 calls: "
+                                        "REDCC_METHOD says serial"
+                                      : "springs.c:4 (springs): 3 executions"));
+        assert_non_null(strstr(looked_at.errors, serial
+                                                     ? "validated: 0 loops ran in parallel"
+                                                     : "validated: 1 of 1 loops ran in parallel"));
         if (strcmp(methods[m], "localwrite") == 0)
             assert_non_null(
                 strstr(looked_at.errors, "no difference in ulps; order serial is kept"));
     }
+}
+
+/* auto begins with the sequential loop; under validation no call is left to it, be it the only one.
+ */
+static void validation_of_a_loop_executed_once(void **unused) {
+    (void)unused;
+    static const char *const settings[] = {"", "REDCC_METHOD=auto ",
+                                           "REDCC_METHOD=springs.c:4=auto ", "REDCC_ORDER=any "};
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        char variables[128];
+        snprintf(variables, sizeof variables, "%sREDCC_VALIDATE=1 OMP_NUM_THREADS=3", settings[i]);
+        const struct outcome found = run(variables, programs[0], "30 1");
+        assert_int_equal(found.status, 0);
+        assert_non_null(strstr(found.errors, "springs.c:4 (springs): 1 executions compared, no "
+                                             "difference in ulps; order "));
+        assert_non_null(strstr(found.errors, "validated: 1 of 1 loops ran in parallel\n"));
+        assert_int_equal(run(variables, broken, "30 1").status, 3);
+    }
+    struct outcome found = run("REDCC_VALIDATE=1 OMP_NUM_THREADS=1", programs[0], "30 1");
+    assert_int_equal(found.status, 0);
+    assert_non_null(
+        strstr(found.errors, "(springs): never ran in parallel, 1 calls: one thread\n"));
+    assert_non_null(
+        strstr(found.errors, "validated: 0 loops ran in parallel: the reasons are above"));
+    found = run("REDCC_VALIDATE=1 OMP_NUM_THREADS=3", programs[0], "30 0");
+    assert_non_null(
+        strstr(found.errors, "0 loops ran in parallel: no translated loop was executed"));
 }
 
 static void validation_is_failed(void **unused) {
@@ -198,26 +308,6 @@ static void an_order_and_a_method_that_cannot_keep_it(void **unused) {
                      0);
 }
 
-static json_t *report_of(const char *variables, const char *arguments) {
-    char all[512], name[128];
-    snprintf(name, sizeof name, "%s/report \"x\".json", folder);
-    snprintf(all, sizeof all, "%s REDCC_REPORT='%s'", variables, name);
-    const struct outcome found = run(all, programs[0], arguments);
-    assert_int_equal(found.status, 0);
-    json_error_t error;
-    json_t *report = json_load_file(name, 0, &error);
-    if (!report)
-        fail_msg("the report is no JSON: line %d: %s", error.line, error.text);
-    assert_int_equal(unlink(name), 0);
-    return report;
-}
-
-static long number(const json_t *loop, const char *key) {
-    const json_t *value = json_object_get(loop, key);
-    assert_true(json_is_number(value));
-    return (long)json_number_value(value);
-}
-
 static void the_report_says_what_was_done(void **unused) {
     (void)unused;
     json_t *report = report_of("OMP_NUM_THREADS=3 REDCC_METHOD=localwrite", "2000 5");
@@ -227,8 +317,14 @@ static void the_report_says_what_was_done(void **unused) {
     assert_string_equal(json_string_value(json_object_get(loop, "file")), "springs.c");
     assert_string_equal(json_string_value(json_object_get(loop, "function")), "springs");
     assert_string_equal(json_string_value(json_object_get(loop, "method")), "localwrite");
+    assert_string_equal(json_string_value(json_object_get(loop, "mode")), "reused");
+    assert_string_equal(json_string_value(json_object_get(loop, "rule")), "named");
     assert_string_equal(json_string_value(json_object_get(loop, "order")), "serial");
     assert_int_equal(number(loop, "line"), 4);
+    assert_int_equal(number(loop, "plans_lost"), 0);
+    assert_int_equal(json_array_size(json_object_get(loop, "changed")), 0);
+    assert_int_equal(number(loop, "sequential_calls"), 0);
+    assert_true(json_is_null(json_object_get(loop, "speedup")));
     assert_int_equal(number(loop, "threads"), 3);
     assert_int_equal(number(loop, "calls"), 5);
     assert_int_equal(number(loop, "plans_built"), 1);
@@ -303,12 +399,15 @@ static void few_short_iterations(void **unused) {
     expect_least_trip("REDCC_VALIDATE=1", "from 0\n");
 }
 
-static void expect_fallback(const char *variables, const char *reason, long count) {
+static void expect_fallback(const char *variables, const char *slug, const char *reason,
+                            long count) {
     json_t *report = report_of(variables, "2000 5");
     const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
     const json_t *fallbacks = json_object_get(loop, "fallbacks");
     assert_int_equal(json_array_size(fallbacks), 1);
     const json_t *fallback = json_array_get(fallbacks, 0);
+    assert_string_equal(json_string_value(json_object_get(fallback, "slug")), slug);
+    assert_string_equal(json_string_value(json_object_get(loop, "mode")), "sequential");
     assert_non_null(strstr(json_string_value(json_object_get(fallback, "reason")), reason));
     assert_int_equal(number(fallback, "count"), count);
     assert_string_equal(json_string_value(json_object_get(loop, "method")), "serial");
@@ -327,10 +426,24 @@ static void the_report_says_what_binds_the_threads(void **unused) {
     json_decref(report);
 }
 
+/* auto's first call is the original loop, timed, and all are where they are short. */
+static void the_report_says_what_the_sequential_loop_took(void **unused) {
+    (void)unused;
+    json_t *report = report_of("OMP_NUM_THREADS=3", "50000 1");
+    const json_t *loop = json_array_get(json_object_get(report, "loops"), 0);
+    assert_string_equal(json_string_value(json_object_get(loop, "mode")), "timed");
+    assert_string_equal(json_string_value(json_object_get(loop, "rule")), "first");
+    assert_int_equal(number(loop, "sequential_calls"), 1);
+    assert_true(json_number_value(json_object_get(loop, "sequential_seconds")) > 0);
+    assert_true(json_is_null(json_object_get(loop, "speedup")));
+    json_decref(report);
+}
+
 static void the_report_says_why_not(void **unused) {
     (void)unused;
-    expect_fallback("OMP_NUM_THREADS=1 REDCC_METHOD=localwrite", "one thread", 5);
-    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=20K",
+    expect_fallback("OMP_NUM_THREADS=1 REDCC_METHOD=localwrite", "one-thread", "one thread", 5);
+    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=serial", "named-serial", "says serial", 5);
+    expect_fallback("OMP_NUM_THREADS=3 REDCC_METHOD=expansion REDCC_MEMORY_LIMIT=20K", "no-memory",
                     "REDCC_MEMORY_LIMIT", 5);
 }
 
@@ -359,7 +472,11 @@ int main(int count, char **arguments) {
         cmocka_unit_test(unknown_names_stop_the_program),
         cmocka_unit_test(unknown_sums_traces_and_validations),
         cmocka_unit_test(validation_is_passed),
+        cmocka_unit_test(validation_of_a_loop_executed_once),
         cmocka_unit_test(validation_is_failed),
+        cmocka_unit_test(methods_of_single_loops),
+        cmocka_unit_test(unknown_variables_are_noted),
+        cmocka_unit_test(the_report_says_what_the_sequential_loop_took),
         cmocka_unit_test(what_is_traced),
         cmocka_unit_test(compensated_sums),
         cmocka_unit_test(compensated_sums_of_few_iterations),

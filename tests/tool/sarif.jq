@@ -21,6 +21,7 @@ def rule:
   only(["id", "name", "shortDescription", "fullDescription", "help", "helpUri", "properties"]),
   needs(["id"]), (.id | text), (.name | text),
   (select(.shortDescription) | .shortDescription | message),
+  (select(.help) | .help | message),
   (select(.helpUri) | .helpUri | uri);
 def result($rules):
   only(["ruleId", "ruleIndex", "kind", "level", "message", "locations", "relatedLocations", "properties"]),

@@ -55,15 +55,13 @@ typedef struct counted_loop {
 
 /* ---- arrays, updates ----------------------------------------------------------------------- */
 
+/** operators.def, and REDUCTION_NONE: stores and functions of the old value that are none of these.
+ */
 typedef enum reduction_operator {
-    REDUCTION_SUM, /* + and - */
-    REDUCTION_PRODUCT,
-    REDUCTION_MINIMUM,
-    REDUCTION_MAXIMUM,
-    REDUCTION_AND,
-    REDUCTION_OR,
-    REDUCTION_XOR,
-    REDUCTION_NONE /* stores and functions of the old value that are no operator of these */
+#define X(NAME, SPELLING) REDUCTION_##NAME,
+#include "analysis/operators.def"
+#undef X
+    REDUCTION_NONE
 } reduction_operator;
 
 /** As the JSON report wants it; NULL for REDUCTION_NONE. */

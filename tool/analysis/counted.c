@@ -63,21 +63,6 @@ static bool step_of(const ir_node *node, ir_variable **variable, int64_t *step) 
     return true;
 }
 
-static ir_operator mirrored(ir_operator op) {
-    switch (op) {
-    case IR_OP_LESS:
-        return IR_OP_GREATER;
-    case IR_OP_LESS_EQUAL:
-        return IR_OP_GREATER_EQUAL;
-    case IR_OP_GREATER:
-        return IR_OP_LESS;
-    case IR_OP_GREATER_EQUAL:
-        return IR_OP_LESS_EQUAL;
-    default:
-        return op;
-    }
-}
-
 static bool is_comparison(ir_operator op) {
     return (op >= IR_OP_LESS && op <= IR_OP_GREATER_EQUAL) || op == IR_OP_NOT_EQUAL;
 }
@@ -91,7 +76,7 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
         *comparison = condition->op;
         *bound = condition->children[1];
     } else if (is_variable(condition->children[1], counter)) {
-        *comparison = mirrored(condition->op);
+        *comparison = expression_mirrored(condition->op);
         *bound = condition->children[0];
     } else {
         return false;

@@ -7,21 +7,6 @@
 
 typedef VECTOR(counter_limit) limit_list;
 
-static ir_operator mirrored(ir_operator op) {
-    switch (op) {
-    case IR_OP_LESS:
-        return IR_OP_GREATER;
-    case IR_OP_LESS_EQUAL:
-        return IR_OP_GREATER_EQUAL;
-    case IR_OP_GREATER:
-        return IR_OP_LESS;
-    case IR_OP_GREATER_EQUAL:
-        return IR_OP_LESS_EQUAL;
-    default:
-        return op;
-    }
-}
-
 static ir_operator negated(ir_operator op) {
     switch (op) {
     case IR_OP_LESS:
@@ -71,7 +56,7 @@ static void take_comparison(const judgement *j, limit_list *list, const ir_node 
     const bool is_left = is_counter(j, left);
     if (!is_left && !is_counter(j, right))
         return;
-    counter_limit limit = {is_left ? condition->op : mirrored(condition->op),
+    counter_limit limit = {is_left ? condition->op : expression_mirrored(condition->op),
                            is_left ? right : left};
     if (!holds)
         limit.comparison = negated(limit.comparison);

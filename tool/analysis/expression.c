@@ -181,3 +181,18 @@ const ir_node *expression_written(const ir_node *node) {
         return node->children[0];
     return NULL;
 }
+
+ir_operator expression_mirrored(ir_operator op) {
+    switch (op) {
+    case IR_OP_LESS:
+        return IR_OP_GREATER;
+    case IR_OP_LESS_EQUAL:
+        return IR_OP_GREATER_EQUAL;
+    case IR_OP_GREATER:
+        return IR_OP_LESS;
+    case IR_OP_GREATER_EQUAL:
+        return IR_OP_LESS_EQUAL;
+    default:
+        return op;
+    }
+}

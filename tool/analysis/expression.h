@@ -46,4 +46,7 @@ bool expression_is_floating_work(const ir_node *node);
  *  NULL. For declarators, and where nothing is written, NULL. */
 const ir_node *expression_written(const ir_node *node);
 
+/** The operator of `b op a` that says what `a op b` says; the same one but for orderings. */
+ir_operator expression_mirrored(ir_operator op);
+
 #endif

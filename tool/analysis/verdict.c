@@ -40,9 +40,10 @@ const char *judgement_name(const judgement *j, const ir_node *lvalue) {
 
 const char *reduction_operator_spelling(reduction_operator op) {
     static const char *const spellings[] = {
-        [REDUCTION_SUM] = "+",       [REDUCTION_PRODUCT] = "*", [REDUCTION_MINIMUM] = "min",
-        [REDUCTION_MAXIMUM] = "max", [REDUCTION_AND] = "&",     [REDUCTION_OR] = "|",
-        [REDUCTION_XOR] = "^",       [REDUCTION_NONE] = NULL};
+#define X(NAME, SPELLING) [REDUCTION_##NAME] = SPELLING,
+#include "analysis/operators.def"
+#undef X
+        [REDUCTION_NONE] = NULL};
     return spellings[op];
 }
 

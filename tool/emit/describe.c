@@ -6,9 +6,11 @@
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
-    static const char *const names[] = {"REDCC_SUM",     "REDCC_PRODUCT", "REDCC_MINIMUM",
-                                        "REDCC_MAXIMUM", "REDCC_AND",     "REDCC_OR",
-                                        "REDCC_XOR",     "REDCC_SUM"};
+    static const char *const names[] = {
+#define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
+#include "analysis/operators.def"
+#undef X
+        [REDUCTION_NONE] = "REDCC_SUM"};
     return names[array->order_is_kept ? REDUCTION_NONE : array->op];
 }
 

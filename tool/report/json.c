@@ -84,6 +84,7 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
 void report_json(arena *a, buffer *out, const report_input *input) {
     json_t *root = json_object();
     json_object_set_new(root, "redcc", json_text(input->version));
+    json_object_set_new(root, "schema", json_integer(1)); /* docs/report.schema.json */
     json_object_set_new(root, "file", json_text(input->unit->source->path));
     json_object_set_new(root, "order", json_text(input->order));
     json_t *loops = json_array();

@@ -13,6 +13,10 @@ typedef struct report_input {
     const analysis_result *analysis;
     const char *version; /* of redcc */
     const char *order;   /* as --order takes it */
+    bool all;            /* also what needs no review: SARIF's results of kind `pass` */
+    /** What docs/reasons.md says of a reason, in the arena; NULL for none. SARIF's rules have it.
+     */
+    const char *(*explain)(arena *a, const char *reason);
 } report_input;
 
 /**

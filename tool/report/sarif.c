@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** SARIF 2.1.0 (OASIS standard): one run, one rule for each kind of outcome, one result a loop. */
+/** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result a loop. */
+#include "analysis/reason.h"
 #include "report/facts.h"
 #include "support/json_text.h"
 
@@ -83,6 +84,35 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     return result;
 }
 
+/* Of a message with a hole for a name: the hole becomes dots. */
+static const char *short_text(arena *a, const loop_verdict *verdict) {
+    if (verdict->kind != VERDICT_REFUSE)
+        return verdict->kind == VERDICT_TRANSFORM ? "the loop runs in parallel"
+                                                  : "the loop has no irregular reduction";
+    return reason_make(a, verdict->why.id, "...", (ir_range){0}).message;
+}
+
+static json_t *rule_object(arena *a, const report_input *input, const loop_verdict *verdict) {
+    const bool is_refused = verdict->kind == VERDICT_REFUSE;
+    const char *section = is_refused && input->explain ? input->explain(a, rule_of(verdict)) : NULL;
+    json_t *rule = json_object();
+    json_object_set_new(rule, "id", json_text(rule_of(verdict)));
+    json_object_set_new(
+        rule, "name", json_text(is_refused ? reason_slug(verdict->why.id) : verdict_word(verdict)));
+    json_object_set_new(rule, "shortDescription", message(short_text(a, verdict)));
+    if (section) {
+        json_t *help = message(section);
+        json_object_set_new(help, "markdown", json_text(section));
+        json_object_set_new(rule, "help", help);
+    }
+    return rule;
+}
+
+/* Is it a result? What runs in parallel needs no review. */
+static bool is_told(const report_input *input, const loop_verdict *verdict) {
+    return input->all || verdict->kind != VERDICT_TRANSFORM;
+}
+
 static bool has_rule(const json_t *rules, const char *id) {
     for (size_t i = 0; i < json_array_size(rules); i++)
         if (strcmp(json_string_value(json_object_get(json_array_get(rules, i), "id")), id) == 0)
@@ -90,18 +120,12 @@ static bool has_rule(const json_t *rules, const char *id) {
     return false;
 }
 
-static json_t *rules_of(const report_input *input) {
+static json_t *rules_of(arena *a, const report_input *input) {
     json_t *rules = json_array();
     for (unsigned i = 0; i < input->analysis->verdict_count; i++) {
         const loop_verdict *verdict = &input->analysis->verdicts[i];
-        if (has_rule(rules, rule_of(verdict)))
-            continue;
-        json_t *rule = json_object();
-        json_object_set_new(rule, "id", json_text(rule_of(verdict)));
-        json_object_set_new(rule, "name",
-                            json_text(verdict->kind == VERDICT_REFUSE ? reason_slug(verdict->why.id)
-                                                                      : verdict_word(verdict)));
-        json_array_append_new(rules, rule);
+        if (is_told(input, verdict) && !has_rule(rules, rule_of(verdict)))
+            json_array_append_new(rules, rule_object(a, input, verdict));
     }
     return rules;
 }
@@ -110,12 +134,13 @@ void report_sarif(arena *a, buffer *out, const report_input *input) {
     json_t *driver = json_object();
     json_object_set_new(driver, "name", json_text("redcc"));
     json_object_set_new(driver, "version", json_text(input->version));
-    json_object_set_new(driver, "rules", rules_of(input));
+    json_object_set_new(driver, "rules", rules_of(a, input));
     json_t *tool = json_object();
     json_object_set_new(tool, "driver", driver);
     json_t *results = json_array();
     for (unsigned i = 0; i < input->analysis->verdict_count; i++)
-        json_array_append_new(results, result_of(a, input, &input->analysis->verdicts[i]));
+        if (is_told(input, &input->analysis->verdicts[i]))
+            json_array_append_new(results, result_of(a, input, &input->analysis->verdicts[i]));
     json_t *run = json_object();
     json_object_set_new(run, "tool", tool);
     json_object_set_new(run, "results", results);

@@ -16,7 +16,11 @@
 #include <stddef.h>
 
 #if defined(__GNUC__)
+#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#pragma GCC visibility push(hidden)
+#else
 #pragma GCC visibility push(default)
+#endif
 #endif
 #ifdef __cplusplus
 extern "C" {

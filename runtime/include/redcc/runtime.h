@@ -227,7 +227,11 @@ typedef struct redcc_worker {
 } redcc_worker;
 
 #if defined(__GNUC__)
+#ifdef REDCC_HIDDEN /* the archive: what it is linked into exports nothing of it */
+#pragma GCC visibility push(hidden)
+#else
 #pragma GCC visibility push(default) /* the library hides everything else */
+#endif
 #endif
 
 /**

@@ -89,6 +89,12 @@ static struct header *header_of(const void *block) {
     return (struct header *)((uintptr_t)block - LINE);
 }
 
+char *redcc_memory_take_text(const char *text) {
+    const size_t bytes = strlen(text) + 1;
+    char *copy = redcc_memory_take(bytes);
+    return copy ? memcpy(copy, text, bytes) : NULL;
+}
+
 void *redcc_memory_resize(void *block, size_t bytes) {
     void *other = redcc_memory_take(bytes);
     if (other && block) {

@@ -16,6 +16,9 @@ void *redcc_memory_take(size_t bytes);
 /** As redcc_memory_take, for `count` items of `size` bytes, all zero. */
 void *redcc_memory_take_zeroed(size_t count, size_t size);
 
+/** A copy of the text; NULL where there is no memory. */
+char *redcc_memory_take_text(const char *text);
+
 /** A block of another size with the contents of `block` (NULL: an empty one), which is given back;
  *  NULL: `block` stays as it was. */
 void *redcc_memory_resize(void *block, size_t bytes);

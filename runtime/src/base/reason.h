@@ -2,38 +2,45 @@
 #ifndef REDCC_REASON_H
 #define REDCC_REASON_H
 
-/** Why a loop ran serially: identifier, and what the report says. */
+/** Why a loop ran sequentially: identifier, slug, and what the report says. docs/report.md has the
+ *  slugs, and a test compares. */
 #define REDCC_REASON_LIST(X)                                                                       \
-    X(REASON_NONE, "")                                                                             \
-    X(REASON_FORKED, "in a process forked from one with several threads")                          \
-    X(REASON_TRAPS, "floating-point exceptions trap in the calling thread")                        \
-    X(REASON_NO_THREADS, "the system gives the process no more threads")                           \
-    X(REASON_HANDLER, "in the handler of a signal, before there were threads")                     \
-    X(REASON_NESTED, "inside a parallel region")                                                   \
-    X(REASON_CONCURRENT, "the loop is being executed by another thread")                           \
-    X(REASON_ONE_THREAD, "one thread")                                                             \
-    X(REASON_TEAM, "more threads came than were asked for")                                        \
-    X(REASON_LITTLE_WORK, "too little work")                                                       \
-    X(REASON_SERIAL_FASTER, "the sequential loop was measured to be faster")                       \
-    X(REASON_SAVING, "a trial may cost more than the loop's credit allows so far")                 \
-    X(REASON_COMPARED, "timed beside a plan")                                                      \
-    X(REASON_UNATTRACTIVE, "no plan is expected to be faster")                                     \
-    X(REASON_DEADLINE, "an inspection took longer than it was allowed to")                         \
-    X(REASON_CHANGED, "the subscripts are not those of the plan")                                  \
-    X(REASON_NO_MEMORY, "out of memory, or past REDCC_MEMORY_LIMIT")                               \
-    X(REASON_ORDER_NEEDED, "an update needs an order that the method named does not keep")         \
-    X(REASON_NO_COPIES, "no private copies can be made of a reduction array")                      \
-    X(REASON_MIXED, "reduction arrays of unlike type or operator overlap")                         \
-    X(REASON_OUT_OF_STEP, "reduction arrays overlap out of step")                                  \
-    X(REASON_LEVELS, "too many iterations or touches to be put in levels, or none")                \
-    X(REASON_INSPECTOR, "the inspector did not tell all iterations")                               \
-    X(REASON_OVERLAP, "something read overlaps a reduction array")
+    X(REASON_NONE, "", "")                                                                         \
+    X(REASON_NAMED, "named-serial", "REDCC_METHOD says serial")                                    \
+    X(REASON_FORKED, "forked", "in a process forked from one with several threads")                \
+    X(REASON_TRAPS, "float-traps", "floating-point exceptions trap in the calling thread")         \
+    X(REASON_NO_THREADS, "no-threads", "the system gives the process no more threads")             \
+    X(REASON_HANDLER, "signal-handler", "in the handler of a signal, before there were threads")   \
+    X(REASON_NESTED, "nested", "inside a parallel region")                                         \
+    X(REASON_CONCURRENT, "concurrent", "the loop is being executed by another thread")             \
+    X(REASON_ONE_THREAD, "one-thread", "one thread")                                               \
+    X(REASON_TEAM, "more-threads", "more threads came than were asked for")                        \
+    X(REASON_LITTLE_WORK, "little-work", "too little work")                                        \
+    X(REASON_SERIAL_FASTER, "sequential-faster", "the sequential loop was measured to be faster")  \
+    X(REASON_SAVING, "saving", "a trial may cost more than the loop's credit allows so far")       \
+    X(REASON_COMPARED, "compared", "timed beside a plan")                                          \
+    X(REASON_UNATTRACTIVE, "unattractive", "no plan is expected to be faster")                     \
+    X(REASON_DEADLINE, "deadline", "an inspection took longer than it was allowed to")             \
+    X(REASON_CHANGED, "changed", "the subscripts are not those of the plan")                       \
+    X(REASON_NO_MEMORY, "no-memory", "out of memory, or past REDCC_MEMORY_LIMIT")                  \
+    X(REASON_ORDER_NEEDED, "order-needed",                                                         \
+      "an update needs an order that the method named does not keep")                              \
+    X(REASON_NO_COPIES, "no-copies", "no private copies can be made of a reduction array")         \
+    X(REASON_MIXED, "mixed", "reduction arrays of unlike type or operator overlap")                \
+    X(REASON_OUT_OF_STEP, "out-of-step", "reduction arrays overlap out of step")                   \
+    X(REASON_LEVELS, "levels", "too many iterations or touches to be put in levels, or none")      \
+    X(REASON_INSPECTOR, "inspector", "the inspector did not tell all iterations")                  \
+    X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {
-#define REDCC_REASON(id, text) id,
+#define REDCC_REASON(id, slug, text) id,
     REDCC_REASON_LIST(REDCC_REASON)
 #undef REDCC_REASON
         REASON_COUNT
 };
+
+/** What the report calls it, and what it says of it. */
+const char *redcc_reason_slug(enum reason reason);
+const char *redcc_reason_text(enum reason reason);
 
 #endif

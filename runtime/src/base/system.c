@@ -5,6 +5,8 @@
 #include "base/vdso.h"
 
 #include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
 
 #if defined(__linux__)
 
@@ -121,6 +123,20 @@ long redcc_system_process(void) {
     return redcc_system(SYS_getpid);
 }
 
+/* Of /proc/self/stat the 22nd field; the second, a name in brackets, may hold anything. */
+unsigned long long redcc_system_started(void) {
+    char text[1024] = "";
+    const int file = redcc_system_open("/proc/self/stat");
+    if (file < 0)
+        return 0;
+    redcc_system_read(file, text, sizeof text - 1);
+    redcc_system_close(file);
+    const char *at = strrchr(text, ')');
+    for (int field = 2; at && field < 22; field++)
+        at = strchr(at + 1, ' ');
+    return at ? strtoull(at, NULL, 10) : 0;
+}
+
 bool redcc_system_is_privileged(void) {
     return told(AT_SECURE) != 0;
 }
@@ -184,6 +200,10 @@ void redcc_system_yield(void) {
 
 long redcc_system_process(void) {
     return (long)getpid();
+}
+
+unsigned long long redcc_system_started(void) {
+    return 0;
 }
 
 bool redcc_system_is_privileged(void) {

@@ -109,6 +109,10 @@ void redcc_system_yield(void);
 /** The process's id. */
 long redcc_system_process(void);
 
+/** When the process began, in ticks since the system did; 0: not known. Together with its id no
+ *  other process has it. */
+unsigned long long redcc_system_started(void);
+
 /** Has the program more rights than its caller (setuid), so that the environment must not tell it
  *  anything? */
 bool redcc_system_is_privileged(void);

@@ -70,7 +70,7 @@ static bool owner_follows(struct walk *walk, const struct summary *summary, uint
             const struct span span = summary->span[s];
             const bool shared = redcc_set_size(&summary->sets, span.set) > 1;
             const bool own = span.set ? contains(&summary->sets, span.set, owner) : takes_idle;
-            const enum guard guard = shared ? GUARD_ALWAYS : span.set ? GUARD_MAYBE : GUARD_NEVER;
+            const enum guard guard = shared ? GUARD_ALWAYS : GUARD_MAYBE;
             if (own && !comes_next(walk, block->origin + span.begin,
                                    redcc_span_count(summary, block, s), guard))
                 return false;

@@ -84,18 +84,75 @@ static void ask_tracking(struct reuse *reuse) {
     }
 }
 
+/* ---- samples --------------------------------------------------------------------------------- */
+
+/* SplitMix64 (Steele, Lea, Flood 2014). */
+static uint64_t mixed(uint64_t hash, uint64_t word) {
+    hash = (hash ^ word) + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return hash ^ hash >> 31;
+}
+
+/* A hash of a few words of a subscript that is where the call says; 0: it is not. */
+static uint64_t sample_source(const struct request *request, uint32_t source) {
+    enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
+    const redcc_extent known = request->known[source];
+    uint64_t hash = 0;
+    if (!request->loop->sources[source].is_subscript || !known.end ||
+        known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
+        return 0;
+    const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
+    for (size_t word = 0; word < WORDS; word++) {
+        uint64_t held;
+        memcpy(&held, known.first + last / (WORDS - 1) * word, sizeof held);
+        hash = mixed(hash, held);
+    }
+    return hash;
+}
+
+void redcc_reuse_sample(struct reuse *reuse) {
+    const struct request *request = &reuse->call->request;
+    uint64_t hash = 0;
+    for (uint32_t s = 0; s < request->loop->source_count; s++) {
+        const uint64_t sampled = sample_source(request, s);
+        hash = sampled ? mixed(hash, sampled) : hash;
+    }
+    reuse->sampled = hash;
+}
+
+/* The first source whose sample is not what it was when the plan was made; -1: none. */
+static int changed_source(const struct reuse *reuse, const struct kept_plan *kept) {
+    const struct request *request = &reuse->call->request;
+    for (uint32_t s = 0; s < request->loop->source_count; s++)
+        if (kept->source[s].sampled != sample_source(request, s))
+            return (int)s;
+    return -1;
+}
+
+/* ---- the search ------------------------------------------------------------------------------ */
+
 static unsigned bit_of(const struct kept_plan *kept) {
     return 1u << redcc_way_of(kept->plan->method);
 }
 
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits_now, unsigned *changed) {
+    struct kept_plan *lost = NULL; /* the one used last */
     *fits_now = *changed = 0;
     for (int p = 0; p < REDCC_PLANS; p++) {
-        const struct kept_plan *kept = reuse->cache->kept[p];
-        if (kept && fits(reuse, kept, threads))
-            *(kept->sampled == reuse->sampled ? fits_now : changed) |= bit_of(kept);
+        struct kept_plan *kept = reuse->cache->kept[p];
+        if (!kept || !fits(reuse, kept, threads))
+            continue;
+        const bool same = kept->sampled == reuse->sampled;
+        *(same ? fits_now : changed) |= bit_of(kept);
+        if (!same && (!lost || lost->last_use < kept->last_use))
+            lost = kept;
     }
     *changed &= ~*fits_now;
+    if (*fits_now || !lost || lost->lost)
+        return;
+    lost->lost = true;
+    reuse->changed_source = changed_source(reuse, lost);
 }
 
 /* Where other subscripts have the same sample, it is the plan used last. */
@@ -114,35 +171,9 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
         return;
     assert(found->plan->array_count == reuse->call->request.loop->array_count);
     found->last_use = ++cache->clock;
+    found->lost = false;
     found->plan->round++;
     ask_tracking(reuse);
-}
-
-/* SplitMix64 (Steele, Lea, Flood 2014). */
-static uint64_t mixed(uint64_t hash, uint64_t word) {
-    hash = (hash ^ word) + 0x9e3779b97f4a7c15u;
-    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
-    return hash ^ hash >> 31;
-}
-
-void redcc_reuse_sample(struct reuse *reuse) {
-    enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
-    const struct request *request = &reuse->call->request;
-    uint64_t hash = 0;
-    for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const redcc_extent known = request->known[s];
-        if (!request->loop->sources[s].is_subscript || !known.end ||
-            known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
-            continue;
-        const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
-        for (size_t word = 0; word < WORDS; word++) {
-            uint64_t held;
-            memcpy(&held, known.first + last / (WORDS - 1) * word, sizeof held);
-            hash = mixed(hash, held);
-        }
-    }
-    reuse->sampled = hash;
 }
 
 /* ---- are its subscripts what they were? --------------------------------------------------------
@@ -187,8 +218,11 @@ bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher) {
         const bool same = tracking->stands
                               ? redcc_tracking_unchanged(tracking, reading_of(reuse, s))
                               : verify_by_reading(reuse, hasher, s);
-        if (!same)
-            return false;
+        if (same)
+            continue;
+        if (hasher->thread == 0)
+            reuse->changed_source = (int)s;
+        return false;
     }
     return true;
 }
@@ -237,6 +271,7 @@ static void record_sources(struct source_record *records, const struct reuse *re
         if (!request->loop->sources[s].is_subscript)
             continue;
         const struct reading reading = reading_of(reuse, s);
+        record->sampled = sample_source(request, s);
         record->fingerprint =
             redcc_is_small(reading)
                 ? reuse->hasher[0]->fingerprint[s]

@@ -22,6 +22,7 @@ struct source_record {
     bool anchored;         /* known[].first is there to move with */
     struct offsets extent; /* known: {0, its length}; else relative to the anchor */
     struct fingerprint fingerprint;
+    uint64_t sampled; /* a hash of a few of its words */
     struct tracking tracking;
 };
 
@@ -32,6 +33,7 @@ struct kept_plan {
     struct source_record *source;       /* [source_count] */
     uint64_t sampled;                   /* of its subscripts, as reuse->sampled */
     uint64_t last_use;
+    bool lost; /* found changed, and not used since */
 };
 
 /** A loop's plans. */
@@ -53,6 +55,7 @@ struct reuse {
     long skipped_calls;      /* that auto left to the sequential loop before this one */
     uint64_t sampled;        /* a hash of a few words of the subscripts; 0: none is taken */
     bool same;               /* so far the subscripts are unchanged */
+    int changed_source;      /* that a plan was lost by, in this call; -1: none was */
 };
 
 /** Samples the subscripts that are where the call says, some words of each, into reuse->sampled;
@@ -66,11 +69,12 @@ void redcc_reuse_sample(struct reuse *reuse);
 void redcc_reuse_find(struct reuse *reuse, int threads, enum way way);
 
 /** Of which ways there are plans that redcc_reuse_find would find: as bits, into *fits; and such
- *  that only the sample forbids, into *changed. */
+ *  that only the sample forbids, into *changed. Where no plan is left so for the first time, sets
+ *  reuse->changed_source. */
 void redcc_reuse_survey(struct reuse *reuse, int threads, unsigned *fits, unsigned *changed);
 
 /** Are the subscripts of the plan found what they were? Every thread calls it with its hasher and
- *  gets the same answer. */
+ *  gets the same answer. If not, sets reuse->changed_source. */
 bool redcc_reuse_verify(struct reuse *reuse, struct hasher *hasher);
 
 /** Frees the plan found: its subscripts have changed. */

@@ -4,7 +4,7 @@
 #ifndef COMPILE_COMMANDS_H
 #define COMPILE_COMMANDS_H
 
-#include "options.h"
+#include "redcc/options.h"
 
 /** Appends to *flags those with which FOLDER/compile_commands.json compiles `input`; relative paths
  *  are made to hold from here. Returns NULL, or in the arena why it could not be done. */

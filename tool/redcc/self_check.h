@@ -5,7 +5,7 @@
 
 #include "emit/emit.h"
 #include "frontend/frontend.h"
-#include "options.h"
+#include "redcc/options.h"
 
 /**
  * Parses the output as the sequential program, and where the runtime's header is found also as the

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
-#include "workers.h"
+#include "redcc/workers.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -99,7 +99,13 @@ static bool wait_for_one(pool *all) {
 static void show_ended(pool *all) {
     for (; all->shown < all->begun && all->pieces[all->shown].is_ended; all->shown++) {
         const piece *p = &all->pieces[all->shown];
-        show(p->output, stdout);
+        if (all->w->take) {
+            rewind(p->output);
+            all->w->take(all->shown, p->output, all->w->context);
+            fclose(p->output);
+        } else {
+            show(p->output, stdout);
+        }
         show(p->errors, stderr);
         int ended_by = WIFSIGNALED(p->status) ? WTERMSIG(p->status) : 0;
         if (WIFEXITED(p->status) && WEXITSTATUS(p->status) != EXIT_SUCCESS)

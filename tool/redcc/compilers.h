@@ -4,7 +4,7 @@
 #define COMPILERS_H
 
 #include "ir/ir.h"
-#include "options.h"
+#include "redcc/options.h"
 
 /** Is the file the same program for gcc? Asked only where the unit names a compiler
  *  (unit->compiler_word): then the file is parsed again, with gcc's names for itself in place of

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "nearest.h"
+#include "redcc/nearest.h"
 
 #include <string.h>
 

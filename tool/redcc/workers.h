@@ -5,12 +5,17 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 typedef struct workers {
     unsigned count;     /* pieces of work, numbered from 0 */
     unsigned at_once;   /* processes; 0: the caller's own, which is to end as the work does */
     size_t result_size; /* bytes of a result: no pointers in it */
     bool keeps_output;  /* show what a piece prints only after the pieces before it, each at once */
+    /** May be NULL; with keeps_output only. In the caller's process, in order, before `done`: gets
+     *  what a piece printed on standard output, in place of its being shown there. `output` is at
+     *  its beginning, and closed afterwards. */
+    void (*take)(unsigned number, FILE *output, void *context);
     /** In a process of its own: does the piece and fills in *result, which is zeroed before. */
     void (*work)(unsigned number, void *result, void *context);
     /** In the caller's process, in order: `ended_by` is 0, or the signal that ended the process, or

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "verify.h"
+#include "redcc/verify.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "driver/files.h"
 #include "driver/installation.h"
 #include "driver/process.h"
 #include "driver/temporary.h"
-#include "output.h"
+#include "redcc/output.h"
 
 /** The files of one verification, all in one temporary folder. */
 typedef struct workplace {
@@ -70,8 +71,24 @@ static const char *build(const workplace *w, const program *p, bool is_parallel)
     return arena_format(a, "--verify: the %s program cannot be built", p->name);
 }
 
-static void execute(const workplace *w, program *p) {
+/* One thread would verify nothing. */
+static long threads_to_use(void) {
+    const char *wanted = getenv("OMP_NUM_THREADS");
+    const long threads = wanted ? strtol(wanted, NULL, 10) : sysconf(_SC_NPROCESSORS_ONLN);
+    return threads < 2 ? 2 : threads;
+}
+
+/* The parallel program executes each loop in parallel from the first call on, and says so
+ * (docs/methods.md, REDCC_VALIDATE): left to itself it would begin with the original loop. */
+static void execute(const workplace *w, program *p, bool is_parallel) {
     word_list words = {0};
+    if (is_parallel) {
+        words_add(w->arena, &words, "env");
+        words_add(w->arena, &words, "REDCC_VALIDATE=1");
+        words_add(w->arena, &words, "OMP_DYNAMIC=false");
+        words_add(w->arena, &words,
+                  arena_format(w->arena, "OMP_NUM_THREADS=%ld", threads_to_use()));
+    }
     words_add(w->arena, &words, p->binary);
     p->status = process_run(w->arena, &words, (process_streams){"/dev/null", p->output, NULL});
 }
@@ -110,8 +127,8 @@ static const char *verify_in(workplace *w, const source *input, const char *text
     if (!wrong)
         wrong = build(w, &parallel, true);
     if (!wrong) {
-        execute(w, &sequential);
-        execute(w, &parallel);
+        execute(w, &sequential, false);
+        execute(w, &parallel, true);
         wrong = compare(w, &sequential, &parallel);
     }
     return wrong;

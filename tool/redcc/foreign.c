@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "foreign.h"
+#include "redcc/foreign.h"
 
 #include <string.h>
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "self_check.h"
+#include "redcc/self_check.h"
 
 #include <string.h>
 
 #include "analysis/reason.h"
-#include "bindings.h"
 #include "driver/files.h"
 #include "driver/installation.h"
+#include "redcc/bindings.h"
 
 static frontend_result parse(arena *a, const source *file, const string_list *flags) {
     return frontend_parse(a, file, flags->count, flags->items);

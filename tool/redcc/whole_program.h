@@ -3,7 +3,7 @@
 #ifndef WHOLE_PROGRAM_H
 #define WHOLE_PROGRAM_H
 
-#include "options.h"
+#include "redcc/options.h"
 
 /** Reports on each file as it would be alone, but for what foreign.h says, and a summary on
  * standard error. Returns false where a file could not be analysed; the others are nevertheless. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "options.h"
+#include "redcc/options.h"
 
 #include <string.h>
 
 #include "driver/files.h"
-#include "nearest.h"
+#include "redcc/nearest.h"
 #include "support/compiler_options.h"
 
 const char options_help[] =
@@ -331,10 +331,8 @@ static const char *check_together(arena *a, const options *o) {
         return "no output: give -o FILE or --analyze";
     if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
         return "a report that is not text needs --report-file=FILE, or --analyze";
-    if (o->form == REPORT_SARIF && o->inputs.count != 1)
-        return "--report=sarif takes one input file";
-    if (o->report_file && o->inputs.count != 1)
-        return "--report-file takes one input file";
+    if (o->in_process && o->analyze && o->inputs.count != 1)
+        return "--in-process takes one input file";
     if (o->inputs.count == 0 && o->require)
         return "--require takes an input file";
     return NULL;

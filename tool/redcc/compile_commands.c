@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* realpath */
-#include "compile_commands.h"
+#include "redcc/compile_commands.h"
 
 #include <jansson.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "compilers.h"
+#include "redcc/compilers.h"
 
 #include <string.h>
 

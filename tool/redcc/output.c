@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* realpath, mkstemp */
-#include "output.h"
+#include "redcc/output.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -3,8 +3,8 @@
 #ifndef TRANSLATE_FILE_H
 #define TRANSLATE_FILE_H
 
-#include "foreign.h"
-#include "options.h"
+#include "redcc/foreign.h"
+#include "redcc/options.h"
 
 typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_status;
 

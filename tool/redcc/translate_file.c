@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #define _GNU_SOURCE /* memmem */
-#include "translate_file.h"
+#include "redcc/translate_file.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "analysis/reason.h"
-#include "compile_commands.h"
-#include "compilers.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
-#include "output.h"
-#include "self_check.h"
-#include "verify.h"
+#include "redcc/compile_commands.h"
+#include "redcc/compilers.h"
+#include "redcc/explain.h"
+#include "redcc/output.h"
+#include "redcc/self_check.h"
+#include "redcc/verify.h"
 
 static file_outcome fail(const char *path, const char *message) {
     if (path)
@@ -151,6 +152,16 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
     return (analysis_result){analysis->verdict_count, verdicts};
 }
 
+static report_input report_on(const options *o, const ir_unit *unit,
+                              const analysis_result *analysis) {
+    return (report_input){.unit = unit,
+                          .analysis = analysis,
+                          .version = REDCC_VERSION,
+                          .order = options_order_word(o->order),
+                          .all = o->all,
+                          .explain = explain_section};
+}
+
 static const char *show_report(arena *a, const options *o, const report_input *input) {
     buffer text = {0};
     const char *wrong = NULL;
@@ -240,7 +251,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     const emit_result written =
         write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
     const analysis_result final = after_writing(a, unit, &judged, &written, foreign);
-    const report_input input = {unit, &final, REDCC_VERSION, options_order_word(o->order)};
+    const report_input input = report_on(o, unit, &final);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
@@ -266,7 +277,7 @@ static file_outcome leave_translated(arena *a, const options *o, const source *f
     fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
     const ir_unit unit = {.arena = a, .source = file};
     const analysis_result nothing = {0};
-    const report_input input = {&unit, &nothing, REDCC_VERSION, options_order_word(o->order)};
+    const report_input input = report_on(o, &unit, &nothing);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->output)
         wrong = output_write(a, o->output, file->text, file->length);

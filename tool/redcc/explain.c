@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "explain.h"
+#include "redcc/explain.h"
 
 #include <string.h>
 #include <strings.h>
 
-#include "nearest.h"
+#include "redcc/nearest.h"
 
 /* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
 extern const char reasons_text[];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Two rounds, each with a process for a file: what the files' functions are, then the loops. */
-#include "whole_program.h"
+#include "redcc/whole_program.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,10 +8,11 @@
 #include <unistd.h>
 
 #include "analysis/reason.h"
-#include "compile_commands.h"
-#include "foreign.h"
-#include "translate_file.h"
-#include "workers.h"
+#include "redcc/compile_commands.h"
+#include "redcc/foreign.h"
+#include "redcc/joined_report.h"
+#include "redcc/translate_file.h"
+#include "redcc/workers.h"
 
 /* What a file's functions are, as text; of a file with more of them nothing is known. */
 enum { EXPORTS_SIZE = 1 << 20 };
@@ -22,6 +23,7 @@ typedef struct whole_program {
     string_list files;  /* each once */
     unsigned *mentions; /* [files.count] how often the build compiles it */
     foreign_functions functions;
+    joined_report joined;
     const char *what; /* of the round, for the progress line */
     unsigned failed, transformed, refused[REASON_COUNT];
 } whole_program;
@@ -81,6 +83,12 @@ static void analyse_file(unsigned number, void *result, void *context) {
     arena_free(a);
 }
 
+static void add_report(unsigned number, FILE *printed, void *context) {
+    whole_program *p = context;
+    (void)number;
+    joined_report_add(&p->joined, printed);
+}
+
 static void count_file(unsigned number, const void *result, int ended_by, void *context) {
     whole_program *p = context;
     const file_outcome *outcome = result;
@@ -106,12 +114,14 @@ static void show_progress(unsigned finished, void *context) {
 
 static bool run_round(whole_program *p, const char *what, size_t result_size,
                       void (*work)(unsigned, void *, void *),
-                      void (*done)(unsigned, const void *, int, void *)) {
+                      void (*done)(unsigned, const void *, int, void *),
+                      void (*take)(unsigned, FILE *, void *)) {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     const workers how = {.count = p->files.count,
                          .at_once = processors > 0 ? (unsigned)processors : 1,
                          .result_size = result_size,
                          .keeps_output = true,
+                         .take = take,
                          .work = work,
                          .done = done,
                          .progress = show_progress,
@@ -135,11 +145,17 @@ static void show_summary(const whole_program *p) {
 }
 
 bool whole_program_analyse(arena *a, const options *o) {
-    whole_program p = {.memory = a, .options = *o};
+    const bool is_joined = joined_report_is_needed(o);
+    whole_program p = {.memory = a,
+                       .options = is_joined ? joined_report_of_one(o) : *o,
+                       .joined = joined_report_begin(o)};
     const char *wrong = list_files(&p);
-    if (!wrong && (!run_round(&p, "functions", EXPORTS_SIZE, export_file, take_exports) ||
-                   !run_round(&p, "loops", sizeof(file_outcome), analyse_file, count_file)))
+    if (!wrong && (!run_round(&p, "functions", EXPORTS_SIZE, export_file, take_exports, NULL) ||
+                   !run_round(&p, "loops", sizeof(file_outcome), analyse_file, count_file,
+                              is_joined ? add_report : NULL)))
         wrong = "no process can be started";
+    if (!wrong && is_joined)
+        wrong = joined_report_end(a, &p.joined);
     if (wrong) {
         fprintf(stderr, "redcc: error: %s\n", wrong);
         return false;

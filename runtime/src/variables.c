@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "variables.h"
+
+#include "base/system.h"
+#include "spelling.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The program may define `environ` for itself. */
+extern char **__environ __attribute__((__weak__));
+
+static const char *const names[] = {
+#define REDCC_VARIABLE(name) name,
+    REDCC_VARIABLE_LIST(REDCC_VARIABLE)
+#undef REDCC_VARIABLE
+    /* Those that redcc and redcc-cc read, tool/driver; they may still be set when the program runs.
+     */
+    "REDCC_BUILD_REPORT",
+    "REDCC_CC",
+    "REDCC_CC_DEPTH",
+    "REDCC_DISABLE",
+    "REDCC_KEEP",
+    "REDCC_OPTS",
+    "REDCC_ROOT",
+    "REDCC_STRICT"};
+
+#define REDCC_VARIABLE(name) +1
+enum {
+    NAMES = sizeof names / sizeof *names,
+    OF_RUN = 0 REDCC_VARIABLE_LIST(REDCC_VARIABLE), /* of them */
+    ALIKE = 3                                       /* letters: a slip of the fingers */
+};
+#undef REDCC_VARIABLE
+
+/* Who starts a program that has more rights than himself may not tell it what to write where. */
+const char *redcc_environment(const char *name) {
+    return redcc_system_is_privileged() ? NULL : getenv(name);
+}
+
+/* A misspelled name of the build's is the build's affair. */
+static void note_if_unknown(const char *name) {
+    const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
+    const size_t distance = redcc_spelling_distance(name, names[nearest]);
+    if (distance == 0 || (nearest >= OF_RUN && distance < ALIKE))
+        return;
+    fprintf(stderr,
+            "redcc: the variable %s is not known, and is ignored; the nearest known is %s\n", name,
+            names[redcc_spelling_nearest(name, names, OF_RUN)]);
+}
+
+void redcc_note_unknown_variables(void) {
+    if (!&__environ || !__environ || redcc_system_is_privileged())
+        return;
+    for (char *const *each = __environ; *each; each++) {
+        char name[64];
+        const size_t length = strcspn(*each, "=");
+        if (strncmp(*each, "REDCC_", 6) != 0 || length >= sizeof name)
+            continue;
+        memcpy(name, *each, length);
+        name[length] = '\0';
+        note_if_unknown(name);
+    }
+}

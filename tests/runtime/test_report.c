@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What is counted for the report, and that its page knows every slug and variable, and no others.
+ */
+#include "base/memory.h"
+#include "loop.h"
+#include "problem.h"
+#include "settings.h"
+#include "variables.h"
+
+#include <ctype.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { THREADS = 3 };
+
+/* ---- the pages ------------------------------------------------------------------------------- */
+
+static const char *read_page(const char *name) {
+    static char text[1 << 17];
+    FILE *in = fopen(name, "r");
+    assert_non_null(in);
+    const size_t length = fread(text, 1, sizeof text - 1, in);
+    assert_in_range(length, 1, sizeof text - 2);
+    text[length] = '\0';
+    fclose(in);
+    return text;
+}
+
+/* The page's table under `heading` begins its rows with these names, in this order, and no others;
+ * `rest` is what follows in the row, where it is compared. */
+static void expect_table(const char *page, const char *heading, const char *const *names,
+                         const char *const *rest, int count) {
+    const char *at = strstr(read_page(page), heading);
+    if (!at)
+        fail_msg("%s has no table %s", page, heading);
+    at = strchr(strchr(at + 1, '\n') + 1, '\n') + 1; /* behind the line of dashes */
+    for (int i = 0; i < count; i++) {
+        char row[1024];
+        snprintf(row, sizeof row, "| `%s` |%s%s", names[i], rest ? " " : "", rest ? rest[i] : "");
+        if (strncmp(at, row, strlen(row)) != 0)
+            fail_msg("%s: expected '%s', found '%.*s'", page, row, (int)strcspn(at, "\n"), at);
+        at += strcspn(at, "\n") + 1;
+    }
+    if (*at == '|')
+        fail_msg("%s knows more: '%.*s'", page, (int)strcspn(at, "\n"), at);
+}
+
+static void every_slug_is_documented(void **unused) {
+    (void)unused;
+#define SLUG(id, slug, ...) slug,
+#define TEXT(id, slug, text) text " |",
+#define RULE(id, slug, known, done) known " | " done " |",
+    static const char *const modes[] = {REDCC_MODE_LIST(SLUG)};
+    static const char *const mode_texts[] = {REDCC_MODE_LIST(TEXT)};
+    static const char *const rules[] = {REDCC_RULE_LIST(SLUG)};
+    static const char *const rule_texts[] = {REDCC_RULE_LIST(RULE)};
+    static const char *const reasons[] = {REDCC_REASON_LIST(SLUG)};
+    static const char *const reason_texts[] = {REDCC_REASON_LIST(TEXT)};
+    expect_table(REPORT_PAGE, "\n| mode |", modes, mode_texts, MODE_COUNT);
+    expect_table(METHODS_PAGE, "\n| rule |", rules, rule_texts, RULE_COUNT - 1);
+    expect_table(REPORT_PAGE, "\n| fallback |", reasons + 1, reason_texts + 1, REASON_COUNT - 1);
+}
+
+static void no_slug_stands_for_two(void **unused) {
+    (void)unused;
+    static const char *const slugs[] = {REDCC_REASON_LIST(SLUG)};
+    for (int i = 0; i < REASON_COUNT; i++) {
+        for (const char *at = slugs[i]; *at; at++)
+            assert_true(islower((unsigned char)*at) || *at == '-');
+        for (int other = 0; other < i; other++)
+            assert_string_not_equal(slugs[i], slugs[other]);
+    }
+}
+
+static void every_variable_is_documented(void **unused) {
+    (void)unused;
+#define NAME(name) name,
+    static const char *const names[] = {REDCC_VARIABLE_LIST(NAME)};
+    expect_table(REPORT_PAGE, "\n| variable | values", names, NULL, sizeof names / sizeof *names);
+}
+
+/* ---- what is counted ------------------------------------------------------------------------- */
+
+struct fixture {
+    struct problem problem;
+    struct described described;
+};
+
+static void fixture_begin(struct fixture *fixture) {
+    fixture->problem = problem_new(1, true);
+    problem_describe(&fixture->problem, &fixture->described);
+}
+
+static void fixture_end(struct fixture *fixture) {
+    redcc_loop_forget(&fixture->described.loop);
+    problem_free(&fixture->problem);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
+static const struct statistics *statistics_of(const struct fixture *fixture) {
+    return &((const struct loop_state *)fixture->described.loop.state)->reported.statistics;
+}
+
+static int run(struct fixture *fixture) {
+    long last;
+    problem_reset(&fixture->problem);
+    return problem_run(&fixture->problem, &fixture->described, THREADS, &last);
+}
+
+static void run_until_reused(struct fixture *fixture) {
+    const long before = fixture->described.loop.state ? statistics_of(fixture)->plans_reused : 0;
+    for (int call = 0; call < 100; call++) {
+        run(fixture);
+        if (statistics_of(fixture)->plans_reused > before)
+            return;
+    }
+    fail_msg("no plan is used again in 100 calls");
+}
+
+/* All rows are others: a sample sees it as well as a comparison. */
+static void shift_rows(struct fixture *fixture) {
+    struct problem *problem = &fixture->problem;
+    for (long k = 0; k < problem->touches; k++)
+        problem->row[k] = (problem->row[k] + 1) % problem->rows;
+}
+
+static void a_lost_plan_has_the_array_that_had_changed(void **unused) {
+    (void)unused;
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    run_until_reused(&fixture);
+    const struct statistics *it = statistics_of(&fixture);
+    assert_int_equal(it->lost.count, 0);
+    for (int round = 1; round <= 2; round++) {
+        shift_rows(&fixture);
+        run(&fixture);
+        assert_int_equal(it->lost.count, round);
+        assert_string_equal(it->lost.array[0].name, "row");
+        assert_int_equal(it->lost.array[0].count, round);
+        assert_int_equal(it->lost.array[1].count, 0);
+        run(&fixture); /* nothing is lost twice */
+        assert_int_equal(it->lost.count, round);
+        run_until_reused(&fixture);
+    }
+    fixture.problem.start[1]++; /* of another array a single element, which a sample may not see */
+    run(&fixture);
+    if (redcc_settings()->method) {
+        assert_int_equal(it->lost.count, 3);
+        assert_string_equal(it->lost.array[1].name, "start");
+    }
+    fixture_end(&fixture);
+}
+
+static void more_arrays_than_there_is_room_for_are_counted(void **unused) {
+    (void)unused;
+    struct statistics it = {0};
+    for (int i = 0; i < 3 * REDCC_LOST; i++) {
+        char name[8];
+        snprintf(name, sizeof name, "a%d", i / 2);
+        redcc_report_lost(&it, name);
+    }
+    assert_int_equal(it.lost.count, 3 * REDCC_LOST);
+    for (int i = 0; i < REDCC_LOST; i++)
+        assert_int_equal(it.lost.array[i].count, 2);
+}
+
+static void modes_follow_the_calls(void **unused) {
+    (void)unused;
+    struct fixture fixture;
+    fixture_begin(&fixture);
+    const bool named = redcc_settings()->method != NULL;
+    run(&fixture);
+    const struct statistics *it = statistics_of(&fixture);
+    assert_int_equal(atomic_load(&it->last.mode), named ? MODE_BUILT : MODE_TIMED);
+    assert_int_equal(it->sequential.calls, !named);
+    assert_true((it->sequential.seconds > 0) == !named);
+    assert_int_equal(it->sequential.iterations, named ? 0 : fixture.problem.trip);
+    run_until_reused(&fixture);
+    assert_int_equal(atomic_load(&it->last.mode), MODE_REUSED);
+    long last;
+    problem_run(&fixture.problem, &fixture.described, 1, &last);
+    assert_int_equal(atomic_load(&it->last.mode), MODE_SEQUENTIAL);
+    fixture_end(&fixture);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_slug_is_documented),
+        cmocka_unit_test(no_slug_stands_for_two),
+        cmocka_unit_test(every_variable_is_documented),
+        cmocka_unit_test(a_lost_plan_has_the_array_that_had_changed),
+        cmocka_unit_test(more_arrays_than_there_is_room_for_are_counted),
+        cmocka_unit_test(modes_follow_the_calls),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

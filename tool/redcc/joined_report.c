@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "redcc/joined_report.h"
+
+#include <string.h>
+
+#include "redcc/output.h"
+#include "support/json_text.h"
+
+bool joined_report_is_needed(const options *o) {
+    return o->analyze && o->inputs.count != 1 && (o->form == REPORT_SARIF || o->report_file);
+}
+
+options joined_report_of_one(const options *o) {
+    options of_one = *o;
+    of_one.report_file = "-";
+    return of_one;
+}
+
+joined_report joined_report_begin(const options *o) {
+    return (joined_report){.form = o->form, .path = o->report_file ? o->report_file : "-"};
+}
+
+/* ---- SARIF: one run, with each rule once ------------------------------------------------------
+ */
+
+static json_t *run_of(json_t *log) {
+    return json_array_get(json_object_get(log, "runs"), 0);
+}
+
+static json_t *rules_of(json_t *log) {
+    return json_object_get(json_object_get(json_object_get(run_of(log), "tool"), "driver"),
+                           "rules");
+}
+
+static bool has_rule(const json_t *rules, const json_t *rule) {
+    for (size_t i = 0; i < json_array_size(rules); i++)
+        if (json_equal(json_object_get(json_array_get(rules, i), "id"),
+                       json_object_get(rule, "id")))
+            return true;
+    return false;
+}
+
+static void add_log(joined_report *joined, FILE *printed) {
+    json_t *log = json_loadf(printed, 0, NULL);
+    if (!joined->log) {
+        joined->log = log;
+        return;
+    }
+    json_t *rules = rules_of(joined->log), *more = rules_of(log);
+    for (size_t i = 0; i < json_array_size(more); i++)
+        if (!has_rule(rules, json_array_get(more, i)))
+            json_array_append(rules, json_array_get(more, i));
+    json_array_extend(json_object_get(run_of(joined->log), "results"),
+                      json_object_get(run_of(log), "results"));
+    json_decref(log);
+}
+
+/* ---- all --------------------------------------------------------------------------------------
+ */
+
+void joined_report_add(joined_report *joined, FILE *printed) {
+    char bytes[1 << 12];
+    size_t count;
+    if (joined->form == REPORT_SARIF)
+        add_log(joined, printed);
+    else
+        while ((count = fread(bytes, 1, sizeof bytes, printed)) > 0)
+            buffer_append(&joined->text, bytes, count);
+}
+
+const char *joined_report_end(arena *a, joined_report *joined) {
+    const report_input nothing = {.analysis = &(analysis_result){0}, .version = REDCC_VERSION};
+    if (joined->log)
+        json_print(&joined->text, joined->log);
+    else if (joined->form == REPORT_SARIF) /* no file could be read */
+        report_write(a, &joined->text, REPORT_SARIF, &nothing);
+    const char *wrong = output_write(a, joined->path, joined->text.data ? joined->text.data : "",
+                                     joined->text.length);
+    buffer_free(&joined->text);
+    return wrong;
+}
