@@ -221,9 +221,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 /** gcc inlines a static function that is called at one place only; several copies of the place are
  *  compiled, and it shall be inlined in each. (clang weighs each call by itself.) */
 #if !defined(__clang__) && defined(__OPTIMIZE__)
+#define REDCC_QUIET_REDUNDANT _Pragma("GCC diagnostic ignored \"-Wredundant-decls\"")
 #define REDCC_KEEP_INLINED(redcc_function)                                                         \
-    _Pragma("GCC diagnostic ignored "                                                              \
-            "\"-Wredundant-decls\"") extern __inline__ __typeof__(redcc_function) redcc_function   \
+    REDCC_QUIET_REDUNDANT extern __inline__ __typeof__(redcc_function) redcc_function              \
         __attribute__((__always_inline__));
 #else
 #define REDCC_KEEP_INLINED(redcc_function)
