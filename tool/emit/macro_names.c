@@ -163,8 +163,13 @@ bool has_macro_of_header_words(const loop_text *loop) {
     return false;
 }
 
+/** What the macros of loop.h say that each form uses. */
+static const char always_said[] = "void int const char for (0) sizeof(0) ";
+
 void check_macro_names(loop_text *loop, const buffer *written) {
     buffer piece = {0};
+    buffer_text(&piece, always_said);
+    check_piece(loop, &piece);
     const char *at = written->data, *const end = at + written->length;
     while (at < end) {
         const char *const after = origin_skip(at, end);
