@@ -2,6 +2,7 @@
 // Loops whose slice and body would mean something else in front of their function.
 // covers: row 2, row 63, row 65, row 68
 // COMPILERS: gcc clang-19
+// INTEGERS: no
 #include "case.h"
 
 enum { N = 6000, M = 500, SCALE = 3 };
