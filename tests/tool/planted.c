@@ -55,3 +55,12 @@ void sixth(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         hers[one[t]] += (t % 2 ? own.i : own.j);
 }
+
+void seventh(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        /* plant: only in front */
+        const int won = one[t], two = one[n - 1 - t];
+        hers[won] += 0.5;
+        hers[two] += 0.5;
+    }
+}

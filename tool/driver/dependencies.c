@@ -65,15 +65,15 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
-/* The headers of a list: without the source itself, the runtime's header, and what stands there for
- * a second time (gcc repeats a header that is found by two ways). */
+/* The headers of a list: without the source itself, the runtime's headers, and what stands there
+ * for a second time (gcc repeats a header that is found by two ways). */
 static word_list headers_of(arena *a, const word_list *list, const char *source) {
     word_list headers = {0};
     const char *itself = without_dot_slash(source);
     for (unsigned i = 0; i < list->count; i++) {
         const char *name = list->items[i];
         if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
-            !is_listed(&headers, name))
+            !ends_in(name, "/redcc/loop.h") && !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;

@@ -42,6 +42,10 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
         return "";
     }
+    if (loop->is_outlined)
+        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array,
+                            macro_argument(loop->arena, arena_format(loop->arena, "&%s", target)),
+                            needs_braces(update) ? "{ " : "");
     return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) %s",
                         loop->arrays[update->array].owner, target,
                         needs_braces(update) ? "{ " : "");
@@ -325,24 +329,41 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
     return reads_below(facts->counted.body, variable);
 }
 
+const char *private_declaration(loop_text *loop, const ir_variable *variable) {
+    if (loop->is_outlined)
+        return outlined_declaration(loop, variable);
+    return arena_format(loop->arena, "__typeof__(%s) %s", origin_variable(loop->arena, variable),
+                        origin_declarator(loop->arena, variable));
+}
+
 static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
-    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
-                origin_declarator(loop->arena, counter),
-                body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
-                loop->counter_type, loop_iteration_offset(loop));
+    if (!loop->is_outlined)
+        writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+                    origin_declarator(loop->arena, counter),
+                    body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
+                    loop->counter_type, loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const private_variable *item = &facts->privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
-        writer_line(out, "__typeof__(%s) %s%s%s;", origin_variable(loop->arena, item->variable),
-                    origin_declarator(loop->arena, item->variable),
+        writer_line(out, "%s%s%s;", private_declaration(loop, item->variable),
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
                     stepped_value(loop, i));
     }
     declare_forwards(loop, out, false);
     declare_repeated_operands(loop, out);
+}
+
+/** A `continue` of the loop itself. */
+static bool has_continue(const ir_node *node) {
+    if (node->kind == IR_CONTINUE)
+        return true;
+    for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
+        if (has_continue(node->children[i]))
+            return true;
+    return false;
 }
 
 void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
@@ -355,13 +376,19 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
                       .is_guarded = is_guarded};
     if (!is_guarded)
         check_updates(loop);
+    writer_fill(out, loop->is_outlined);
     declare_variables(loop, out);
+    writer_fill(out, false);
     write_neutral_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
+    const bool continues = loop->is_outlined && has_continue(body);
+    buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
-    buffer_format(&out->out, "\n%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
+    buffer_text(&out->out, continues ? " while (0);\n" : "\n");
+    if (!loop->is_outlined)
+        buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
 }

@@ -66,26 +66,31 @@ static const char *unit_text(loop_text *loop, unsigned number) {
 }
 
 static void write_arrays(loop_text *loop, writer *out) {
-    writer_line(out, "static const redcc_array redcc__arrays[] = {");
+    writer_fill(out, true);
+    writer_line(out, "static const redcc_array redcc__arrays[] =");
     const unsigned count = loop->facts->array_count;
     for (unsigned i = 0; i < count; i++) {
         const reduction_array *array = &loop->facts->arrays[i];
         if (!array->element->spelling)
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
-        writer_line(out, "    {%s, %s, %s, sizeof(%s), %s}%s",
+        writer_line(out, "    %s{%s, %s, %s, sizeof(%s), %s}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, array->name), operator_name(array),
                     runtime_type(array), origin_type(loop->arena, array->element),
                     unit_text(loop, i), i + 1 < count ? "," : "};");
     }
+    writer_fill(out, false);
 }
 
 static void write_sources(loop_text *loop, writer *out) {
     if (loop->source_count == 0)
         return;
-    writer_line(out, "static const redcc_source redcc__sources[] = {");
+    writer_fill(out, true);
+    writer_line(out, "static const redcc_source redcc__sources[] =");
     for (unsigned i = 0; i < loop->source_count; i++)
-        writer_line(out, "    {%s, %d}%s", text_quoted(loop->arena, loop->sources[i].fact->name),
+        writer_line(out, "    %s{%s, %d}%s", i == 0 ? "{" : "",
+                    text_quoted(loop->arena, loop->sources[i].fact->name),
                     loop->sources[i].is_subscript ? 1 : 0, i + 1 < loop->source_count ? "," : "};");
+    writer_fill(out, false);
 }
 
 /* ---- the key ------------------------------------------------------------------------------- */
@@ -135,8 +140,8 @@ static unsigned key_count(const loop_facts *facts) {
     return 1 + (is_verifiable(facts) ? facts->key_count + stepped_count(facts) : 0);
 }
 
-void declare_key(loop_text *loop, writer *out) {
-    writer_line(out, "redcc_word redcc__key[%u];", key_count(loop->facts));
+unsigned key_length(const loop_text *loop) {
+    return key_count(loop->facts);
 }
 
 void fill_key(loop_text *loop, writer *out) {
@@ -160,11 +165,11 @@ void fill_key(loop_text *loop, writer *out) {
             break;
         default: /* the bits, not the value rounded to an integer */
             writer_line(out, "{");
-            writer_line(out, "    %s%s redcc__value = %s;", key->type->is_const ? "" : "const ",
+            writer_line(out, "%s%s redcc__value = %s;", key->type->is_const ? "" : "const ",
                         origin_type(loop->arena, key->type), text);
-            writer_line(out, "    redcc__key[%u] = 0;", i + 1);
+            writer_line(out, "redcc__key[%u] = 0;", i + 1);
             writer_line(out,
-                        "    __builtin_memcpy(&redcc__key[%u], &redcc__value, "
+                        "__builtin_memcpy(&redcc__key[%u], &redcc__value, "
                         "sizeof redcc__value);",
                         i + 1);
             writer_line(out, "}");
@@ -210,13 +215,15 @@ static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
-    writer_line(out, "static redcc_loop redcc__loop = {");
-    writer_line(out, "    %s, %u, %s, %s, %s,", text_quoted(loop->arena, place.file), place.line,
+    writer_fill(out, true);
+    writer_line(out, "static redcc_loop redcc__loop =");
+    writer_line(out, "    {%s, %u, %s, %s, %s,", text_quoted(loop->arena, place.file), place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
     writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0};", loop->facts->array_count,
                 loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
                 key_count(loop->facts));
+    writer_fill(out, false);
 }
 
 void write_description(loop_text *loop, writer *out) {

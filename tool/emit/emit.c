@@ -51,6 +51,8 @@ static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
                         "#ifdef _OPENMP\n"
                         "#include <redcc/runtime.h>\n"
                         "REDCC_REQUIRE_VERSION(1);\n"
+                        "#else\n"
+                        "#define REDCC_SEQUENTIAL_DONE\n"
                         "#endif\n"
                         "%s"
                         "#line 1 %s\n",
@@ -111,19 +113,114 @@ static const ir_type *missing_type(const ir_unit *unit, const ir_function *funct
     return NULL;
 }
 
+/* ---- in front of a function ---------------------------------------------------------------- */
+
+/** Is it declared outside of all functions, before `place`? */
+static bool is_known_at(const ir_unit *unit, const ir_declared *declared, uint32_t place) {
+    if (!declared)
+        return false;
+    if (declared->file || strncmp(declared->name, "__builtin_", 10) == 0)
+        return true;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *function = unit->functions[i];
+        const uint32_t end = function->body ? function->body->range.end : function->range.end;
+        if (function->is_in_main_file && function->declared != declared &&
+            declared->offset >= function->range.begin && declared->offset < end)
+            return false;
+    }
+    return declared->offset < place;
+}
+
+static bool is_declared_by(const origin_list *origins, const ir_declared *meant) {
+    for (unsigned i = 0; i < origins->items.count; i++)
+        if (origins->items.items[i].kind == ORIGIN_DECLARED &&
+            origins->items.items[i].meant == meant)
+            return true;
+    return false;
+}
+
+/** Is it declared in the piece itself, or before it? */
+static bool is_within_reach(const ir_unit *unit, const written_loop *piece,
+                            const ir_declared *declared) {
+    const ir_range *body = &piece->copied;
+    const bool is_inside = declared && !declared->file && declared->offset >= body->begin &&
+                           declared->offset < body->end;
+    return is_inside || is_declared_by(&piece->origins, declared) ||
+           is_known_at(unit, declared, piece->replaced.begin);
+}
+
+/** Does each name of a copy mean in front of the function what it means in it? */
+static bool copy_is_known(const ir_unit *unit, const written_loop *piece, const origin *copy) {
+    const uint32_t end = copy->from + (copy->end - copy->begin);
+    for (unsigned i = 0; i < unit->reference_count; i++) {
+        const ir_reference *reference = &unit->references[i];
+        if (reference->offset >= copy->from && reference->offset < end &&
+            !is_within_reach(unit, piece, reference->declared))
+            return false;
+    }
+    return true;
+}
+
+/** What stands in front of a function speaks of what is declared there, or in itself. */
+static bool all_is_known(const ir_unit *unit, const written_loop *piece) {
+    for (unsigned i = 0; i < piece->origins.items.count; i++) {
+        const origin *o = &piece->origins.items.items[i];
+        const ir_type *bottom = o->kind == ORIGIN_TYPE ? o->type : NULL;
+        while (bottom && bottom->target)
+            bottom = bottom->target;
+        if (bottom && bottom->tag && !is_known_at(unit, bottom->tag, piece->replaced.begin))
+            return false;
+        if (o->kind == ORIGIN_NAME && !is_within_reach(unit, piece, o->meant))
+            return false;
+        if (o->kind == ORIGIN_COPY && !copy_is_known(unit, piece, o))
+            return false;
+    }
+    return true;
+}
+
+/* ---- loops --------------------------------------------------------------------------------- */
+
+static written_loop unmark(arena *a, const ir_unit *unit, const loop_piece *piece,
+                           unsigned number) {
+    written_loop result = {.verdict = number, .replaced = piece->replaced};
+    result.text =
+        origin_unmark(a, piece->text, strlen(piece->text), has_crlf(unit->source), &result.origins);
+    return result;
+}
+
+/** Before those that begin behind it. */
+static void insert(arena *a, loop_list *loops, written_loop loop) {
+    VECTOR_PUSH(a, loops, loop);
+    unsigned at = loops->count - 1;
+    for (; at > 0 && loops->items[at - 1].replaced.begin > loop.replaced.begin; at--)
+        loops->items[at] = loops->items[at - 1];
+    loops->items[at] = loop;
+}
+
 /** Adds the text of one loop; false, with *why set, where it cannot be written. */
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
                      const emit_options *options, loop_list *loops, reason *why) {
-    written_loop loop = {.verdict = number};
-    const char *marked = write_loop(a, unit, verdict->facts, options, &loop.replaced, why);
-    if (!marked)
+    bool in_place = options->in_place && options->in_place[number];
+    loop_piece front = {0}, block = {0};
+    bool is_written = write_loop(a, unit, verdict->facts, options, in_place, &front, &block, why);
+    written_loop moved = {0};
+    if (is_written && front.text) {
+        moved = unmark(a, unit, &front, number);
+        moved.copied = verdict->facts->counted.body->range;
+        in_place = !all_is_known(unit, &moved);
+        if (in_place) {
+            front.text = NULL;
+            is_written = write_loop(a, unit, verdict->facts, options, true, &front, &block, why);
+        }
+    }
+    if (!is_written)
         return false;
+    written_loop loop = unmark(a, unit, &block, number);
     if (overlaps_another(loops, loop.replaced)) {
         *why = (reason){.message = "another loop's text is part of its own",
                         .range = verdict->loop->range};
         return false;
     }
-    loop.text = origin_unmark(a, marked, strlen(marked), has_crlf(unit->source), &loop.origins);
     const ir_type *missing = missing_type(unit, verdict->facts->function, &loop);
     if (missing) {
         const char *message = arena_format(
@@ -131,11 +228,10 @@ static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
         *why = (reason){.message = message, .range = verdict->loop->range};
         return false;
     }
-    VECTOR_PUSH(a, loops, loop);
-    unsigned at = loops->count - 1; /* by their place */
-    for (; at > 0 && loops->items[at - 1].replaced.begin > loop.replaced.begin; at--)
-        loops->items[at] = loops->items[at - 1];
-    loops->items[at] = loop;
+    loop.is_moved = moved.is_moved = front.text != NULL;
+    if (front.text)
+        insert(a, loops, moved);
+    insert(a, loops, loop);
     return true;
 }
 

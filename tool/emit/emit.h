@@ -16,21 +16,25 @@ typedef struct emit_options {
     emit_order order;
     bool order_is_explicit; /* asked for in so many words, not just the default */
     const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
+    const bool *in_place;   /* by verdict: do not move slice and body in front of the function.
+                               NULL: nowhere */
 } emit_options;
 
-/** A loop as it was written. */
+/** A loop as it was written, or what of it stands in front of its function. */
 typedef struct written_loop {
     unsigned verdict;    /* which */
+    bool is_moved;       /* part of it stands in front of the function */
     ir_range replaced;   /* bytes of the input */
     uint32_t begin, end; /* bytes of the result that stand for them: */
     const char *text;    /* these */
+    ir_range copied;     /* of a piece in front of a function: the user's body */
     origin_list origins; /* where the words of these come from; places count from `begin` */
 } written_loop;
 
 typedef struct emit_result {
     const char *text; /* `length` bytes and a 0; the input's own bytes where loop_count is 0 */
     size_t length;
-    unsigned loop_count;       /* loops written in parallel form, */
+    unsigned loop_count;       /* pieces of loops written in parallel form, */
     const written_loop *loops; /* by their place */
     /* For each verdict: why the text cannot say what was found (a reason without an id, message
      * and range filled in), message NULL where it can. Such a loop is left as it is. */

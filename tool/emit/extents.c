@@ -51,9 +51,8 @@ static void fill_fixed_extents(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->source_count; i++) {
         const loop_source *fact = loop->sources[i].fact;
         if (fact->extent == EXTENT_INVARIANT) {
-            writer_line(out, "redcc__known[%u].first = %s;", i, address_text(loop, fact));
-            writer_line(out, "redcc__known[%u].end = redcc__known[%u].first + sizeof(%s);", i, i,
-                        loop_operand(loop, fact->row));
+            writer_line(out, "redcc_known_row(&redcc__known[%u], %s, sizeof(%s));", i,
+                        address_text(loop, fact), loop_operand(loop, fact->row));
         } else if (fact->extent == EXTENT_TOUCHED && fact->base &&
                    can_be_read_ahead(loop->facts, fact->base)) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
@@ -72,32 +71,22 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     if (!has_extents(loop, false))
         return;
     const counted_loop *counted = &loop->facts->counted;
-    const char *counter = origin_variable(loop->arena, counted->counter);
-    writer_line(out, "{ /* rows of the first and of the last iteration */");
+    writer_fill(out, true);
+    writer_line(out, "REDCC_FIRST_AND_LAST {");
     out->depth++;
-    writer_line(out, "%s %s = (%s)redcc__lower;", loop->counter_type,
-                origin_declarator(loop->arena, counted->counter), loop->counter_type);
-    for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == EXTENT_AFFINE && !loop->sources[i].fact->is_checked)
-            writer_line(out, "redcc__known[%u].first = (const char *)&%s;", i,
-                        loop_operand(loop, loop->sources[i].fact->row));
-    writer_line(out, "%s = (%s)(redcc__final - %s%lld%s);", counter, loop->counter_type,
-                counted->step < 0 ? "(" : "", (long long)counted->step,
+    writer_line(out, "%s %s = (%s)(redcc__end ? redcc__final - %s%lld%s : redcc__lower);",
+                loop->counter_type, origin_declarator(loop->arena, counted->counter),
+                loop->counter_type, counted->step < 0 ? "(" : "", (long long)counted->step,
                 counted->step < 0 ? ")" : "");
     for (unsigned i = 0; i < loop->source_count; i++) {
         if (loop->sources[i].fact->extent != EXTENT_AFFINE || loop->sources[i].fact->is_checked)
             continue;
         const char *row = loop_operand(loop, loop->sources[i].fact->row);
-        writer_line(out, "redcc__known[%u].end = (const char *)&%s;", i, row);
-        writer_line(out, "if (redcc__known[%u].end < redcc__known[%u].first) {", i, i);
-        writer_line(out, "    const char *const redcc__low = redcc__known[%u].end;", i);
-        writer_line(out, "    redcc__known[%u].end = redcc__known[%u].first;", i, i);
-        writer_line(out, "    redcc__known[%u].first = redcc__low;", i);
-        writer_line(out, "}");
-        writer_line(out, "redcc__known[%u].end += sizeof(%s);", i, row);
+        writer_line(out, "REDCC_KNOWN_ROW(%u, %s);", i, macro_argument(loop->arena, row));
     }
     out->depth--;
     writer_line(out, "}");
+    writer_fill(out, false);
 }
 
 /* ---- rows of some iterations, subscripts that may wrap around ------------------------------- */
@@ -203,7 +192,8 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
         loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
         return;
     }
-    writer_line(out, "{ /* rows that iterations may read */");
+    writer_fill(out, true);
+    writer_line(out, "{");
     out->depth++;
     writer_line(out, "redcc_int redcc__from = %s;", step < 0 ? last : "redcc__lower");
     writer_line(out, "redcc_int redcc__to = %s;", step < 0 ? "redcc__lower" : last);
@@ -218,24 +208,20 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
                 exact_address(loop, &address, "redcc__to"), (long long)fact->row->type->size);
     out->depth--;
     writer_line(out, "}");
+    writer_fill(out, false);
 }
 
 /* ---- all of them --------------------------------------------------------------------------- */
 
 void declare_extents(loop_text *loop, writer *out) {
-    if (loop->source_count == 0)
-        return;
-    buffer zeros = {0};
-    for (unsigned i = 0; i < loop->source_count; i++)
-        buffer_text(&zeros, i > 0 ? ", {0, 0}" : "{0, 0}");
-    writer_line(out, "redcc_extent redcc__known[%u] = {%s};", loop->source_count, zeros.data);
-    buffer_free(&zeros);
     if (has_extents(loop, true))
-        writer_line(out, "int redcc__lost = 0; /* is a number too large, or has one wrapped? */");
+        writer_line(out, "int redcc__lost = 0;");
 }
 
 void fill_extents(loop_text *loop, writer *out) {
+    writer_fill(out, true);
     fill_fixed_extents(loop, out);
+    writer_fill(out, false);
     fill_affine_extents(loop, out);
     for (unsigned i = 0; i < loop->source_count; i++)
         if (loop->sources[i].fact->extent == EXTENT_AFFINE && loop->sources[i].fact->is_checked)

@@ -20,7 +20,7 @@ static bool has_compiler_pragmas(const ir_unit *unit) {
 }
 
 /** The declarator's text: attributes that libclang does not know are seen in it. */
-static bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
+bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
     const char *at = unit->source->text + function->range.begin;
     const char *const body = unit->source->text + function->body->range.begin;
     for (; at < body; at++)
@@ -60,6 +60,10 @@ static bool declare_callee(ir_node *node, void *context) {
         is_name_shared(d->loop->unit, node->children[0]->function->name))
         return true;
     const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
+    if (d->loop->is_outlined) {
+        writer_line(d->out, "REDCC_KEEP_INLINED(%s)", name);
+        return true;
+    }
     if (!d->is_open)
         buffer_text(&d->out->out, "#if !defined(__clang__) && defined(__OPTIMIZE__)\n"
                                   "#pragma GCC diagnostic ignored \"-Wnested-externs\"\n"

@@ -22,7 +22,8 @@ typedef VECTOR(told_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;        /* addresses are compared, not told */
+    bool probes;        /* addresses are compared, not told; */
+    bool is_either;     /* or the text does for both */
     bool *update_told;  /* by update */
     bool *source_told;  /* by the facts' source */
     bool *is_mentioned; /* by variable: in what was printed */
@@ -87,12 +88,40 @@ static const char *row_address_text(inspector *self, const ir_node *row,
     arena *a = self->loop->arena;
     row_address address;
     const char *number = NULL;
-    if (self->is_bare && row_address_of(row, &address))
+    if (self->is_bare && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, note_variable, self);
+        if (address.base_is_object && number) /* a pointer may stand for it: another address */
+            self->loop->is_outlinable = false;
+    }
     if (number)
         return arena_format(a, "(const char *)(%s)", number);
     const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
     return arena_format(a, "%s&%s", plain, row_text(self, row));
+}
+
+/** The same by a macro of loop.h. */
+static void tell_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
+                        const ir_node *base) {
+    arena *a = self->loop->arena;
+    const char *what = is_update ? "TOUCH" : "READ";
+    const char *text = row_text(self, row);
+    const char *address = row_address_text(self, row, NULL);
+    writer *out = self->printer.out;
+    const bool is_row = base && is_numbered(row, base);
+    const char *array = is_row ? row_text(self, row->children[0]) : NULL;
+    const char *subscript = is_row ? row_text(self, row->children[1]) : NULL;
+    if (is_row && !self->is_bare)
+        writer_line(out, "REDCC_%s_ROW(%u, %s, %s);", what, number, macro_argument(a, array),
+                    macro_argument(a, subscript));
+    else if (is_row)
+        writer_line(out,
+                    "redcc_slice_%s_row(redcc__probe, redcc__worker, %u, %s, %s%s, (redcc_int)%s, "
+                    "sizeof(%s));",
+                    is_update ? "touch" : "read", number, address,
+                    row->type->is_restrict ? "(const void *)" : "", array, subscript, text);
+    else
+        writer_line(out, "REDCC_%s(%u, %s, sizeof(%s));", what, number, macro_argument(a, address),
+                    text);
 }
 
 /** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
@@ -104,7 +133,9 @@ static void tell_row(inspector *self, const ir_node *row, bool is_update, unsign
     const char *address = row_address_text(self, row, NULL);
     const char *plain = row->type->is_restrict ? "(const void *)" : "";
     writer *out = self->printer.out;
-    if (!self->probes)
+    if (self->is_either)
+        tell_either(self, row, is_update, number, base);
+    else if (!self->probes)
         writer_line(out, "redcc_%s(&redcc__worker, %u, %s, sizeof(%s));", what, number, address,
                     text);
     else if (base && is_numbered(row, base))
@@ -258,7 +289,13 @@ static void tell_up_to(inspector *self, const told_row *item, unsigned row,
             : arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
-    if (self->probes)
+    if (self->is_either && is_update(item))
+        writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
+                    macro_argument(a, end));
+    else if (self->is_either)
+        writer_line(out, "REDCC_READ(%u, redcc__begin_%u, %s);", number, row,
+                    macro_argument(a, bytes));
+    else if (self->probes)
         writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
                     is_update(item) ? "touch" : "read", number, row, bytes);
     else if (is_update(item))
@@ -345,19 +382,21 @@ static void declare_variables(const inspector *self, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
-    writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
-                origin_declarator(loop->arena, counter), unused, loop->counter_type,
-                loop_iteration_offset(loop));
+    if (!loop->is_outlined)
+        writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+                    origin_declarator(loop->arena, counter), unused, loop->counter_type,
+                    loop_iteration_offset(loop));
     for (unsigned i = 0; i < facts->private_count; i++) {
         const ir_variable *variable = facts->privates[i].variable;
         if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
-            writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, variable),
-                        origin_declarator(loop->arena, variable), stepped_value(loop, i));
+            writer_line(out, "%s%s;", private_declaration(loop, variable), stepped_value(loop, i));
     }
     declare_forwards(loop, out, true);
 }
 
-void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
+/** The slice; for the text that does either, with the variables that it names. */
+static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
+                             bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     inspector self = {.printer = {.arena = loop->arena,
                                   .keep = facts->in_slice,
@@ -366,10 +405,10 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
                                   .print_at_once = tell_at_once},
                       .loop = loop,
                       .probes = probes,
+                      .is_either = is_either,
                       .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
                       .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
-                      .is_mentioned =
-                          ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
+                      .is_mentioned = is_mentioned};
     self.printer.rename = note_variable;
     self.printer.context = &self;
     writer slice = {.depth = out->depth};
@@ -379,7 +418,9 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
+    writer_fill(out, loop->is_outlined);
     declare_variables(&self, out);
+    writer_fill(out, false);
     if (probes)
         writer_line(out, "redcc_probe redcc__probe = {0, 0};");
     /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
@@ -388,11 +429,20 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
     buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
     if (self.printer.continues)
         writer_line(out, "} while (0);");
+    buffer_free(&slice.out);
+}
+
+void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
+    write_statements(loop, out, false, true, is_mentioned);
+}
+
+void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
+    write_statements(loop, out, probes, false,
+                     ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1));
     if (probes) {
         writer_line(out, "if (!redcc_is_alike(&redcc__probe))");
         writer_line(out, "    break;");
     } else {
         writer_line(out, "redcc_iteration_done(&redcc__worker);");
     }
-    buffer_free(&slice.out);
 }

@@ -70,34 +70,38 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node) {
 /* ---- the block ----------------------------------------------------------------------------- */
 
 static void write_execution(loop_text *loop, writer *out) {
-    writer_line(out, "if (redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, %s,",
-                loop->source_count > 0 ? "redcc__known" : "0");
-    writer_line(out, "                redcc__key, omp_get_max_threads(), omp_in_parallel())) {");
+    writer_line(out, "if (REDCC_ENTER(%s))%s", loop->source_count > 0 ? "redcc__known" : "0",
+                loop->is_outlined ? "" : " {");
+    writer_fill(out, false);
     write_region(loop, out);
-    writer_line(out, "}");
+    if (!loop->is_outlined)
+        writer_line(out, "}");
     writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
 }
 
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_line(out, "redcc_call redcc__call;");
-    writer_line(out, "void *redcc__bases[%u];", facts->array_count);
+    writer_fill(out, true);
+    writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
+                key_length(loop));
     declare_extents(loop, out);
-    declare_key(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);
     write_thread_local_copies(loop, out, false);
+    writer_fill(out, true);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
             writer_line(out, "redcc__bases[%u] = 0;", i);
         else
             writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
                         loop_operand(loop, facts->arrays[i].base));
-    fill_extents(loop, out);
     fill_key(loop, out);
+    writer_fill(out, false);
+    fill_extents(loop, out);
     const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
     const bool is_conditional = memory || known;
+    writer_fill(out, is_conditional);
     if (is_conditional) {
         writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
                     memory ? memory : "");
@@ -139,7 +143,7 @@ static const char *heading(loop_text *loop) {
 }
 
 /** What of the text is there only where the loop may run in parallel. */
-static const char *condition_of(const loop_text *loop) {
+const char *loop_condition(const loop_text *loop) {
     return loop->facts->slice_has_floating_work ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
                                                 : "#ifdef _OPENMP\n";
 }
@@ -150,27 +154,30 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                                            "in any order"};
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
-    buffer_text(&out->out, condition_of(loop));
-    buffer_text(&out->out, "#pragma GCC diagnostic push\n"
-                           "#pragma GCC diagnostic ignored \"-Wshadow\"\n");
+    buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
-    declare_inlined(loop, out);
+    writer_line(out, "REDCC_QUIET_BEGIN");
+    if (!loop->is_outlined)
+        declare_inlined(loop, out);
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_entry_values(loop, out, true);
     declare_last_values(loop, out);
     declare_sought_values(loop, out, false);
+    writer_fill(out, true);
     writer_line(out, "int redcc__done = 0;");
     writer_line(out, "if (%s) {", entry);
+    writer_fill(out, false);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
-    buffer_text(&out->out, "#pragma GCC diagnostic pop\n");
     /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
-    writer_line(out, "if (redcc__done) {");
+    writer_fill(out, true);
+    writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
+    writer_fill(out, false);
     buffer_text(&out->out, "#endif\n");
 }
 
@@ -195,31 +202,39 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
     origin_copy(&out->out, text, range.begin, range.end);
-    buffer_text(&out->out, "\n");
 }
 
 /** After the loop: how long it took is of use the next time. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    buffer_text(&out->out, condition_of(loop));
+    if (!loop->facts->slice_has_floating_work) { /* else there may be nothing above to be timed */
+        buffer_text(&out->out, " REDCC_SEQUENTIAL_DONE }");
+        return;
+    }
+    buffer_text(&out->out, "\n");
+    buffer_text(&out->out, loop_condition(loop));
     writer_line(out, "redcc_sequential_done(&redcc__loop);");
     buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }
 
-const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
-                       const emit_options *options, ir_range *replaced, reason *why) {
+bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
+                bool in_place, loop_piece *front, loop_piece *block, reason *why) {
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
     writer out = {0};
     prepare_loop(&loop);
-    replaced->begin = begin_with_pragmas(unit, facts->loop);
-    replaced->end = syntax_statement_end(unit->source, facts->loop);
+    if (!in_place && !loop.obstacle) {
+        front->text = write_outlined(&loop, &front->replaced.begin);
+        front->replaced.end = front->replaced.begin;
+        if (!front->text)
+            loop.obstacle = NULL; /* perhaps there is none in place */
+    }
+    block->replaced = (ir_range){begin_with_pragmas(unit, facts->loop),
+                                 syntax_statement_end(unit->source, facts->loop)};
     write_parallel_form(&loop, &out);
-    write_sequential_form(&loop, &out, *replaced);
-    write_timing(&loop, &out, *replaced);
+    write_sequential_form(&loop, &out, block->replaced);
+    write_timing(&loop, &out, block->replaced);
     check_macro_names(&loop, &out.out);
-    const char *text = writer_text(a, &out);
-    if (!loop.obstacle)
-        return text;
+    block->text = writer_text(a, &out);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
-    return NULL;
+    return !loop.obstacle;
 }

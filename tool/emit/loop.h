@@ -45,6 +45,11 @@ typedef struct loop_text {
     const source_text *sources;
     const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
+
+    /* outline.c: slice and body are functions of their own */
+    bool is_outlined;
+    bool is_outlinable;                 /* cleared by what finds that they cannot be */
+    const char *slice_call, *body_call; /* of iteration redcc__k */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -104,7 +109,7 @@ const char *write_trip_count(loop_text *loop, writer *out);
 
 /** describe.c: the static objects that describe the loop; the key of one execution. */
 void write_description(loop_text *loop, writer *out);
-void declare_key(loop_text *loop, writer *out);
+unsigned key_length(const loop_text *loop);
 void fill_key(loop_text *loop, writer *out);
 
 /** extents.c: redcc__known, for the sources whose place is known before the inspection; */
@@ -125,8 +130,22 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
                            ir_c_rename rename, void *context);
 
+/** outline.c: slice and body as functions, to be inserted at *place, and sets is_outlined and the
+ *  calls; NULL: the loop is to be written in place. */
+const char *write_outlined(loop_text *loop, uint32_t *place);
+/** The declaration of a private variable in one of these functions. */
+const char *outlined_declaration(loop_text *loop, const ir_variable *variable);
+/** setup.c: may a pointer stand for this array in the body? */
+bool can_be_pointer(const loop_text *loop, const ir_variable *variable);
+/** Is a macro used in the body? */
+bool has_macro(const loop_text *loop);
+/** loop.c: the #if around what is there only where the loop may run in parallel. */
+const char *loop_condition(const loop_text *loop);
+
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
+/** Has each thread a copy of its own? */
+bool is_copied_in(const ir_variable *variable);
 /** Copies of thread-local scalars: before the region, or in it, under their own names. */
 void write_thread_local_copies(loop_text *loop, writer *out, bool in_region);
 /** Is the counter another variable than the loop's own, with a value after it that is wanted? */
@@ -157,13 +176,20 @@ void write_stepped_values(loop_text *loop, writer *out);
 /** inspector.c: the statements of one iteration, counter and private variables declared: they tell
  *  its addresses, or probe them and leave the loop around them where they must be told. */
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
+/** The same by the macros of loop.h, which do either; sets is_mentioned for each variable, by its
+ *  number, that is named. */
+void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
 /** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
  *  at one place only. */
 void declare_inlined(loop_text *loop, writer *out);
+/** Has the function's definition no attributes, also such as libclang does not know? */
+bool is_declared_plainly(const ir_unit *unit, const ir_function *function);
 
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */
 void write_iteration(loop_text *loop, writer *out, bool is_guarded);
+/** The declaration of a private variable, of an iteration or of its slice. */
+const char *private_declaration(loop_text *loop, const ir_variable *variable);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);
 
 /** macro_names.c: the name of a macro of the program that is used in the text; NULL: there is none.
@@ -175,12 +201,20 @@ const char *macro_name_in_head(const ir_unit *unit);
 /** A name of the runtime's, or of OpenMP's, that is written into the text and that the program
  * gives to something of its own; NULL: there is none. */
 const char *taken_name(const ir_unit *unit);
+/** Would a macro of the program change what the macros of the runtime's header say? */
+bool has_macro_of_header_words(const loop_text *loop);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 
-/** loop.c: the text that replaces bytes `replaced` of the file, with marks (origin.h); NULL, with
- * the obstacle in *why, where it cannot be written. */
-const char *write_loop(arena *a, const ir_unit *unit, const loop_facts *facts,
-                       const emit_options *options, ir_range *replaced, reason *why);
+/** A text that replaces bytes of the file, with marks (origin.h). */
+typedef struct loop_piece {
+    const char *text; /* NULL: there is none */
+    ir_range replaced;
+} loop_piece;
+
+/** loop.c: the loop's block, and what goes in front of the function (in place: nothing does).
+ * False, with the obstacle in *why: it cannot be written. */
+bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
+                bool in_place, loop_piece *front, loop_piece *block, reason *why);
 
 #endif

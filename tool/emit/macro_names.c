@@ -151,8 +151,25 @@ static void check_piece(loop_text *loop, buffer *piece) {
     piece->length = 0;
 }
 
+/** The words of which the macros of loop.h are made; those of the runtime's apart. */
+static const char *const words_of_macros[] = {
+#include "macro_words.inc"
+};
+
+bool has_macro_of_header_words(const loop_text *loop) {
+    for (size_t i = 0; i < sizeof words_of_macros / sizeof *words_of_macros; i++)
+        if (macro_name_in(loop->arena, loop->unit, words_of_macros[i], strlen(words_of_macros[i])))
+            return true;
+    return false;
+}
+
+/** What the macros of loop.h say that each form uses. */
+static const char always_said[] = "void int const char for (0) sizeof(0) ";
+
 void check_macro_names(loop_text *loop, const buffer *written) {
     buffer piece = {0};
+    buffer_text(&piece, always_said);
+    check_piece(loop, &piece);
     const char *at = written->data, *const end = at + written->length;
     while (at < end) {
         const char *const after = origin_skip(at, end);

@@ -40,8 +40,11 @@ const char *origin_function_declarator(arena *a, const ir_function *function) {
 const char *origin_type(arena *a, const ir_type *type) {
     if (!type || !type->spelling)
         return NULL;
-    return arena_format(a, "%s%s", mark(a, ORIGIN_TYPE, type, strlen(type->spelling)),
-                        type->spelling);
+    return origin_spelling(a, type, type->spelling);
+}
+
+const char *origin_spelling(arena *a, const ir_type *type, const char *spelling) {
+    return arena_format(a, "%s%s", mark(a, ORIGIN_TYPE, type, strlen(spelling)), spelling);
 }
 
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end) {

@@ -43,6 +43,8 @@ const char *origin_declarator(arena *a, const ir_variable *variable);
 const char *origin_function_declarator(arena *a, const ir_function *function);
 /** The type's spelling, marked; NULL where it has none. */
 const char *origin_type(arena *a, const ir_type *type);
+/** Another spelling of the type, marked. */
+const char *origin_spelling(arena *a, const ir_type *type, const char *spelling);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
 

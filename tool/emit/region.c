@@ -8,7 +8,7 @@
 enum { LARGEST_COPIED_RECORD = 64 };
 
 /** A copy of each thread's own lets the compiler keep it in a register. */
-static bool is_copied_in(const ir_variable *variable) {
+bool is_copied_in(const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (type->kind == IR_RECORD) {
         const ir_record *record = type->record;
@@ -206,6 +206,12 @@ static void write_executor(loop_text *loop, writer *out) {
 void write_region(loop_text *loop, writer *out) {
     buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads)%s\n",
                   firstprivate_clause(loop));
+    if (loop->is_outlined) {
+        writer_line(out, "    REDCC_PARALLEL(REDCC_CHUNK_%u, %s,", loop->facts->array_count,
+                    loop->slice_call);
+        writer_line(out, "                   %s)", loop->body_call);
+        return;
+    }
     writer_line(out, "{");
     out->depth++;
     writer_line(out, "redcc_worker redcc__worker;");

@@ -75,10 +75,15 @@ static bool is_named_by_nodes(const loop_text *loop, const ir_variable *variable
 }
 
 /** A macro may name the variable where the tree shows nothing of it: `#define LIKE typeof(h)`. */
-static bool has_macro(const loop_text *loop) {
+bool has_macro(const loop_text *loop) {
     const ir_range body = loop->facts->counted.body->range;
     return macro_name_in(loop->arena, loop->unit, loop->unit->source->text + body.begin,
                          body.end - body.begin) != NULL;
+}
+
+bool can_be_pointer(const loop_text *loop, const ir_variable *variable) {
+    return !has_sizeof(loop->facts->counted.body) && !has_macro(loop) &&
+           is_named_by_nodes(loop, variable);
 }
 
 /** A pointer of the same name may stand for the variable, unless its type or its size as an array
@@ -86,9 +91,7 @@ static bool has_macro(const loop_text *loop) {
 static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
     if (base->kind != IR_VARIABLE)
         return false;
-    return base->type->kind == IR_POINTER ||
-           (!has_sizeof(loop->facts->counted.body) && !has_macro(loop) &&
-            is_named_by_nodes(loop, base->variable));
+    return base->type->kind == IR_POINTER || can_be_pointer(loop, base->variable);
 }
 
 /** The base's own address - of an array as a whole, a pointer to an array; of a pointer, where that

@@ -8,9 +8,44 @@
 
 #include "emit/origin.h"
 
-enum { SPACES_A_LEVEL = 4 };
+enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 140 };
+
+/** The width of marked text. */
+static size_t visible_width(const char *at, const char *end) {
+    size_t width = 0;
+    for (; at < end; width++) {
+        const char *after = at;
+        while ((after = origin_skip(at, end)) != at)
+            at = after;
+        at += at < end;
+    }
+    return width;
+}
+
+void writer_fill(writer *w, bool fills) {
+    w->fills = fills;
+    w->fill_begin = w->out.length;
+}
+
+/** The line from `begin` on is appended to the one before, if both are short. */
+static void join_line(writer *w, size_t begin) {
+    char *data = w->out.data;
+    size_t text = begin;
+    while (data[text] == ' ')
+        text++;
+    const size_t width = visible_width(data + w->fill_begin, data + begin) +
+                         visible_width(data + text, data + w->out.length);
+    if (begin == w->fill_begin || width > LONGEST_FILLED) {
+        w->fill_begin = begin;
+        return;
+    }
+    data[begin - 1] = ' ';
+    memmove(data + begin, data + text, w->out.length - text);
+    w->out.length -= text - begin;
+}
 
 void writer_line(writer *w, const char *format, ...) {
+    const size_t begin = w->out.length;
     for (unsigned i = 0; !w->on_one_line && i < w->depth * SPACES_A_LEVEL; i++)
         buffer_byte(&w->out, ' ');
     va_list arguments, again;
@@ -31,6 +66,8 @@ void writer_line(writer *w, const char *format, ...) {
     }
     va_end(again);
     buffer_byte(&w->out, w->on_one_line ? ' ' : '\n');
+    if (w->fills && !w->on_one_line)
+        join_line(w, begin);
 }
 
 const char *writer_text(arena *a, writer *w) {
@@ -143,6 +180,11 @@ const char *text_operand(arena *a, const ir_node *expression, ir_c_rename rename
     if (!text || is_tight(expression))
         return text;
     return arena_format(a, "(%s)", text);
+}
+
+const char *macro_argument(arena *a, const char *marked) {
+    const char *plain = origin_unmark(a, marked, strlen(marked), false, NULL);
+    return strchr(plain, ',') ? arena_format(a, "(%s)", marked) : marked;
 }
 
 const char *text_declaration(arena *a, const ir_type *type, const char *name) {

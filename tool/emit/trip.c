@@ -205,10 +205,10 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     conditions ends = {0};
     require_of_ends(&ends, &h);
     require(&ends, "%s", comparison_text(&h));
-    writer_line(out, "const redcc_int redcc__lower = %s;", lower_text(loop, &h));
-    writer_line(out, "const redcc_int redcc__bound = %s;", bound_text(loop, &h));
-    writer_line(out, "const redcc_int redcc__trip = %s ? %s : 0;", ends.text.data,
-                count_text(loop->arena, &h));
+    writer_fill(out, true);
+    writer_line(out, "const redcc_int redcc__lower = %s,", lower_text(loop, &h));
+    writer_line(out, "redcc__bound = %s,", bound_text(loop, &h));
+    writer_line(out, "redcc__trip = %s ? %s : 0;", ends.text.data, count_text(loop->arena, &h));
     buffer_free(&ends.text);
 
     conditions entry = {0};
@@ -219,6 +219,7 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     require_of_final(&entry, &h, loop->counter_type);
     if (entry.text.length > before || has_affine_extents(loop) || counter_outlives(loop->facts))
         writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
+    writer_fill(out, false);
     const char *text = arena_copy(loop->arena, entry.text.data, entry.text.length);
     buffer_free(&entry.text);
     return text;

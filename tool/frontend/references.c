@@ -93,7 +93,7 @@ static enum CXChildVisitResult visit_reference(CXCursor cursor, CXCursor parent,
         return CXChildVisit_Recurse;
     CXFile file;
     unsigned offset;
-    clang_getExpansionLocation(clang_getCursorLocation(cursor), &file, NULL, NULL, &offset);
+    clang_getFileLocation(clang_getCursorLocation(cursor), &file, NULL, NULL, &offset);
     CXCursor declaration = clang_getCursorReferenced(cursor);
     if (clang_File_isEqual(file, c->main_file) && !clang_Cursor_isNull(declaration)) {
         const ir_reference found = {.offset = offset,

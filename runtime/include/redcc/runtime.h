@@ -14,7 +14,7 @@
  *       redcc_owns                  in the guarded form of the body
  *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
  *
- * This header includes no other (a user's feature-test macros must come before any system header)
+ * This header includes none but loop.h (a user's feature-test macros must come before any system header)
  * and compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
  */
 #ifndef REDCC_RUNTIME_H
@@ -491,5 +491,7 @@ static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) 
         return 1;
     return owner->hook && redcc_hooked(owner->hook, address);
 }
+
+#include "loop.h"
 
 #endif

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What stands around a loop's slice and body in the short form of generated code. Each of the two
+ * is one function; docs/generated-code.md shows a loop with both.
+ *
+ *     REDCC_SLICE f(REDCC_SLICE_PARAMETERS, ...)     tells what one iteration touches:
+ *       REDCC_TOUCH, REDCC_READ                        a row by its address,
+ *       REDCC_TOUCH_ROW, REDCC_READ_ROW                a row by its number
+ *     REDCC_BODY g(REDCC_BODY_PARAMETERS_n, ...)     executes one iteration:
+ *       REDCC_UPDATE                                   goes before each update
+ *     REDCC_PARALLEL                                 what each thread of the region does
+ *
+ * runtime.h includes this file. Names that begin with redcc__ are the generated text's.
+ */
+#ifndef REDCC_LOOP_FORM_H
+#define REDCC_LOOP_FORM_H
+
+#define REDCC_INLINE                                                                               \
+    static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
+
+/* gcc and clang: what the user's file does not warn of must not be warned of here. */
+#define REDCC_QUIET_BEGIN                                                                          \
+    _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")
+#define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
+
+/** What one execution is described by: bases, extents of sources, key. */
+#define REDCC_ATTEMPT(redcc_arrays, redcc_sources, redcc_keys)                                     \
+    redcc_call redcc__call;                                                                        \
+    void *redcc__bases[redcc_arrays];                                                              \
+    redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
+    redcc_word redcc__key[redcc_keys];                                                             \
+    int redcc__end __attribute__((__unused__))
+
+/** Twice: for the rows that the first iteration reads, and for those of the last. */
+#define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
+
+/** A row that the loop reads lies there; several: all between them as well. */
+#define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
+    redcc_known_row(&redcc__known[redcc_i], (const char *)&redcc_row, sizeof(redcc_row))
+REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
+    if (!extent->first || row < extent->first)
+        extent->first = row;
+    if (row + bytes > extent->end)
+        extent->end = row + bytes;
+}
+
+/** Asks the runtime whether the loop is to run in parallel. */
+#define REDCC_ENTER(redcc_known)                                                                   \
+    redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, redcc_known, redcc__key,    \
+                omp_get_max_threads(), omp_in_parallel())
+
+/** After the original loop; without OpenMP it says nothing. */
+#define REDCC_SEQUENTIAL_DONE redcc_sequential_done(&redcc__loop);
+
+/* ---- the slice ----------------------------------------------------------------------------- */
+
+/** redcc__probe is 0 where addresses are told, and a constant: each use of the function is compiled
+ *  by itself. */
+#define REDCC_SLICE REDCC_INLINE void
+#define REDCC_SLICE_PARAMETERS                                                                     \
+    redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
+        redcc_worker *const redcc__worker __attribute__((__unused__))
+#define REDCC_SLICE_ARGUMENTS redcc__probe, &redcc__worker
+
+/** The iteration may update, or read, `redcc_n` bytes at an address. */
+#define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
+    redcc_slice_touch(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_n)
+#define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
+    redcc_slice_read(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_n)
+
+/** The same of redcc_base[redcc_row]: redcc_base is what no iteration changes, so that the number
+ *  says which row it is. */
+#define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
+    redcc_slice_touch_row(redcc__probe, redcc__worker, redcc_i,                                    \
+                          (const void *)&(redcc_base)[redcc_row], (const void *)(redcc_base),      \
+                          (redcc_int)(redcc_row), sizeof((redcc_base)[redcc_row]))
+#define REDCC_READ_ROW(redcc_i, redcc_base, redcc_row)                                             \
+    redcc_slice_read_row(redcc__probe, redcc__worker, redcc_i,                                     \
+                         (const void *)&(redcc_base)[redcc_row], (const void *)(redcc_base),       \
+                         (redcc_int)(redcc_row), sizeof((redcc_base)[redcc_row]))
+
+/** All from an address to before another. */
+#define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
+    redcc_slice_touch_span(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_end)
+
+REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                    const void *address, redcc_size bytes) {
+    if (probe)
+        redcc_probe_touch(probe, worker, array, address, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source,
+                                   const void *address, redcc_size bytes) {
+    if (probe)
+        redcc_probe_read(probe, worker, source, address, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                        const void *address, const void *base, redcc_int row,
+                                        redcc_size bytes) {
+    if (probe)
+        redcc_probe_touch_row(probe, worker, array, base, row, bytes);
+    else
+        redcc_touch(worker, array, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 source,
+                                       const void *address, const void *base, redcc_int row,
+                                       redcc_size bytes) {
+    if (probe)
+        redcc_probe_read_row(probe, worker, source, base, row, bytes);
+    else
+        redcc_read(worker, source, address, bytes);
+}
+
+REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
+                                         const char *first, const char *end) {
+    if (probe)
+        redcc_probe_touch(probe, worker, array, first, (redcc_size)(end - first));
+    else
+        redcc_touch_span(worker, array, first, end);
+}
+
+/** Hands out blocks of iterations to inspect. Those that need not be told are gone through in a
+ *  loop of their own, in which nothing is called or stored: a compiler keeps in registers what does
+ *  not change. */
+#define REDCC_INSPECT(redcc_call_of_slice)                                                         \
+    while (redcc_inspect(&redcc__worker))                                                          \
+        for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last;                        \
+             redcc__k += redcc__worker.stride) {                                                   \
+            if (redcc_is_settled(&redcc__worker)) {                                                \
+                const redcc_int redcc__from = redcc__k;                                            \
+                for (; redcc__k < redcc__worker.last; redcc__k++) {                                \
+                    redcc_probe redcc__seen = {0, 0};                                              \
+                    redcc_probe *const redcc__probe = &redcc__seen;                                \
+                    redcc_call_of_slice;                                                           \
+                    if (!redcc_is_alike(&redcc__seen))                                             \
+                        break;                                                                     \
+                }                                                                                  \
+                redcc__worker.alike += redcc__k - redcc__from;                                     \
+                if (redcc__k == redcc__worker.last)                                                \
+                    break;                                                                         \
+            }                                                                                      \
+            {                                                                                      \
+                redcc_probe *const redcc__probe = 0;                                               \
+                redcc_call_of_slice;                                                               \
+                redcc_iteration_done(&redcc__worker);                                              \
+            }                                                                                      \
+        }
+
+/* ---- the body ------------------------------------------------------------------------------ */
+
+/** redcc__guarded is a constant in each use of the function. */
+#define REDCC_BODY REDCC_INLINE void
+
+/** Goes before an update of array number redcc_i: it is this thread's part only where it owns the
+ *  element. */
+#define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
+    if (!redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
+
+/* For each array, what one chunk holds of it: where to write, and who owns what. */
+#define REDCC_BODY_PARAMETERS_1 const int redcc__guarded, const redcc_owner *const redcc__own_0
+#define REDCC_BODY_PARAMETERS_2 REDCC_BODY_PARAMETERS_1, const redcc_owner *const redcc__own_1
+#define REDCC_BODY_PARAMETERS_3 REDCC_BODY_PARAMETERS_2, const redcc_owner *const redcc__own_2
+#define REDCC_BODY_PARAMETERS_4 REDCC_BODY_PARAMETERS_3, const redcc_owner *const redcc__own_3
+#define REDCC_BODY_PARAMETERS_5 REDCC_BODY_PARAMETERS_4, const redcc_owner *const redcc__own_4
+#define REDCC_BODY_PARAMETERS_6 REDCC_BODY_PARAMETERS_5, const redcc_owner *const redcc__own_5
+#define REDCC_BODY_ARGUMENTS_1 redcc__guarded, &redcc__owner_0
+#define REDCC_BODY_ARGUMENTS_2 REDCC_BODY_ARGUMENTS_1, &redcc__owner_1
+#define REDCC_BODY_ARGUMENTS_3 REDCC_BODY_ARGUMENTS_2, &redcc__owner_2
+#define REDCC_BODY_ARGUMENTS_4 REDCC_BODY_ARGUMENTS_3, &redcc__owner_3
+#define REDCC_BODY_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_4, &redcc__owner_4
+#define REDCC_BODY_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_5, &redcc__owner_5
+#define REDCC_CHUNK_OF(redcc_i)                                                                    \
+    void *const redcc__base_##redcc_i __attribute__((__unused__)) = redcc__worker.base[redcc_i];   \
+    const redcc_owner redcc__owner_##redcc_i = redcc__worker.owner[redcc_i];
+#define REDCC_CHUNK_1 REDCC_CHUNK_OF(0)
+#define REDCC_CHUNK_2 REDCC_CHUNK_1 REDCC_CHUNK_OF(1)
+#define REDCC_CHUNK_3 REDCC_CHUNK_2 REDCC_CHUNK_OF(2)
+#define REDCC_CHUNK_4 REDCC_CHUNK_3 REDCC_CHUNK_OF(3)
+#define REDCC_CHUNK_5 REDCC_CHUNK_4 REDCC_CHUNK_OF(4)
+#define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
+
+/** Hands out chunks to execute, run by run, guarded or plain. */
+#define REDCC_EXECUTE(redcc_chunk, redcc_call_of_body)                                             \
+    while (redcc_next(&redcc__worker)) {                                                           \
+        redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
+        for (; redcc__run != redcc__worker.run_end; redcc__run++) {                                \
+            const redcc_int redcc__end =                                                           \
+                redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;        \
+            redcc__k = redcc__worker.origin + redcc__run->begin;                                   \
+            if (!(redcc__run->count_and_guard & 1)) {                                              \
+                const int redcc__guarded = 0;                                                      \
+                for (; redcc__k < redcc__end; redcc__k++)                                          \
+                    redcc_call_of_body;                                                            \
+            } else {                                                                               \
+                const int redcc__guarded = 1;                                                      \
+                for (; redcc__k < redcc__end; redcc__k++)                                          \
+                    redcc_call_of_body;                                                            \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+/* ---- all of it ----------------------------------------------------------------------------- */
+
+/** What each thread of the parallel region does: it inspects the iterations that it is handed, and
+ *  executes those that it is handed then. redcc__k is the iteration's number. */
+#define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
+    {                                                                                              \
+        redcc_worker redcc__worker;                                                                \
+        redcc_int redcc__k;                                                                        \
+        redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
+        REDCC_INSPECT(redcc_call_of_slice)                                                         \
+        REDCC_EXECUTE(redcc_chunk, redcc_call_of_body)                                             \
+    }
+
+/** gcc inlines a static function that is called at one place only; several copies of the place are
+ *  compiled, and it shall be inlined in each. (clang weighs each call by itself.) */
+#if !defined(__clang__) && defined(__OPTIMIZE__)
+#define REDCC_QUIET_REDUNDANT _Pragma("GCC diagnostic ignored \"-Wredundant-decls\"")
+#define REDCC_KEEP_INLINED(redcc_function)                                                         \
+    REDCC_QUIET_REDUNDANT extern __inline__ __typeof__(redcc_function) redcc_function              \
+        __attribute__((__always_inline__));
+#else
+#define REDCC_KEEP_INLINED(redcc_function)
+#endif
+
+#endif

@@ -1,0 +1,418 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The short form: slice and body of a loop stand once, as functions in front of the user's
+ * function, and loop.h has what is around them. Compilers inline both at each of their uses.
+ *
+ * What is moved there must mean the same: no directive may stand between the two places, each name
+ * be declared there or handed over, each type have a name. Where that is not so the loop is written
+ * in place.
+ */
+#include <ctype.h>
+#include <string.h>
+
+#include "emit/loop.h"
+#include "emit/origin.h"
+#include "emit/syntax.h"
+#include "ir/ir_position.h"
+
+enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
+
+/* ---- the place ----------------------------------------------------------------------------- */
+
+/** After the directive, comment or string that begins at `at`; `at` itself: none does. */
+static uint32_t skip_piece(const char *text, uint32_t at, uint32_t end, bool is_line_start) {
+    const bool is_directive =
+        is_line_start && (text[at] == '#' || (text[at] == '%' && text[at + 1] == ':'));
+    if (text[at] == '/' && text[at + 1] == '*') {
+        for (at += 2; at < end && !(text[at] == '*' && text[at + 1] == '/'); at++)
+            ;
+        return at < end ? at + 2 : end;
+    }
+    if (is_directive || (text[at] == '/' && text[at + 1] == '/')) {
+        for (; at < end && text[at] != '\n'; at++) {
+            if (text[at] == '\\' && at + 1 < end)
+                at += text[at + 1] == '\r' ? 2 : 1;
+            else if (is_directive && text[at] == '/' && text[at + 1] == '*')
+                at = skip_piece(text, at, end, false) - 1;
+        }
+        return at;
+    }
+    if (text[at] != '"' && text[at] != '\'')
+        return at;
+    const char quote = text[at++];
+    for (; at < end && text[at] != quote && text[at] != '\n'; at++)
+        at += text[at] == '\\' && at + 1 < end;
+    return at < end ? at + 1 : end;
+}
+
+/** The last byte before `end` that is neither blank nor part of a directive or comment: its place
+ *  plus 1; 0: there is none. */
+static uint32_t end_of_last_token(const source *file, uint32_t end) {
+    uint32_t last = 0;
+    bool is_line_start = true;
+    uint32_t at = strncmp(file->text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    while (at < end) {
+        const char c = file->text[at];
+        const uint32_t next = skip_piece(file->text, at, end, is_line_start);
+        if (c == '\n' || (next > at && c == '/')) {
+            is_line_start |= c == '\n';
+        } else if (next > at && (c == '#' || c == '%')) {
+            is_line_start = true;
+        } else if (!isspace((unsigned char)c)) {
+            is_line_start = false;
+            last = (next > at ? next : at + 1);
+        }
+        at = next > at ? next : at + 1;
+    }
+    return last;
+}
+
+static bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *directive = &unit->directives[i];
+        if (directive->range.end > begin && directive->range.begin < end &&
+            (!pragmas_only || directive->kind == IR_DIRECTIVE_PRAGMA))
+            return true;
+    }
+    return false;
+}
+
+/** Is the place in front of the function one where another may stand, and mean there what it means
+ *  in the loop? */
+static bool has_place(const loop_text *loop) {
+    const ir_function *function = loop->facts->function;
+    const source *file = loop->unit->source;
+    const uint32_t begin = function->range.begin;
+    if (!function->is_in_main_file || function->has_other_attributes ||
+        function->range.end <= begin || begin > loop->facts->loop->range.begin ||
+        loop->unit->includes_itself || !is_declared_plainly(loop->unit, function) ||
+        macro_name_in(loop->arena, loop->unit, file->text + begin,
+                      function->body->range.begin - begin))
+        return false; /* a macro may make attributes, or another name each time */
+    const uint32_t before = end_of_last_token(file, begin);
+    if (before > 0 && !strchr(";}", file->text[before - 1]))
+        return false;
+    return !has_directive(loop->unit, before, begin, true) &&
+           !has_directive(loop->unit, begin, syntax_statement_end(file, loop->facts->loop), false);
+}
+
+/* ---- the function's name ------------------------------------------------------------------- */
+
+static bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
+    const size_t length = strlen(word);
+    for (uint32_t at = begin; at + length <= end; at++)
+        if (memcmp(file->text + at, word, length) == 0)
+            return true;
+    return false;
+}
+
+/** A string that a macro makes up may be the function's name. */
+static bool has_string_of_macro(const ir_node *node) {
+    if (node->kind == IR_STRING && node->flags & IR_FROM_MACRO)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_string_of_macro(node->children[i]))
+            return true;
+    return false;
+}
+
+/** May the body ask what function it stands in? The tree has the answer as a string. */
+static bool may_name_function(const loop_text *loop) {
+    static const char *const words[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
+    const ir_node *body = loop->facts->counted.body;
+    const source *file = loop->unit->source;
+    const bool anywhere = has_macro(loop);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (holds_word(file, anywhere ? 0 : body->range.begin,
+                       anywhere ? (uint32_t)file->length : body->range.end, words[i]))
+            return true;
+    return has_string_of_macro(body);
+}
+
+/* ---- what is handed over ------------------------------------------------------------------- */
+
+static bool is_of_file(const ir_variable *variable) {
+    return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
+}
+
+static bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].variable == variable)
+            return true;
+    const ir_range body = facts->counted.body->range;
+    return variable->function == facts->function && variable->storage == IR_LOCAL &&
+           variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
+           variable->range.begin < body.end;
+}
+
+static bool has_address_taken(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_address_taken(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** Is it one that the loop only reads, and whose address is nothing to it? */
+static bool is_captured(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->captured_count; i++)
+        if (facts->captured[i] == variable)
+            return true;
+    return false;
+}
+
+/** Of an array a pointer is handed over. */
+static bool can_be_handed(loop_text *loop, const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    if (variable->storage == IR_THREAD_LOCAL || type->is_volatile || type->is_atomic)
+        return false;
+    if (type->kind == IR_ARRAY)
+        return type->target->spelling && type->target->size > 0 && can_be_pointer(loop, variable) &&
+               !has_address_taken(loop->facts->counted.body, variable);
+    return is_captured(loop->facts, variable) && type->spelling && type->kind != IR_OTHER_TYPE &&
+           is_copied_in(variable);
+}
+
+static bool is_stand_in(const loop_text *loop, const ir_variable *variable, bool of_body) {
+    for (unsigned i = 0; of_body && i < loop->facts->array_count; i++)
+        if (loop->arrays[i].is_shadowed && loop->facts->arrays[i].base->variable == variable)
+            return true;
+    return false;
+}
+
+/** Does the function need it as a parameter? *possible is cleared where it cannot have it. */
+static bool is_handed(loop_text *loop, const ir_variable *variable, bool of_body, bool *possible) {
+    const loop_facts *facts = loop->facts;
+    if (variable == facts->counted.counter || is_declared_in(facts, variable) ||
+        is_stand_in(loop, variable, of_body))
+        return false;
+    if (can_be_handed(loop, variable))
+        return !is_of_file(variable) || variable->type->kind != IR_ARRAY;
+    *possible &= is_of_file(variable);
+    return false;
+}
+
+/** The type's spelling where another function's parameter or variable is of it: every C standard
+ *  knows __restrict__, and of a parameter itself the promise is not needed. */
+static const char *spelling_of(arena *a, const ir_type *type) {
+    static const char word[] = "restrict";
+    enum { LENGTH = sizeof word - 1 };
+    buffer out = {0};
+    for (const char *at = type->spelling; *at;) {
+        const bool is_word = strncmp(at, word, LENGTH) == 0 && !source_is_name_byte(at[LENGTH]) &&
+                             (at == type->spelling || !source_is_name_byte(at[-1]));
+        if (is_word && at[LENGTH])
+            buffer_text(&out, "__restrict__");
+        else if (!is_word)
+            buffer_byte(&out, *at);
+        at += is_word ? LENGTH : 1;
+    }
+    const char *text = arena_copy(a, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return text;
+}
+
+static const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
+    arena *a = loop->arena;
+    if (!type->spelling) {
+        loop->is_outlinable = false;
+        return "int";
+    }
+    const char *spelling = spelling_of(a, type);
+    const char *marked = origin_spelling(a, type, spelling);
+    const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
+    if (strpbrk(spelling, "(["))
+        return arena_format(a, "__typeof__(%s) %s", marked, name);
+    return arena_format(a, last == '*' || last == ' ' ? "%s%s" : "%s %s", marked, name);
+}
+
+const char *outlined_declaration(loop_text *loop, const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    if (variable->storage == IR_THREAD_LOCAL || type->size < 0 || type->kind == IR_OTHER_TYPE)
+        loop->is_outlinable = false;
+    return declaration_text(loop, type, origin_declarator(loop->arena, variable));
+}
+
+static const char *parameter_text(loop_text *loop, const ir_variable *variable) {
+    const char *name = origin_declarator(loop->arena, variable);
+    if (variable->type->kind == IR_ARRAY)
+        return declaration_text(loop, variable->type->target,
+                                arena_format(loop->arena, "*%s", name));
+    return declaration_text(loop, variable->type, name);
+}
+
+/* ---- heads and calls ----------------------------------------------------------------------- */
+
+/** Marks each variable that the user's body mentions, what is replaced in it left out. */
+static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
+    const int array = loop_array_of_base(loop, node);
+    if (array >= 0 && !loop->arrays[array].is_shadowed)
+        return;
+    if (node->kind == IR_OPAQUE)
+        is_mentioned[loop->unit->variable_count] = true;
+    if (node->kind == IR_VARIABLE)
+        is_mentioned[node->variable->id] = true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        mark_mentioned(loop, node->children[i], is_mentioned);
+}
+
+static const char *counter_parameter(loop_text *loop, bool is_used) {
+    return arena_format(loop->arena, "%s%s", parameter_text(loop, loop->facts->counted.counter),
+                        is_used ? "" : " __attribute__((__unused__))");
+}
+
+static const char *counter_argument(loop_text *loop) {
+    return arena_format(loop->arena, "(%s)(redcc__lower + %s)", loop->counter_type,
+                        loop_iteration_offset(loop));
+}
+
+typedef struct head {
+    buffer parameters, arguments;
+} head;
+
+static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_body, head *h) {
+    for (unsigned i = 0; i < loop->unit->variable_count; i++) {
+        const ir_variable *variable = loop->unit->variables[i];
+        if (!is_mentioned[i] || !is_handed(loop, variable, of_body, &loop->is_outlinable))
+            continue;
+        buffer_format(&h->parameters, ", %s", parameter_text(loop, variable));
+        buffer_format(&h->arguments, ", %s", origin_variable(loop->arena, variable));
+    }
+}
+
+static void add_stand_ins(loop_text *loop, head *h) {
+    for (unsigned i = 0; i < loop->facts->array_count; i++) {
+        const array_text *array = &loop->arrays[i];
+        if (!array->local)
+            continue;
+        const ir_type *row = loop->facts->arrays[i].base->type->target;
+        if (!row || row->size <= 0) {
+            loop->is_outlinable = false;
+            continue;
+        }
+        const char *name = arena_format(loop->arena, "*%s", array->declarator);
+        buffer_format(&h->parameters, ", %s", declaration_text(loop, row, name));
+        buffer_format(&h->arguments, ", redcc__base_%u", i);
+    }
+}
+
+static const char *take(arena *a, buffer *text) {
+    const char *copy = arena_copy(a, text->data ? text->data : "", text->length);
+    buffer_free(text);
+    return copy;
+}
+
+static const char *name_of(loop_text *loop, const char *part) {
+    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
+    return arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name,
+                        place.line);
+}
+
+static void write_slice(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    writer statements = {.depth = 1};
+    head h = {0};
+    write_slice_statements(loop, &statements, is_mentioned);
+    const bool is_used = is_mentioned[facts->counted.counter->id];
+    add_variables(loop, is_mentioned, false, &h);
+    loop->slice_call =
+        arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", name_of(loop, "slice"),
+                     counter_argument(loop), take(loop->arena, &h.arguments));
+    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", name_of(loop, "slice"),
+                counter_parameter(loop, is_used), take(loop->arena, &h.parameters));
+    buffer_text(&out->out, writer_text(loop->arena, &statements));
+    writer_line(out, "}");
+}
+
+static void write_body(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
+    head h = {0};
+    mark_mentioned(loop, facts->counted.body, is_mentioned);
+    loop->is_outlinable &= !is_mentioned[loop->unit->variable_count];
+    add_stand_ins(loop, &h);
+    add_variables(loop, is_mentioned, true, &h);
+    const unsigned count = facts->array_count;
+    loop->body_call =
+        arena_format(loop->arena, "%s(REDCC_BODY_ARGUMENTS_%u, %s%s)", name_of(loop, "body"), count,
+                     counter_argument(loop), take(loop->arena, &h.arguments));
+    writer_line(out, "REDCC_BODY %s(REDCC_BODY_PARAMETERS_%u, %s%s) {", name_of(loop, "body"),
+                count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
+                take(loop->arena, &h.parameters));
+    out->depth = 1;
+    write_iteration(loop, out, true);
+    out->depth = 0;
+    writer_line(out, "} REDCC_QUIET_END");
+}
+
+static bool has_stepped(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].is_stepped)
+            return true;
+    return false;
+}
+
+/** What the macros of loop.h have no place for. */
+static bool has_values_to_leave(const loop_facts *facts) {
+    return has_last_values(facts) || has_sought_values(facts) || has_stepped(facts) ||
+           facts->scalar_count > 0;
+}
+
+static bool has_thread_local(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->captured_count; i++)
+        if (facts->captured[i]->storage == IR_THREAD_LOCAL)
+            return true;
+    return false;
+}
+
+static bool has_blanks_before(const source *file, uint32_t offset) {
+    uint32_t at = offset;
+    while (at > 0 && (file->text[at - 1] == ' ' || file->text[at - 1] == '\t'))
+        at--;
+    return at == 0 || file->text[at - 1] == '\n';
+}
+
+/** In front of the function: on the lines above it, where it begins a line. */
+static uint32_t place_of(const loop_text *loop, writer *out) {
+    const source *file = loop->unit->source;
+    uint32_t begin = loop->facts->function->range.begin;
+    if (!has_blanks_before(file, begin)) {
+        buffer_text(&out->out, "\n");
+        return begin;
+    }
+    while (begin > 0 && file->text[begin - 1] != '\n')
+        begin--;
+    return begin;
+}
+
+const char *write_outlined(loop_text *loop, uint32_t *place) {
+    const loop_facts *facts = loop->facts;
+    loop->is_outlinable = !has_values_to_leave(facts) && facts->array_count <= MOST_ARRAYS &&
+                          !has_thread_local(facts) && !has_macro_of_header_words(loop) &&
+                          has_place(loop) && !may_name_function(loop);
+    if (!loop->is_outlinable)
+        return NULL;
+    writer out = {0};
+    *place = place_of(loop, &out);
+    loop->is_outlined = true;
+    buffer_text(&out.out, loop_condition(loop));
+    writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
+                ir_position_of(loop->unit, facts->loop->range.begin).line);
+    writer_fill(&out, true);
+    writer_line(&out, "REDCC_QUIET_BEGIN");
+    declare_inlined(loop, &out);
+    writer_fill(&out, false);
+    write_slice(loop, &out);
+    write_body(loop, &out);
+    loop->is_outlined = loop->is_outlinable && !loop->obstacle;
+    buffer_format(&out.out, "#endif\n%s\n",
+                  loop_line_directive(loop, facts->function->range.begin));
+    if (*place == facts->function->range.begin && out.out.data[0] == '\n')
+        buffer_text(&out.out, loop_column_blanks(loop, *place));
+    check_macro_names(loop, &out.out);
+    const char *text = writer_text(loop->arena, &out);
+    return loop->is_outlined ? text : NULL;
+}
