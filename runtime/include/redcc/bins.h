@@ -144,7 +144,6 @@ redcc_u32 redcc_push_block(struct redcc_bin_buffer *buffer, redcc_size bin, redc
  *  streams, or of none. Only where each stream is `exact`. */
 #define REDCC_ARE_COPIED(bins) ((bins)->copy[0] != 0)
 
-
 /** Writes `bytes` bytes, whole lines, past the caches. */
 REDCC_INLINE void redcc_write_lines(char *to, const char *from, redcc_size bytes) {
 #if defined(__x86_64__) && defined(__SSE2__) && defined(__GNUC__)

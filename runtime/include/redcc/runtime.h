@@ -14,8 +14,8 @@
  *       redcc_owns                  in the guarded form of the body
  *     redcc_leave      one thread   1: the loop is done; 0: nothing was written, run it serially
  *
- * This header includes none but loop.h (a user's feature-test macros must come before any system header)
- * and compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
+ * This header includes none but loop.h (a user's feature-test macros must come before any system
+ * header) and compiles as C89 with GNU extensions. Every name begins with redcc_ or REDCC_.
  */
 #ifndef REDCC_RUNTIME_H
 #define REDCC_RUNTIME_H

@@ -200,9 +200,9 @@ static void test_matrix_follows_the_effects(void **state) {
     int count;
     const effect_account *effects = simulation_effects(on.sim, &count);
     for (int k = 0; k < count; k++) {
-        const int expected =
-            !strcmp(effects[k].name, "gravity") || !strcmp(effects[k].name, "drag") ||
-            !strcmp(effects[k].name, "monitor");
+        const int expected = !strcmp(effects[k].name, "gravity") ||
+                             !strcmp(effects[k].name, "drag") ||
+                             !strcmp(effects[k].name, "monitor");
         assert_int_equal(effects[k].active, expected);
         assert_true(expected ? effects[k].elements > 0 : effects[k].elements == 0);
         assert_true(expected || strcmp(effects[k].name, "contact") == 0 || effects[k].seconds == 0);
