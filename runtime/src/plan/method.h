@@ -86,20 +86,9 @@ static inline enum way redcc_way_of(const struct method *method) {
     return method->by_graph || method->in_levels ? WAY_GRAPH : WAY_INDEX;
 }
 
-extern const struct method redcc_method_serial;
-extern const struct method redcc_method_localwrite;
-extern const struct method redcc_method_localwrite_steal;
-extern const struct method redcc_method_graph_localwrite;
-extern const struct method redcc_method_graph_localwrite_steal;
-extern const struct method redcc_method_wavefront;
-extern const struct method redcc_method_expansion;
-extern const struct method redcc_method_pseudo_expansion;
-extern const struct method redcc_method_dwa_lip;
-extern const struct method redcc_method_pe_dwa_lip;
-extern const struct method redcc_method_dwa_lip_fixed;
-extern const struct method redcc_method_expansion_fixed;
-extern const struct method redcc_method_atomic;
-extern const struct method redcc_method_binning;
+#define METHOD(name) extern const struct method redcc_method_##name;
+#include "plan/methods.def"
+#undef METHOD
 
 /** All methods; the last entry is NULL. */
 extern const struct method *const redcc_methods[];

@@ -3,25 +3,11 @@
 
 #include <string.h>
 
-/* clang-format off */
 const struct method *const redcc_methods[] = {
-    &redcc_method_serial,
-    &redcc_method_atomic,
-    &redcc_method_localwrite,
-    &redcc_method_localwrite_steal,
-    &redcc_method_graph_localwrite,
-    &redcc_method_graph_localwrite_steal,
-    &redcc_method_wavefront,
-    &redcc_method_expansion,
-    &redcc_method_pseudo_expansion,
-    &redcc_method_dwa_lip,
-    &redcc_method_pe_dwa_lip,
-    &redcc_method_dwa_lip_fixed,
-    &redcc_method_expansion_fixed,
-    &redcc_method_binning,
-    NULL,
-};
-/* clang-format on */
+#define METHOD(name) &redcc_method_##name,
+#include "plan/methods.def"
+#undef METHOD
+    NULL};
 
 static bool is_name(const char *name, const char *text, size_t length) {
     return name && strlen(name) == length && memcmp(name, text, length) == 0;
