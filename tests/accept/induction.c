@@ -118,6 +118,26 @@ static int again_and_again(int n, int rows) {
     return k;
 }
 
+static void goes_on(int n, int rows) {
+    int k = 0;
+    for (int r = 0; r < rows; r++)
+        for (int i = 0; i < n; i++) { // EXPECT: transformed
+            h[s[i]] += e[k];
+            k++;
+        }
+}
+
+static void goes_on_by_jump(int n, int rows) {
+    int k = 0;
+again:
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        h[s[i]] -= e[k];
+        k++;
+    }
+    if (--rows > 0)
+        goto again;
+}
+
 int main(void) {
     unsigned long sum = 0;
     case_values(e, 3 * N + 9);
@@ -136,6 +156,8 @@ int main(void) {
         sum = 3 * sum + (unsigned long)by_while(N, N + round);
         skipped_after(N, 3);
         sum = 3 * sum + (unsigned long)again_and_again(N, 2);
+        goes_on(N, 3);
+        goes_on_by_jump(N, 2);
     }
     printf("%lu\n", sum);
     CASE_PRINT(h);

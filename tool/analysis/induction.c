@@ -111,12 +111,13 @@ bool induction_take(judgement *j, const ir_variable *variable) {
         !sum_steps(j, variable, &step))
         return false;
     const ir_node *start = start_of(j, variable);
+    /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */
     private_variable item = {.variable = (ir_variable *)variable,
                              .entry = start ? start->children[1] : NULL,
                              .is_stepped = true,
                              .step = step,
                              .is_step_wanted =
-                                 variable_is_live_after(j->an->facts, j->loop, variable)};
+                                 !start || variable_is_live_after(j->an->facts, j->loop, variable)};
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }
