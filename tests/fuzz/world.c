@@ -101,7 +101,9 @@ static void let_overlap(kernel *k) {
         array *a = i < ARRAYS ? array_of(k, i) : &k->out;
         const array *b = array_of(k, below(k, ARRAYS));
         const bool is_pointer = is_pointed_to(a) && b->storage != STORAGE_RESTRICT;
-        const bool is_kept = a == &k->chain || a == &k->first || a == &k->far;
+        /* what bounds loops or is no subscript where it is large must stay as it was filled */
+        const bool is_kept =
+            a == &k->chain || a == &k->first || a == &k->far || b == &k->first || b == &k->far;
         if (!is_pointer || is_kept || a == b || a->type != b->type || a->shape != b->shape ||
             a->shape == SHAPE_RECORDS)
             continue;
