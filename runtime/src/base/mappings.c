@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,6 +73,11 @@ static long status_of(const char *key, long otherwise) {
 
 bool redcc_is_confined(void) {
     return status_of("Seccomp:", -1) != 0;
+}
+
+int redcc_descriptor_room(void) {
+    const long room = status_of("FDSize:", 0);
+    return room > 0 && room <= INT_MAX ? (int)room : 0;
 }
 
 bool redcc_has_accelerator(void) {

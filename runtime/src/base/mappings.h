@@ -20,6 +20,10 @@ struct range redcc_mapping_of(uintptr_t address);
  *  that cannot be told. */
 bool redcc_is_confined(void);
 
+/** How many descriptors the process's table has room for as it is; 0 where that cannot be told. To
+ *  make it larger the system waits for all processors: 5 to 20 ms in a process with threads. */
+int redcc_descriptor_room(void);
+
 /** Has the machine a device whose driver may take pages to the device's own memory and bring them
  *  back written, unseen by the processor? */
 bool redcc_has_accelerator(void);

@@ -64,13 +64,16 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* Takes over `descriptor` under a high number, so that the program goes on getting the low ones. */
+/* Takes over `descriptor` under a high number, so that the program goes on getting the low ones:
+ * one of the last two that there is room for already. */
 static bool take(struct opened *opened, int descriptor) {
     if (descriptor < 0)
         return false;
     struct rlimit limit;
-    int from = 512;
-    if (redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 && limit.rlim_cur < 1024)
+    const int room = redcc_descriptor_room();
+    int from = room > 2 && room <= 1024 ? room - 2 : 512;
+    if (redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 &&
+        limit.rlim_cur < (unsigned)from + 2)
         from = (int)limit.rlim_cur / 2;
     opened->descriptor = (int)redcc_system(SYS_fcntl, descriptor, F_DUPFD_CLOEXEC, from);
     redcc_system_close(descriptor);
