@@ -5,7 +5,7 @@
  *
  *   OMP_NUM_THREADS=2 binning ROUNDS KERNEL...      no KERNEL: all
  *
- * Each round executes every course once, at the same subscripts, into an array of its own that
+ * Each round executes every variant once, at the same subscripts, into an array of its own that
  * keeps its contents: the bits of all arrays are compared after each round. Prints lines
  *
  *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
@@ -349,7 +349,7 @@ enum { KERNELS = sizeof kernels / sizeof *kernels };
 
 static int kind = BINS_EITHER; /* REDCC_METHOD=binning:records and binning:copies ask for others */
 
-struct course {
+struct variant {
     const char *name;
     const struct method *method; /* NULL: the sequential loop */
     char *array;
@@ -363,22 +363,22 @@ static double clock_of(clockid_t clock) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void execute(const struct kernel *kernel, struct course *course, const struct data *d,
+static void execute(const struct kernel *kernel, struct variant *variant, const struct data *d,
                     int threads, int round) {
     struct settings *settings = (struct settings *)redcc_settings();
     const double wall = clock_of(CLOCK_MONOTONIC), cpu = clock_of(CLOCK_PROCESS_CPUTIME_ID);
-    settings->method = course->method;
+    settings->method = variant->method;
     settings->parameter = kind;
-    if (!course->method)
-        kernel->sequential(d, course->array);
-    else if (!kernel->parallel(d, course->array, threads))
-        kernel->sequential(d, course->array);
+    if (!variant->method)
+        kernel->sequential(d, variant->array);
+    else if (!kernel->parallel(d, variant->array, threads))
+        kernel->sequential(d, variant->array);
     const struct loop_state *state = kernel->loop->loop.state;
-    if (course->method == &redcc_method_binning && state->binning.bytes > course->extra)
-        course->extra = state->binning.bytes;
-    course->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
-    course->cpu[round] =
-        (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) / (course->method ? threads : 1);
+    if (variant->method == &redcc_method_binning && state->binning.bytes > variant->extra)
+        variant->extra = state->binning.bytes;
+    variant->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
+    variant->cpu[round] =
+        (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) / (variant->method ? threads : 1);
 }
 
 static int ascending(const void *a, const void *b) {
@@ -401,18 +401,18 @@ static double extreme(const double *values_of, int count, int sign) {
 }
 
 /* The first round is not counted: pages are made in it. */
-static void print(const struct kernel *kernel, const struct course *serial,
-                  const struct course *course, int threads, int rounds, size_t bytes) {
+static void print(const struct kernel *kernel, const struct variant *serial,
+                  const struct variant *variant, int threads, int rounds, size_t bytes) {
     double ratio[MOST_ROUNDS];
     const int count = rounds - 1;
     for (int r = 0; r < count; r++)
-        ratio[r] = serial->wall[r + 1] / course->wall[r + 1];
-    printf("%s,%s,%d,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", kernel->name, course->name,
-           threads, median(serial->wall + 1, count), median(course->wall + 1, count),
+        ratio[r] = serial->wall[r + 1] / variant->wall[r + 1];
+    printf("%s,%s,%d,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", kernel->name, variant->name,
+           threads, median(serial->wall + 1, count), median(variant->wall + 1, count),
            median(ratio, count), extreme(ratio, count, -1), extreme(ratio, count, 1),
-           extreme(serial->wall + 1, count, -1) / extreme(course->wall + 1, count, -1),
-           median(serial->cpu + 1, count) / median(course->cpu + 1, count),
-           100 * (double)course->extra / (double)bytes);
+           extreme(serial->wall + 1, count, -1) / extreme(variant->wall + 1, count, -1),
+           median(serial->cpu + 1, count) / median(variant->cpu + 1, count),
+           100 * (double)variant->extra / (double)bytes);
     fflush(stdout);
 }
 
@@ -426,9 +426,9 @@ static void make(const struct kernel *kernel, struct data *d) {
 }
 
 static int measure(const struct kernel *kernel, int rounds, int threads) {
-    struct course courses[] = {{.name = "serial"},
-                               {.name = "binning", .method = &redcc_method_binning},
-                               {.name = "localwrite", .method = &redcc_method_localwrite}};
+    struct variant variants[] = {{.name = "serial"},
+                                 {.name = "binning", .method = &redcc_method_binning},
+                                 {.name = "localwrite", .method = &redcc_method_localwrite}};
     const int count = threads > 1 ? 3 : 2;
     struct data sets[SETS];
     for (int s = 0; s < SETS; s++)
@@ -436,20 +436,20 @@ static int measure(const struct kernel *kernel, int rounds, int threads) {
     const size_t bytes = sets[0].rows * kernel->row;
     int bad = 0;
     for (int c = 0; c < count; c++)
-        courses[c].array = calloc(1, bytes);
+        variants[c].array = calloc(1, bytes);
     for (int round = 0; round < rounds; round++) {
         for (int c = 0; c < count; c++)
-            execute(kernel, &courses[c], &sets[round % SETS], threads, round);
+            execute(kernel, &variants[c], &sets[round % SETS], threads, round);
         for (int c = 1; c < count; c++)
-            bad |= memcmp(courses[0].array, courses[c].array, bytes) != 0;
+            bad |= memcmp(variants[0].array, variants[c].array, bytes) != 0;
     }
     if (bad)
         fprintf(stderr, "binning: %s: other bits\n", kernel->name);
     for (int c = 1; c < count; c++)
-        print(kernel, &courses[0], &courses[c], threads, rounds, bytes);
+        print(kernel, &variants[0], &variants[c], threads, rounds, bytes);
     redcc_loop_forget(&kernel->loop->loop);
     for (int c = 0; c < count; c++)
-        free(courses[c].array);
+        free(variants[c].array);
     for (int s = 0; s < SETS; s++)
         free_data(&sets[s]);
     return bad;

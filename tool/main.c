@@ -59,7 +59,6 @@ static int translate_inputs(arena *a, const options *o) {
     const workers how = {.count = o->inputs.count,
                          .at_once = o->in_process ? 0 : 1,
                          .result_size = sizeof(file_outcome),
-                         .keeps_output = is_joined,
                          .take = is_joined ? add_report : NULL,
                          .work = translate_input,
                          .done = count_input,

@@ -37,18 +37,23 @@ void redcc_report_remove(struct reported *reported) {
             at->next = reported->next;
 }
 
+/* Counts the text in a place that is free (count 0) or has it; false: another one is there. The
+ * place has room for it. */
+static bool count_text(char *place, long *count, const char *text) {
+    if (*count == 0)
+        memcpy(place, text, strlen(text) + 1);
+    if (strcmp(place, text) != 0)
+        return false;
+    ++*count;
+    return true;
+}
+
 void redcc_report_overlap(struct statistics *statistics, const char *source, const char *array) {
     char text[REDCC_TEXT];
     snprintf(text, sizeof text, "'%s' overlaps '%s'", source, array);
-    for (int i = 0; i < REDCC_TEXTS; i++) {
-        struct told_text *told = &statistics->overlap[i];
-        if (told->count == 0)
-            memcpy(told->text, text, sizeof text);
-        if (strcmp(told->text, text) == 0) {
-            told->count++;
+    for (int i = 0; i < REDCC_TEXTS; i++)
+        if (count_text(statistics->overlap[i].text, &statistics->overlap[i].count, text))
             return;
-        }
-    }
     atomic_fetch_add(&statistics->fallback[REASON_OVERLAP], 1); /* too many to tell apart */
 }
 
@@ -56,15 +61,9 @@ void redcc_report_lost(struct statistics *statistics, const char *array) {
     char name[REDCC_NAME];
     snprintf(name, sizeof name, "%s", array);
     statistics->lost.count++;
-    for (int i = 0; i < REDCC_LOST; i++) {
-        struct lost_to *to = &statistics->lost.array[i];
-        if (to->count == 0)
-            memcpy(to->name, name, sizeof name);
-        if (strcmp(to->name, name) == 0) {
-            to->count++;
+    for (int i = 0; i < REDCC_LOST; i++)
+        if (count_text(statistics->lost.array[i].name, &statistics->lost.array[i].count, name))
             return;
-        }
-    }
 }
 
 /* With the process's id for %p: of several processes each has a report of its own. NULL: no

@@ -25,7 +25,7 @@ typedef struct slicer {
     const judgement *j;
     bool *keep;
     VECTOR(needed_part) needed;
-    bool is_integer_only; /* for now: floating-point values are an obstacle */
+    bool is_integer_only; /* of what is tried: floating-point values are an obstacle */
     bool has_floating_work;
     const ir_node *obstacle;
 } slicer;

@@ -64,7 +64,7 @@ _Noreturn static void be_worker(const pool *all, unsigned number) {
 
 static bool begin(pool *all) {
     piece *p = &all->pieces[all->begun];
-    if (all->w->keeps_output && !keep_output(p))
+    if ((all->w->keeps_output || all->w->take) && !keep_output(p))
         return false;
     fflush(stdout);
     fflush(stderr);

@@ -12,9 +12,9 @@ typedef struct workers {
     unsigned at_once;   /* processes; 0: the caller's own, which is to end as the work does */
     size_t result_size; /* bytes of a result: no pointers in it */
     bool keeps_output;  /* show what a piece prints only after the pieces before it, each at once */
-    /** May be NULL; with keeps_output only. In the caller's process, in order, before `done`: gets
-     *  what a piece printed on standard output, in place of its being shown there. `output` is at
-     *  its beginning, and closed afterwards. */
+    /** May be NULL; else output is kept. In the caller's process, in order, before `done`: gets
+     * what a piece printed on standard output, in place of its being shown there. `output` is at
+     * its beginning, and closed afterwards. Not with at_once 0. */
     void (*take)(unsigned number, FILE *output, void *context);
     /** In a process of its own: does the piece and fills in *result, which is zeroed before. */
     void (*work)(unsigned number, void *result, void *context);

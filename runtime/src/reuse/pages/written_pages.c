@@ -64,17 +64,22 @@ static int request_of(const struct opened *opened, unsigned long request, const 
     return (int)redcc_system(SYS_ioctl, opened->descriptor, request, argument);
 }
 
-/* Takes over `descriptor` under a high number, so that the program goes on getting the low ones:
- * one of the last two that there is room for already. */
-static bool take(struct opened *opened, int descriptor) {
-    if (descriptor < 0)
-        return false;
+/* The numbers from which on ours are, so that the program goes on getting the low ones: the last
+ * two that there is room for already. */
+static int first_number(void) {
     struct rlimit limit;
     const int room = redcc_descriptor_room();
-    int from = room > 2 && room <= 1024 ? room - 2 : 512;
-    if (redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 &&
-        limit.rlim_cur < (unsigned)from + 2)
-        from = (int)limit.rlim_cur / 2;
+    const int from = room > 2 && room <= 1024 ? room - 2 : 512;
+    return redcc_system(SYS_prlimit64, 0, RLIMIT_NOFILE, 0, &limit) == 0 &&
+                   limit.rlim_cur < (unsigned)from + 2
+               ? (int)limit.rlim_cur / 2
+               : from;
+}
+
+/* Takes over `descriptor` under a number not below `from`. */
+static bool take(struct opened *opened, int descriptor, int from) {
+    if (descriptor < 0)
+        return false;
     opened->descriptor = (int)redcc_system(SYS_fcntl, descriptor, F_DUPFD_CLOEXEC, from);
     redcc_system_close(descriptor);
     return opened->descriptor >= 0 && look_at(opened);
@@ -89,10 +94,11 @@ static void give_up(struct opened *opened) {
 static bool open_both(void) {
     faults.descriptor = pagemap.descriptor = -1;
     struct watch_api api = {WATCH_API_VERSION, WATCH_FEATURE_ASYNC | WATCH_FEATURE_UNPOPULATED, 0};
-    return take(&faults, (int)redcc_system(SYS_userfaultfd,
-                                           O_CLOEXEC | O_NONBLOCK | WATCH_USER_MODE_ONLY)) &&
+    const int from = first_number();
+    const int flags = O_CLOEXEC | O_NONBLOCK | WATCH_USER_MODE_ONLY;
+    return take(&faults, (int)redcc_system(SYS_userfaultfd, flags), from) &&
            request_of(&faults, WATCH_IOCTL_API, &api) == 0 &&
-           take(&pagemap, redcc_system_open("/proc/self/pagemap"));
+           take(&pagemap, redcc_system_open("/proc/self/pagemap"), from);
 }
 
 /* EBUSY where the program watches the place by a descriptor of its own. */
