@@ -313,12 +313,13 @@ static void run(void *data) {
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, name, &t->result);
-        t->result.unit = convert(t->arena, t->source, name, clang, chosen.predefined);
+        ir_unit *unit = convert(t->arena, t->source, name, clang, chosen.predefined);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
-        t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
-        apply_flags(t->result.unit, &chosen);
+        unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
+        apply_flags(unit, &chosen);
+        t->result.unit = unit;
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);
