@@ -11,6 +11,11 @@ target_compile_definitions(analysis_verdict_ir_test
 add_test(NAME analysis.verdict_ir COMMAND analysis_verdict_ir_test)
 
 if(TARGET redcc_frontend)
+  add_executable(analysis_invariants_test ${CMAKE_CURRENT_LIST_DIR}/invariants_test.c)
+  target_link_libraries(analysis_invariants_test
+    PRIVATE redcc_warnings redcc_analysis redcc_frontend PkgConfig::CMOCKA)
+  add_test(NAME analysis.invariants COMMAND analysis_invariants_test)
+
   add_executable(analysis_cases_test ${CMAKE_CURRENT_LIST_DIR}/cases_test.c)
   target_link_libraries(analysis_cases_test
     PRIVATE redcc_warnings analysis_expectation redcc_frontend)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "frontend/frontend.h"
 
+#include <assert.h>
 #include <malloc.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "frontend/flags.h"
+#include "ir/ir_text.h"
 
 /* clang parses by recursion, about 10 KB a level; only what is used is taken from the system. */
 enum { STACK_SIZE = 256 << 20 };
@@ -319,6 +321,7 @@ static void run(void *data) {
                              says_may_alias(t->source->text);
         unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
         apply_flags(unit, &chosen);
+        assert(ir_check(t->arena, unit) == NULL);
         t->result.unit = unit;
         clang_disposeTranslationUnit(clang);
     }
