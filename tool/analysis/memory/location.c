@@ -140,71 +140,74 @@ static bool is_result(const ir_node *value) {
     return value->kind == IR_CALL;
 }
 
+/* pointer + n, n + pointer, pointer - n */
+static location moved_location(const question *q, const ir_node *node, unsigned depth) {
+    const ir_node *left = node->children[0];
+    const bool left_is_pointer =
+        left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
+    location l = pointed_location(q, node->children[left_is_pointer ? 0 : 1], depth);
+    if (l.step_count && !l.steps[l.step_count - 1].field)
+        l.steps[l.step_count - 1].subscript = NULL;
+    else if (!is_zero(node->children[left_is_pointer ? 1 : 0]))
+        leave_single_object(&l);
+    return l;
+}
+
+static location cast_location(const question *q, const ir_node *node, unsigned depth) {
+    const ir_node *operand = node->children[0];
+    if (!operand->type || (operand->type->kind != IR_POINTER && operand->type->kind != IR_ARRAY))
+        return unknown_location();
+    location l = pointed_location(q, operand, depth);
+    if (!same_pointee(node->type, operand->type)) {
+        l.is_inexact = true;
+        l.is_punned = true;
+    }
+    return l;
+}
+
+static location variable_location(const question *q, const ir_node *node, unsigned depth) {
+    const ir_node *value = variable_single_definition(q->facts, node->variable);
+    if (!value)
+        return pointer_base(node);
+    /* variable_escapes counts on every pointer defined once being looked through, or unknown */
+    if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
+        return is_result(value) ? pointer_base(node) : unknown_location();
+    location l = pointed_location(q, value, depth + 1);
+    const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
+    if (q->scope && !ir_contains(q->scope, place))
+        l.base = node;
+    return l;
+}
+
 static location pointed_location(const question *q, const ir_node *node, unsigned depth) {
-    location l;
     if (is_locale_table(node))
         return locale_location(node);
     if (node->type && node->type->kind == IR_ARRAY) {
-        l = lvalue_location(q, node, depth);
+        location l = lvalue_location(q, node, depth);
         add_step(&l, NULL, NULL, NULL);
         return l;
     }
     switch (node->kind) {
     case IR_UNARY:
-        if (node->op == IR_OP_ADDRESS) {
-            l = lvalue_location(q, node->children[0], depth);
-            return l;
-        }
-        if (node->op == IR_OP_DEREFERENCE) /* *p is p[0] */
-            return pointer_base(node);
-        break;
+        if (node->op == IR_OP_ADDRESS)
+            return lvalue_location(q, node->children[0], depth);
+        /* *p is p[0] */
+        return node->op == IR_OP_DEREFERENCE ? pointer_base(node) : unknown_location();
     case IR_BINARY:
-        if (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT) {
-            const ir_node *left = node->children[0];
-            bool left_is_pointer =
-                left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
-            l = pointed_location(q, node->children[left_is_pointer ? 0 : 1], depth);
-            if (l.step_count && !l.steps[l.step_count - 1].field)
-                l.steps[l.step_count - 1].subscript = NULL;
-            else if (!is_zero(node->children[left_is_pointer ? 1 : 0]))
-                leave_single_object(&l);
-            return l;
-        }
-        break;
-    case IR_CAST: {
-        const ir_node *operand = node->children[0];
-        if (!operand->type ||
-            (operand->type->kind != IR_POINTER && operand->type->kind != IR_ARRAY))
-            return unknown_location();
-        l = pointed_location(q, operand, depth);
-        if (!same_pointee(node->type, operand->type)) {
-            l.is_inexact = true;
-            l.is_punned = true;
-        }
-        return l;
-    }
+        return node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT ? moved_location(q, node, depth)
+                                                                   : unknown_location();
+    case IR_CAST:
+        return cast_location(q, node, depth);
     case IR_STRING:
         return (location){.is_string = true, .is_inexact = true, .base = node};
-    case IR_VARIABLE: {
-        const ir_node *value = variable_single_definition(q->facts, node->variable);
-        if (!value)
-            return pointer_base(node);
-        /* variable_escapes counts on every pointer defined once being looked through, or unknown */
-        if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
-            return is_result(value) ? pointer_base(node) : unknown_location();
-        l = pointed_location(q, value, depth + 1);
-        const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
-        if (q->scope && !ir_contains(q->scope, place))
-            l.base = node;
-        return l;
-    }
+    case IR_VARIABLE:
+        return variable_location(q, node, depth);
     case IR_MEMBER:
     case IR_INDEX:
         return pointer_base(node);
     default:
-        break;
+        return unknown_location();
     }
-    return unknown_location();
 }
 
 location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node *scope) {
