@@ -21,7 +21,7 @@ if(REDCC_SANITIZE)
   set(scenes 12)
 endif()
 add_test(NAME fabric.hard.random_scenes COMMAND random_scenes ${scenes})
-add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes 4 1 driven)
+add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes 28 1 driven)
 # A stiff sheet in steps of 29 s: a plane at rest seemed to have put in what the solution gained.
 add_test(NAME fabric.hard.random_scenes_230 COMMAND random_scenes 3 229)
 

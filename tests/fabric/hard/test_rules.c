@@ -315,6 +315,45 @@ static void test_monitor(void **state) {
     stage_end(&on);
 }
 
+/* What passes in 32 of the shortest steps in a row is no reason to halve one of twice the length, and
+ * so on; strain goes on being one, and one step in which nothing passes begins anew. */
+static void test_futile_halving(void **state) {
+    (void)state;
+    stage on = sheet_with(&plane);
+    on.s.limits.energy = 1e300;
+    stage_begin(&on);
+    double(*x)[3] = on.sim->x_next;
+    memcpy(x, on.m.position, sizeof *x * (size_t)on.m.vertex_count);
+    for (int n = 0; n < 31; n++) {
+        on.sim->ticks = 1;
+        assert_int_equal(verdict_on(&on, 1, 1), STEP_GOOD);
+        monitor_accept(&on.sim->monitor);
+        on.sim->ticks = 2;
+        assert_int_equal(verdict_on(&on, 1, 0), STEP_PASSING);
+    }
+    assert_int_equal(verdict_on(&on, 1, 1), STEP_GOOD);
+    monitor_accept(&on.sim->monitor);
+    on.sim->ticks = 2;
+    assert_int_equal(verdict_on(&on, 1, 0), STEP_GOOD);
+    on.sim->ticks = 4;
+    assert_int_equal(verdict_on(&on, 1, 0), STEP_PASSING);
+    for (int n = 0; n < 32; n++) {
+        on.sim->ticks = 2;
+        assert_int_equal(verdict_on(&on, 1, 0), STEP_GOOD);
+        monitor_accept(&on.sim->monitor);
+    }
+    assert_int_equal(monitor_futile_parts(&on.sim->monitor), 4);
+    assert_int_equal(simulation_faults(on.sim).passing, 64);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        x[i][0] = 2.2 * on.m.position[i][0];
+    assert_int_equal(verdict_on(&on, 0, 0), STEP_STRAIN);
+    memcpy(x, on.m.position, sizeof *x * (size_t)on.m.vertex_count);
+    assert_int_equal(verdict_on(&on, 0, 0), STEP_GOOD);
+    monitor_accept(&on.sim->monitor);
+    assert_int_equal(monitor_futile_parts(&on.sim->monitor), 1);
+    stage_end(&on);
+}
+
 /* The midpoint rule lands on a plane and stays there. */
 static void test_midpoint_does_not_bounce(void **state) {
     (void)state;
@@ -559,6 +598,7 @@ int main(void) {
         cmocka_unit_test(test_drawing_apart),
         cmocka_unit_test(test_vertex_through_moving_triangle),
         cmocka_unit_test(test_monitor),
+        cmocka_unit_test(test_futile_halving),
         cmocka_unit_test(test_midpoint_does_not_bounce),
         cmocka_unit_test(test_bdf2_of_unequal_steps),
         cmocka_unit_test(test_ends_in_touch),
