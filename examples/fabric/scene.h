@@ -61,6 +61,9 @@ typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
 /** and what the rest shape of one from a file is. */
 typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 
+/** Where bending is none: where the cloth is flat, or where it starts. */
+typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
+
 typedef struct scene {
     char name[64];
     /* mesh */
@@ -68,6 +71,7 @@ typedef struct scene {
     char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
     double scale;               /* m, of the file's unit */
     int rest;                   /* sheet_rest */
+    int rest_angles;            /* sheet_angles */
     struct mesh *sheet;         /* as the file has it; freed by scene_free */
     int vertices, boundary;     /* from a file: as many as it has, and 0 */
     double side;                /* m; from a file: the square root of its area */

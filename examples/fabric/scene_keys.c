@@ -54,6 +54,7 @@ static const char *const precisions[] = {"double", "float", "mixed", NULL};
 #define GENERATED (1u << SHEET_GENERATED)
 #define FROM_FILE (1u << SHEET_FILE)
 static const char *const rests[] = {"positions", "texture", NULL};
+static const char *const angles[] = {"flat", "mesh", NULL};
 static const scene_key mesh_keys[] = {
     KIND_BY_KEYS(scene, sheet_from),
     {"vertices", VALUE_WHOLE, offsetof(scene, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED, NULL,
@@ -64,6 +65,8 @@ static const scene_key mesh_keys[] = {
     {"file", VALUE_FILE, offsetof(scene, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
     {"scale", VALUE_NUMBER, offsetof(scene, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL, NULL},
     {"rest", VALUE_CHOICE, offsetof(scene, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
+    {"rest_angles", VALUE_CHOICE, offsetof(scene, rest_angles), 0, 1, ANY, FROM_FILE, angles, NULL,
+     NULL},
     {"seed", VALUE_SEED, offsetof(scene, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL, NULL},
     CHOICE(scene, order, 0, orders),
     VECTOR(scene, origin, 0, 3),
