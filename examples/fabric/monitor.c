@@ -59,6 +59,9 @@ static double outside_work(const monitored_step *step, const scene *s) {
         work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
     if (s->drag > 0 && vector_length(step->wind) > 0)
         work += drag_work(step->triangles, s->drag, step->wind, step->h, step->x, step->v_next);
+    if (s->tangential_drag > 0 && vector_length(step->wind) > 0)
+        work += drag_work_along(step->triangles, s->tangential_drag, step->wind, step->h, step->x,
+                                step->v_next);
     return work + step->push_work +
            collisions_work(step->collisions, step->given, step->h, step->stage_h, step->v_next,
                            step->residual);

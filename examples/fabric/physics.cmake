@@ -6,7 +6,7 @@ foreach(source
     solver_factor.c solver_domains.c solver_packed.c solver_direct.c solver_fallback.c
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
-    effects/drag.c effects/drag_work.c effects/damping.c
+    effects/drag.c effects/drag_along.c effects/drag_work.c effects/damping.c
     effects/strain_limit.c effects/strain_limit_list.c
     collision_account.c collision_near.c collision_triangles.c shape_triangle.c impulse.c impact.c impact_zone.c monitor.c plan.c rest.c self_collision.c self_grid.c self_pair.c)
   list(APPEND FABRIC_PHYSICS_SOURCES ${CMAKE_CURRENT_LIST_DIR}/${source})

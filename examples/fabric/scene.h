@@ -88,6 +88,7 @@ typedef struct scene {
     /* surroundings */
     double gravity[3];            /* m/s^2 */
     double drag;                  /* kg/(m^2 s): force per area and relative velocity */
+    double tangential_drag;       /* kg/(m^2 s): the same along the cloth */
     double wind[3];               /* m/s */
     double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
     int pin_count;
@@ -123,6 +124,12 @@ void scene_free(scene *s);
  *  new_of_old: as for mesh_reorder, [s->vertices] or NULL. 0, or -1 with a message in error[256].
  */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+
+/** Does moving air act on the cloth at some time? */
+static inline int scene_has_wind(const scene *s) {
+    return (s->drag > 0 || s->tangential_drag > 0) &&
+           (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
+}
 
 /** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);

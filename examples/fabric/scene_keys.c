@@ -85,6 +85,7 @@ static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
 
 static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
                                               NUMBER(scene, drag, 0, NOT_NEGATIVE),
+                                              NUMBER(scene, tangential_drag, 0, NOT_NEGATIVE),
                                               VECTOR(scene, wind, 0, 3),
                                               NUMBER(scene, wind_from, 0, NOT_NEGATIVE),
                                               NUMBER(scene, wind_until, 0, NOT_NEGATIVE),

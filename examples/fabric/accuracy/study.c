@@ -78,10 +78,6 @@ double scene_stiffness(const scene *s) {
     return s->stretch / (s->density * gravity * s->side);
 }
 
-int scene_has_wind(const scene *s) {
-    return s->drag > 0 && (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
-}
-
 void study_compare(study *of) {
     for (int k = 0; k < of->row_count; k++) {
         study_row *r = &of->rows[k];

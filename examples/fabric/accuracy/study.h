@@ -49,7 +49,6 @@ extern const char *const integrator_names[]; /* by integrator_kind, NULL after t
 /** Stretch over the weight of a strip as long as the sheet: what its own weight stretches it by,
  *  inverted. No unit. */
 double scene_stiffness(const scene *s);
-int scene_has_wind(const scene *s);
 
 /** Runs the scene and files the result. 0, or -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
