@@ -17,6 +17,13 @@ typedef enum collider_kind {
 
 enum { SCENE_FILE_SIZE = 1024 };
 
+/** Where a collider is at a time (see motion.h). */
+typedef struct keyframe {
+    double time;    /* s, ascending */
+    double move[3]; /* m, from the collider's position, */
+    double angle;   /* degrees, about its turn_axis */
+} keyframe;
+
 typedef struct collider {
     collider_kind kind;
     double position[3]; /* m, centre (a point of the plane) at time 0 */
@@ -28,6 +35,9 @@ typedef struct collider {
     char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
     double from, until;         /* s, it is there from then until then; until 0: for good */
+    double turn_axis[3];        /* unit, which it turns about by its keyframes: */
+    int keyframe_count;         /* none: it moves by its velocity alone */
+    keyframe *keyframes;        /* [keyframe_count]; the scene's */
 } collider;
 
 /** What tells which vertices a pin holds. */

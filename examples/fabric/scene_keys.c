@@ -142,6 +142,13 @@ static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
                                      NUMBER(pin, until, 0, NOT_NEGATIVE),
                                      END};
 
+static const scene_key keyframe_keys[] = {NUMBER(keyframe, time, 1, NOT_NEGATIVE),
+                                          VECTOR(keyframe, move, 0, 3),
+                                          NUMBER(keyframe, angle, 0, ANY), END};
+static const keyframe keyframe_defaults;
+static const scene_list keyframe_list = {offsetof(collider, keyframe_count), sizeof(keyframe),
+                                         &keyframe_defaults, NULL};
+
 #define OF(kind) (1u << COLLIDER_##kind)
 static const scene_key collider_keys[] = {
     CHOICE(collider, kind, 1, kinds),
@@ -160,12 +167,17 @@ static const scene_key collider_keys[] = {
     NUMBER(collider, gap, 0, NOT_NEGATIVE),
     NUMBER(collider, from, 0, NOT_NEGATIVE),
     NUMBER(collider, until, 0, NOT_NEGATIVE),
+    DIRECTION(collider, turn_axis, 0),
+    {"motion", VALUE_LIST, offsetof(collider, keyframes), 0, 1, ANY, 0, NULL, keyframe_keys,
+     &keyframe_list},
     END};
 
 static const pin pin_defaults;
-static const collider collider_defaults = {.friction = 0.3, .gap = 0.005};
+static const collider collider_defaults = {
+    .friction = 0.3, .gap = 0.005, .turn_axis = {0.0, 0.0, 1.0}};
 static void release_collider(void *item) {
     surface_free(((collider *)item)->surface);
+    free(((collider *)item)->keyframes);
 }
 
 static void release_pin(void *item) {
