@@ -9,6 +9,8 @@ foreach(name motion contact shape effects demand decisions self piles rules resu
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
 endforeach()
 
+add_test(NAME fabric.hard.piles_long COMMAND test_fabric_hard_piles long)
+set_tests_properties(fabric.hard.piles_long PROPERTIES LABELS slow)
 target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
                            SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")

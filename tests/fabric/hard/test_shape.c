@@ -5,8 +5,10 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "mesh_rest.h"
+#include "solver_direct.h"
 #include "vector.h"
 
 enum { columns = 12, slivers = 10 };
@@ -334,6 +336,73 @@ static void S30_no_mesh(void **state) {
     cloth_free(&m);
 }
 
+/* A ribbon 0.8 m wide of triangles 1 mm high: 800:1. Held at one end it swings down. */
+static stage long_triangles(void) {
+    enum { segments = 1000 };
+    static pin hold = {.low = {-0.0005, -1}, .high = {0.0005, 1}};
+    double material[2 * (segments + 1)][2];
+    int triangle[2 * segments][3];
+    for (int k = 0; k <= segments; k++)
+        for (int side = 0; side < 2; side++) {
+            material[2 * k + side][0] = 1e-3 * k;
+            material[2 * k + side][1] = 0.8 * side;
+        }
+    for (int k = 0; k < segments; k++) {
+        const int first[3] = {2 * k, 2 * k + 2, 2 * k + 1},
+                  second[3] = {2 * k + 1, 2 * k + 2, 2 * k + 3};
+        memcpy(triangle[2 * k], first, sizeof first);
+        memcpy(triangle[2 * k + 1], second, sizeof second);
+    }
+    stage on = stage_of(cloth_of(2 * (segments + 1), (const double(*)[2])material, 2 * segments,
+                                 (const int(*)[3])triangle),
+                        cloth_scene());
+    on.s.stretch = 400;
+    on.s.shear = 80;
+    on.s.bend = 1e-4;
+    on.s.step = 0.033;
+    on.s.tolerance = 1e-4;
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    return on;
+}
+
+static double cpu_of(stage *on, int steps) {
+    const clock_t begin = clock();
+    stage_run(on, steps);
+    return (double)(clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/* What takes the conjugate gradients thousands of iterations is solved directly: it takes about as long as where the
+ * scene asks for the direct solution, and ends in the same place. */
+static void S40_ribbon_of_800_to_1(void **state) {
+    (void)state;
+    enum { steps = 100 };
+    stage on = long_triangles(), direct = long_triangles();
+    direct.s.method = METHOD_DIRECT;
+    if (!direct_solver_available()) {
+        cloth_free(&on.m);
+        cloth_free(&direct.m);
+        skip();
+    }
+    stage_begin(&on);
+    stage_begin(&direct);
+    const double seconds = cpu_of(&on, steps), direct_seconds = cpu_of(&direct, steps);
+    const run_faults f = simulation_faults(on.sim);
+    print_message("S40 ribbon of 800:1: %.2f s (directly %.2f s), %ld solved directly, %ld "
+                  "iterations, apart by %.2g m, strain %.2g, %ld rejected\n",
+                  seconds, direct_seconds, f.solved_directly, simulation_iterations(on.sim),
+                  stage_distance(&on, &direct, NULL), f.greatest_strain,
+                  simulation_steps_rejected(on.sim));
+    stage_assert_finite(&on);
+    assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
+    assert_int_equal(f.not_solved, 0);
+    assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.max_iterations);
+    assert_below(stage_distance(&on, &direct, NULL), 1e-4);
+    assert_below(seconds, 10);
+    stage_end(&on);
+    stage_end(&direct);
+}
+
 enum { around = 24, rings = 9 };
 static const double tube_radius = 0.05, tube_length = 0.2; /* m */
 
@@ -444,6 +513,7 @@ int main(void) {
         cmocka_unit_test(S30_components_are_independent),
         cmocka_unit_test(S32_refinement_converges),
         cmocka_unit_test(S33_numbering_does_not_matter),
+        cmocka_unit_test(S40_ribbon_of_800_to_1),
         cmocka_unit_test(S41_tube_keeps_its_shape),
         cmocka_unit_test(S41_tube_springs_back),
     };
