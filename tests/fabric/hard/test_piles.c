@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "crossings.h"
+#include "impact.h"
 #include "mesh_parts.h"
 #include "surface.h"
 #include "vector.h"
@@ -140,6 +141,44 @@ static void S43_squeezed(void **state) {
             assert_true(!ended && f.deepest < 1e-6);
         stage_end(&on);
     }
+}
+
+/* Twenty-four sheets rush together from both sides: more than rounds of impulses sort out, the rest
+ * moves on as one. Nothing passes, and momentum stays. */
+static void S44_sheets_crash(void **state) {
+    (void)state;
+    enum { count = 24 };
+    stage on = stage_of(layers(count, 4, 0.05, 0.012), cloth_scene());
+    double work = 0, momentum[3] = {0, 0, 0}, after[3] = {0, 0, 0};
+    self_collision s;
+    stage_begin(&on);
+    const int each = on.m.vertex_count / count;
+    const double(*x)[3] = (const double(*)[3])on.m.position;
+    double(*v)[3] = cloth_moved(&on.m, 5, 3);
+    for (int i = 0; i < on.m.vertex_count; i++) {
+        for (int a = 0; a < 3; a++)
+            v[i][a] -= x[i][a];
+        v[i][2] += i / each < count / 2 ? 100 : -100;
+        vector_add_scaled(momentum, on.sim->mass[i], v[i], momentum);
+    }
+    assert_int_equal(self_collision_init(&s, &on.m, 0.006, 0.3, 0.02), 0);
+    impact_step step = {.h = 0.02,
+                        .x = x,
+                        .v = v,
+                        .of = {on.sim->mass, &on.sim->collisions},
+                        .itself = &s,
+                        .bodies = &on.sim->collisions};
+    assert_int_equal(impact_resolve(&step, &work), 0);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        vector_add_scaled(after, on.sim->mass[i], v[i], after);
+    print_message("S44 %d sheets: %d pairs pass, work %.3g J\n", (int)count, s.left, work);
+    assert_int_equal(s.left, 0);
+    assert_true(work <= 0);
+    for (int a = 0; a < 3; a++)
+        assert_near(after[a], momentum[a], 1e-9);
+    self_collision_free(&s);
+    free(v);
+    stage_end(&on);
 }
 
 /* A ribbon falls upright onto a plane and folds onto itself. */
@@ -281,6 +320,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(S36_two_layers_on_a_floor),
         cmocka_unit_test(S36_ten_layers_on_a_floor),
         cmocka_unit_test(S43_squeezed),
+        cmocka_unit_test(S44_sheets_crash),
         cmocka_unit_test(S37_ribbon_folds_onto_itself),
         cmocka_unit_test(S38_thin_rod_between_vertices),
         cmocka_unit_test(S38_small_fast_ball),
