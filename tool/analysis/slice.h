@@ -11,6 +11,8 @@
 /** An address to be told before a statement. */
 typedef struct slice_touch {
     const ir_node *row;
+    unsigned loop_count; /* as of loop_source */
+    const source_loop *loops;
     const ir_node *place;
 } slice_touch;
 
@@ -25,9 +27,10 @@ typedef struct slice {
 /** The slice of all touches together. */
 slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches);
 
-/** Can &row be computed before `place`, however control gets there: nothing in row is assigned in
- *  the statement itself, and no condition inside it protects a load of row's? */
-bool slice_can_tell(const judgement *j, const ir_node *row, const ir_node *node,
+/** Can the addresses of the source's row, with its loops, be computed before `place`, however control
+ *  gets there: nothing in them is assigned in the statement itself, and no condition inside it
+ *  protects a load of theirs? */
+bool slice_can_tell(const judgement *j, const loop_source *told, const ir_node *node,
                     const ir_node *place);
 
 /** The statement or declarator of the body around `node`; NULL: it stands in the loop's header. */
@@ -40,6 +43,9 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place);
  *  trap or have no meaning (divisions, conversions of floating values, shifts)? Overflow of signed
  *  sums and products is left to who writes it: emit/unconditional.c. */
 bool slice_is_safe_anywhere(const ir_node *row);
+
+/** Has each of the loops bounds that are constants? */
+bool slice_loops_are_constant(unsigned count, const source_loop *loops);
 
 /** The same, in the loop: loads are allowed that each iteration makes in any case. `as_address`:
  *  of an lvalue only the address is computed. */
