@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/must_write.h"
+#include "analysis/memory/must_write/must_write.h"
 #include "ir/ir_text.h"
 
 enum { PROGRAMS = 4000, EXECUTIONS = 40, ELEMENTS = 4, MOST_STEPS = 4000, MOST_DEPTH = 3 };

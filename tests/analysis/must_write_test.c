@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#include "analysis/must_write.h"
+#include "analysis/memory/must_write/must_write.h"
 #include "ir/ir_text.h"
 #include "support/source.h"
 

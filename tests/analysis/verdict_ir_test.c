@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "analysis/counted.h"
-#include "analysis/library.h"
+#include "analysis/base/counted.h"
+#include "analysis/memory/library.h"
 #include "expectation.h"
 #include "ir/ir_text.h"
 

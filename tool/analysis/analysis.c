@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* All loops of a unit, with what the user says of them. */
-#include "analysis/analyser.h"
+#include "analysis/analysis.h"
+
 #include "analysis/nest.h"
 
 typedef struct pragma_use {

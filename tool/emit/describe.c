@@ -8,7 +8,7 @@
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
-#include "analysis/operators.def"
+#include "analysis/base/operators.def"
 #undef X
         [REDUCTION_NONE] = "REDCC_SUM"};
     return names[array->order_is_kept ? REDUCTION_NONE : array->op];

@@ -4,7 +4,7 @@
  * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
  * only compares it with what the iterations before have touched.
  */
-#include "analysis/row_steps.h"
+#include "analysis/base/row_steps.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/print.h"
@@ -23,16 +23,16 @@ typedef VECTOR(told_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;        /* addresses are compared, not told; */
-    bool is_either;     /* or the text does for both */
-    bool *update_told;  /* by update */
-    bool *source_told;  /* by the facts' source */
-    bool *is_mentioned; /* by variable: in what was printed */
-    bool is_bare;       /* what is printed now may be evaluated where the program does not */
+    bool probes;         /* addresses are compared, not told; */
+    bool is_either;      /* or the text does for both */
+    bool *update_told;   /* by update */
+    bool *source_told;   /* by the facts' source */
+    bool *is_mentioned;  /* by variable: in what was printed */
+    bool is_bare;        /* what is printed now may be evaluated where the program does not */
     unsigned loop_count; /* around what is printed now, of a function that the loop calls */
     const source_loop *loops;
-    row_list recent;    /* told since the slice last did something else */
-    size_t recent_end;  /* length of the text when the last of them was */
+    row_list recent;   /* told since the slice last did something else */
+    size_t recent_end; /* length of the text when the last of them was */
 } inspector;
 
 static bool mentions(const ir_node *node, const ir_variable *variable) {

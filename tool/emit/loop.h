@@ -8,7 +8,7 @@
 #ifndef EMIT_LOOP_H
 #define EMIT_LOOP_H
 
-#include "analysis/row_address.h"
+#include "analysis/overlap/row_address.h"
 #include "emit/emit.h"
 #include "emit/text.h"
 #include "support/vector.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The inspector's own copies of loops of functions that the user's loop calls, around what these
  *  read: `for (; redcc__each_0 < 4; redcc__each_0++)`. */
-#include "analysis/expression.h"
+#include "analysis/base/expression.h"
 #include "emit/loop.h"
 
 const char *source_loop_counter(arena *a, unsigned depth) {

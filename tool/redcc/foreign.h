@@ -7,7 +7,8 @@
 #ifndef FOREIGN_H
 #define FOREIGN_H
 
-#include "analysis/exported.h"
+#include "analysis/analysis.h"
+#include "analysis/memory/exported.h"
 #include "support/buffer.h"
 #include "support/map.h"
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/reason.h"
+#include "analysis/base/reason.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
