@@ -26,14 +26,14 @@ static bool leaves(const ir_node *node, bool by_break) {
     return false;
 }
 
-/* Is part of an iteration passed over? */
-static bool continues(const ir_node *node) {
-    if (node->kind == IR_CONTINUE)
-        return true;
-    if (ir_is_loop(node))
+/* Is there a `continue` above `node`, by which an iteration passes it over? */
+static bool continues_before(const ir_node *part, const ir_node *node) {
+    if (part->kind == IR_CONTINUE)
+        return part->id < node->id;
+    if (ir_is_loop(part))
         return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (continues(node->children[i]))
+    for (unsigned i = 0; i < part->child_count; i++)
+        if (continues_before(part->children[i], node))
             return true;
     return false;
 }
@@ -108,6 +108,16 @@ bool callee_loops_counter(callee_loops *loops, const ir_variable *variable, cons
     return false;
 }
 
+bool callee_loops_share(const callee_loops *loops, const ir_variable *variable,
+                        const ir_node *first, const ir_node *second) {
+    for (unsigned i = 0; i < loops->count; i++)
+        if (loops->items[i].counted.counter == variable &&
+            ir_contains(body_of(loops->items[i].loop), first) &&
+            ir_contains(body_of(loops->items[i].loop), second))
+            return true;
+    return false;
+}
+
 /* ---- what is certain -------------------------------------------------------------------------
  */
 
@@ -118,16 +128,17 @@ static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
     return false;
 }
 
-/* Are all iterations of the loop executed, each to its end, and as many as are counted? */
-static bool runs_through(const callee_loops *loops, const ir_node *loop) {
+/* Are as many iterations of the loop executed as are counted, each of them as far as to `node`? */
+static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_node *node) {
     const ir_variable *counter;
     int64_t first, last;
     return (is_one_of(loops, loop) || counted_constant(loop, &counter, &first, &last)) &&
-           !leaves(body_of(loop), true) && !continues(body_of(loop));
+           !leaves(body_of(loop), true) && !continues_before(body_of(loop), node);
 }
 
 /* Is this part evaluated whenever the parent is? */
-static bool is_certain_part(const callee_loops *loops, const ir_node *parent, const ir_node *part) {
+static bool is_certain_part(const callee_loops *loops, const ir_node *parent, const ir_node *part,
+                            const ir_node *node) {
     switch (parent->kind) {
     case IR_IF:
     case IR_CONDITIONAL:
@@ -138,7 +149,7 @@ static bool is_certain_part(const callee_loops *loops, const ir_node *parent, co
         return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
     case IR_FOR:
         return parent->children[0] == part || parent->children[1] == part ||
-               (body_of(parent) == part && runs_through(loops, parent));
+               (body_of(parent) == part && comes_to(loops, parent, node));
     case IR_BLOCK:
     case IR_EXPRESSION:
     case IR_DECLARATION:
@@ -161,7 +172,7 @@ bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
     if (!loops->are_known || returns_before(loops->body, node))
         return false;
     for (const ir_node *part = node; part != loops->body; part = part->parent)
-        if (!part->parent || !is_certain_part(loops, part->parent, part))
+        if (!part->parent || !is_certain_part(loops, part->parent, part, node))
             return false;
     return true;
 }

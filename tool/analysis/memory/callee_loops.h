@@ -33,6 +33,11 @@ bool callee_loops_counter(callee_loops *loops, const ir_variable *variable, cons
  * of these loops that are around it? (Of a loop: its header, to begin with.) */
 bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node);
 
+/** Is the variable the counter of one of these loops that is around both nodes, so that it has the
+ *  same values there? */
+bool callee_loops_share(const callee_loops *loops, const ir_variable *variable,
+                        const ir_node *first, const ir_node *second);
+
 /** A value that `place`, a declarator or assignment, gives to a variable: is that the one that
  *  `site` finds, in each iteration of the loops around it? */
 bool callee_loops_is_set_before(const ir_node *place, const ir_node *site);

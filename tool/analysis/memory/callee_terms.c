@@ -51,6 +51,44 @@ static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
+/* Are all variables in it parameters that nothing changes, and counters of loops around both nodes? */
+static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
+                          const ir_node *second) {
+    if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
+        const variable_fact *fact = variable_fact_of(r->terms->facts, node->variable);
+        const bool is_fixed = node->variable->storage == IR_PARAMETER && !fact->write_count &&
+                              !node->variable->address_taken;
+        return is_fixed || callee_loops_share(r->loops, node->variable, first, second);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!has_one_value(r, node->children[i], first, second))
+            return false;
+    return true;
+}
+
+static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
+    return lvalue->kind == IR_MEMBER && lvalue->flags & IR_ARROW &&
+           expression_same(lvalue->children[0], pointer);
+}
+
+/* Is the load made in any case, here or elsewhere; or another member of the same object read? */
+static bool is_certain_load(const rewriting *r, const ir_node *load) {
+    if (callee_loops_is_certain(r->loops, load))
+        return true;
+    const ir_node *pointer =
+        load->kind == IR_MEMBER && load->flags & IR_ARROW ? load->children[0] : NULL;
+    for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
+        const access *other = &r->terms->raw->items.items[i];
+        const bool is_alike = other->kind == ACCESS_READ && !other->callee && other->lvalue &&
+                              (expression_same(other->lvalue, load) ||
+                               (pointer && is_member_of(other->lvalue, pointer)));
+        if (is_alike && callee_loops_is_certain(r->loops, other->node) &&
+            has_one_value(r, pointer ? pointer : load, load, other->node))
+            return true;
+    }
+    return false;
+}
+
 static void note_load(rewriting *r, const ir_node *load) {
     r->has_load = true;
     if (!is_stable(r, load))
@@ -58,7 +96,7 @@ static void note_load(rewriting *r, const ir_node *load) {
     if (!r->loops)
         return;
     if (is_of_text(r, load))
-        r->loads_are_certain &= callee_loops_is_certain(r->loops, load);
+        r->loads_are_certain &= is_certain_load(r, load);
     else /* the function called makes it whenever it is called, or its loops come to it */
         r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
                                 (r->item->loop_count || !r->item->is_conditional);
