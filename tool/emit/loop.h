@@ -180,6 +180,12 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
  *  number, that is named. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
+/** source_loops.c: in the inspector, the name of the counter number `depth` of a source's loops, */
+const char *source_loop_counter(arena *a, unsigned depth);
+/** and the head of the loop, after which a block follows: `if` where one turn tells all of it. */
+const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
+                               const char *counter, const char *bound, bool is_span);
+
 /** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
  *  at one place only. */
 void declare_inlined(loop_text *loop, writer *out);

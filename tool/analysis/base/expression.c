@@ -200,3 +200,61 @@ ir_operator expression_mirrored(ir_operator op) {
 bool variable_is_automatic(const ir_variable *variable) {
     return variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER;
 }
+
+/* ---- what may have no meaning -----------------------------------------------------------------
+ */
+
+static bool is_scalar_access(const ir_node *node) {
+    return expression_is_lvalue(node) || node->kind == IR_NUMBER;
+}
+
+/* Does a floating value come in here that is computed, compared or converted? It may be out of
+ * range, or not a number, and exceptions may stop the program. */
+static bool has_floating_hazard(const ir_node *node) {
+    if (is_floating(node->type) && !is_scalar_access(node))
+        return true;
+    if (node->kind == IR_DECLARATOR && node->child_count && node->children[0]->type &&
+        is_floating(node->children[0]->type))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_floating(node->children[i]->type) &&
+            (node->kind == IR_CAST || node->kind == IR_BINARY || node->kind == IR_ASSIGN ||
+             node->kind == IR_INITIALIZERS))
+            return true;
+    return false;
+}
+
+/* A divisor that is neither 0 nor -1, a number of places within the type. */
+static bool is_harmless_operand(const ir_node *node, const ir_node *right) {
+    int64_t constant;
+    if (!expression_constant(right, &constant))
+        return false;
+    if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER)
+        return constant != 0 && constant != -1;
+    return constant >= 0 && node->type && constant < node->type->size * 8;
+}
+
+bool expression_is_hazard(const ir_node *node) {
+    const bool assigns = node->kind == IR_ASSIGN && node->op != IR_OP_NONE;
+    const bool counts = node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
+                        node->op <= IR_OP_POST_DECREMENT;
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE || assigns || counts ||
+        has_floating_hazard(node))
+        return true;
+    if (node->kind != IR_BINARY)
+        return false;
+    if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER || node->op == IR_OP_SHIFT_LEFT ||
+        node->op == IR_OP_SHIFT_RIGHT)
+        return !is_harmless_operand(node, node->children[1]);
+    return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
+           node->children[1]->type->kind == IR_POINTER; /* of different objects, perhaps */
+}
+
+bool expression_has_hazard(const ir_node *node) {
+    if (expression_is_hazard(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (expression_has_hazard(node->children[i]))
+            return true;
+    return false;
+}

@@ -105,6 +105,17 @@ typedef struct counter_limit {
     const ir_node *bound;   /* loop-invariant integer; evaluating it reads no memory */
 } counter_limit;
 
+/** A counted loop of a function that is called, around what it reads there. */
+typedef struct source_loop {
+    const ir_variable *counter;   /* the function's own; in the row and in the loops inside of this
+                                     one   it stands for each of its values */
+    const ir_node *lower, *bound; /* in the caller's terms */
+    ir_operator comparison;       /* counter <comparison> bound */
+    int64_t step;
+    bool may_end_early; /* then it is the innermost one, and what it comes to is a span
+                           (row_steps.h) of which the first elements are read */
+} source_loop;
+
 /** Something read that may overlap a reduction array, or decides its subscripts. */
 typedef struct loop_source {
     const char *name;    /* "x", "s->x" */
@@ -121,7 +132,9 @@ typedef struct loop_source {
     bool is_checked;   /* EXTENT_AFFINE: subscripts may wrap around between the ends, or be out of
                           all bounds there: both ends are to be computed with checks (exact.h) */
     bool is_ahead; /* EXTENT_TOUCHED: a condition inside of `place` decides whether it is read */
-    unsigned limit_count; /* EXTENT_AFFINE, is_checked */
+    unsigned loop_count;      /* EXTENT_TOUCHED: it is many rows, one for each turn of these */
+    const source_loop *loops; /* outermost first */
+    unsigned limit_count;     /* EXTENT_AFFINE, is_checked */
     const counter_limit *limits;
 } loop_source;
 

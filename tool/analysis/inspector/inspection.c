@@ -4,6 +4,7 @@
 #include "analysis/inspector/inspection.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
 #include "analysis/inspector/slice.h"
 #include "analysis/loop/bases.h"
 #include "analysis/loop/executed.h"
@@ -13,9 +14,8 @@
 
 typedef VECTOR(slice_touch) touch_list;
 
-static void add_touch(const judgement *j, touch_list *list, const ir_node *row,
-                      const ir_node *place) {
-    slice_touch item = {row, place};
+static void add_touch(const judgement *j, touch_list *list, const loop_source *read) {
+    const slice_touch item = {read->row, read->loop_count, read->loops, read->place};
     VECTOR_PUSH(j->an->memory, list, item);
 }
 
@@ -132,11 +132,20 @@ static bool stays_until(const judgement *j, const ir_node *row, const ir_node *f
     return true;
 }
 
+static bool source_stays_until(const judgement *j, const loop_source *item, const ir_node *first,
+                               const ir_node *second) {
+    for (unsigned i = 0; i < item->loop_count; i++)
+        if (!stays_until(j, item->loops[i].lower, first, second) ||
+            !stays_until(j, item->loops[i].bound, first, second))
+            return false;
+    return stays_until(j, item->row, first, second);
+}
+
 static void add_source(judgement *j, const loop_source *item) {
     for (unsigned i = 0; i < j->sources.count; i++) {
         loop_source *other = &j->sources.items[i];
-        if (other->extent != item->extent || !expression_same(other->row, item->row) ||
-            !stays_until(j, item->row, other->place, item->place) ||
+        if (other->extent != item->extent || !source_rows_equal(other, item) ||
+            !source_stays_until(j, item, other->place, item->place) ||
             other->is_subscript != item->is_subscript || !source_ends_equal(other, item))
             continue;
         other->needs_guard |= item->needs_guard;
@@ -170,27 +179,83 @@ static bool is_load(const ir_node *node) {
            ir_type_is_scalar(node->type);
 }
 
+/* Is it the lvalue `whole`, or an element or member inside of it? */
+static bool is_within(const ir_node *lvalue, const ir_node *whole) {
+    while (!expression_same(lvalue, whole)) {
+        const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
+        const bool is_part =
+            child && ((lvalue->kind == IR_INDEX && child->type && child->type->kind == IR_ARRAY) ||
+                      (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW)));
+        if (!is_part)
+            return false;
+        lvalue = child;
+    }
+    return true;
+}
+
+/* The read that this load is, made by itself, or with more around it. */
 static const judged_access *read_of(const judgement *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
-        if (a->kind == ACCESS_READ && a->lvalue && a->is_exact &&
-            expression_same(a->lvalue, lvalue))
+        if (a->kind == ACCESS_READ && a->lvalue && a->is_exact && !a->loop_count &&
+            is_within(lvalue, a->lvalue))
             return &j->accesses[i];
     }
     return NULL;
 }
 
+/* Loads on the way to what is told, the whole of whose addresses the inspector computes. `read`:
+ * the callee's read that it is told for; NULL: there is none. */
+typedef struct told_loads {
+    const loop_source *told;
+    const judged_access *read;
+} told_loads;
+
+/* The read that this load must be as well, of which the callee's list has more than the one
+ * element.
+ */
+static void add_load_in_loops(judgement *j, const ir_node *node, const told_loads *of) {
+    judged_access load = *of->read;
+    load.access.lvalue = node;
+    load.access.type = node->type;
+    load.access.is_behind = false;
+    load.where = location_of(j->an->facts, node, j->loop);
+    load.needs_guard = false; /* that of the callee's read is elsewhere */
+    while (load.access.loop_count &&
+           !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
+        load.access.loop_count--;
+    add_read(j, &load, true);
+}
+
+static void add_load(judgement *j, const ir_node *node, const told_loads *of) {
+    if (!is_load(node))
+        return;
+    const judged_access *load = read_of(j, node);
+    if (load && load->class != CLASS_FORWARDED)
+        add_read(j, load, true);
+    else if (!load && of->read && of->read->access.loop_count)
+        add_load_in_loops(j, node, of);
+    else if (!load)
+        keep_no_plan(j, node, node);
+}
+
+static void add_loads_below(judgement *j, const ir_node *row, const told_loads *of) {
+    for (unsigned i = 0; i < row->child_count; i++) {
+        add_load(j, row->children[i], of);
+        add_loads_below(j, row->children[i], of);
+    }
+}
+
 /* What a callee reads on its way to an address decides where that address is: while a plan is kept,
  * it must stay. */
-static void add_loads_below(judgement *j, const ir_node *row) {
-    for (unsigned i = 0; i < row->child_count; i++) {
-        const ir_node *child = row->children[i];
-        const judged_access *load = is_load(child) ? read_of(j, child) : NULL;
-        if (load && load->class != CLASS_FORWARDED)
-            add_read(j, load, true);
-        else if (is_load(child) && !load)
-            keep_no_plan(j, child, child);
-        add_loads_below(j, child);
+static void add_loads_of(judgement *j, const loop_source *told, const judged_access *read) {
+    const told_loads of = {told, read};
+    add_loads_below(j, told->row, &of);
+    for (unsigned i = 0; i < told->loop_count; i++) {
+        add_load(j, told->loops[i].lower, &of);
+        add_loads_below(j, told->loops[i].lower, &of);
+        add_load(j, told->loops[i].bound, &of);
+        add_loads_below(j, told->loops[i].bound, &of);
     }
 }
 
@@ -213,7 +278,7 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
         source_plan plan = source_plan_of(j, read, false);
         plan.source.needs_guard = true;
         if (read->access.callee && plan.source.extent == EXTENT_TOUCHED)
-            add_loads_below(j, plan.source.row);
+            add_loads_of(j, &plan.source, read);
         add_source(j, &plan.source);
     }
 }
@@ -230,7 +295,7 @@ static void add_sources(judgement *j, const bool *keep) {
     }
     for (unsigned i = 0; i < j->updates.count; i++)
         if (is_put_together(&j->updates.items[i]))
-            add_loads_below(j, j->updates.items[i].row);
+            add_loads_of(j, &(loop_source){.row = j->updates.items[i].row}, NULL);
 }
 
 static bool take_slice(judgement *j, const touch_list *touches, reason_id why, const char *name) {
@@ -254,8 +319,10 @@ static bool is_small(const judgement *j) {
 
 bool judge_slice(judgement *j) {
     touch_list touches = {0};
-    for (unsigned i = 0; i < j->updates.count; i++)
-        add_touch(j, &touches, j->updates.items[i].row, j->updates.items[i].statement);
+    for (unsigned i = 0; i < j->updates.count; i++) {
+        const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
+        VECTOR_PUSH(j->an->memory, &touches, item);
+    }
     if (!take_slice(j, &touches, REASON_INDEX_TOO_DEAR, j->arrays.items[0].array.name))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -265,7 +332,7 @@ bool judge_slice(judgement *j) {
             plan = source_plan_of(j, read, false);
         if (!plan.is_possible || plan.source.extent != EXTENT_TOUCHED)
             continue;
-        add_touch(j, &touches, plan.source.row, plan.source.place);
+        add_touch(j, &touches, &plan.source);
         if (!take_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
             return false;
     }
@@ -276,7 +343,7 @@ bool judge_slice(judgement *j) {
         add_sources(j, before);
         for (unsigned i = 0; i < j->sources.count; i++)
             if (j->sources.items[i].extent == EXTENT_TOUCHED)
-                add_touch(j, &touches, j->sources.items[i].row, j->sources.items[i].place);
+                add_touch(j, &touches, &j->sources.items[i]);
         if (!take_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
             return false;
         is_settled = memcmp(before, j->in_slice, sizeof(bool) * j->function->node_count) == 0;

@@ -386,7 +386,8 @@ static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *
 }
 
 static void keep_for_touch(slicer *s, const slice_touch *touch) {
-    const bool is_safe = slice_is_safe_here(s->j, touch->row, true);
+    const bool is_safe = slice_is_safe_here(s->j, touch->row, true) &&
+                         slice_loops_are_constant(touch->loop_count, touch->loops);
     const bool is_wanted = !is_safe || is_wild(s, touch->row);
     const ir_variable *counter;
     int64_t first, last;
@@ -425,7 +426,8 @@ static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node 
         body = loop->children[0];
     for (unsigned i = 0; i < touch_count; i++)
         if (touches[i].place->id > jump->id && ir_contains(body, touches[i].place) &&
-            !slice_is_safe_here(s->j, touches[i].row, true))
+            (!slice_is_safe_here(s->j, touches[i].row, true) ||
+             !slice_loops_are_constant(touches[i].loop_count, touches[i].loops)))
             return false;
     return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
 }
@@ -452,10 +454,18 @@ static unsigned kept_count(const slicer *s) {
     return count;
 }
 
+static void need_touch(slicer *s, const slice_touch *touch) {
+    need_expression(s, touch->row);
+    for (unsigned i = 0; i < touch->loop_count && !s->obstacle; i++) {
+        need_expression(s, touch->loops[i].lower);
+        need_expression(s, touch->loops[i].bound);
+    }
+}
+
 slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches) {
     slicer s = {.j = j, .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
     for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
-        need_expression(&s, touches[i].row);
+        need_touch(&s, &touches[i]);
     unsigned before = 0;
     do {
         before = kept_count(&s);

@@ -11,6 +11,8 @@
 /** An address to be told before a statement. */
 typedef struct slice_touch {
     const ir_node *row;
+    unsigned loop_count; /* as of loop_source */
+    const source_loop *loops;
     const ir_node *place;
 } slice_touch;
 

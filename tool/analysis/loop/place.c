@@ -6,69 +6,8 @@
 
 /* ---- under fewer conditions ----------------------------------------------------------------- */
 
-static bool is_floating(const ir_type *type) {
-    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
-}
-
-static bool is_scalar_access(const ir_node *node) {
-    return expression_is_lvalue(node) || node->kind == IR_NUMBER;
-}
-
-/* Does a floating value come in here that is computed, compared or converted? It may be out of
- * range, or not a number, and exceptions may stop the program. */
-static bool has_floating_hazard(const ir_node *node) {
-    if (is_floating(node->type) && !is_scalar_access(node))
-        return true;
-    if (node->kind == IR_DECLARATOR && node->child_count && node->children[0]->type &&
-        is_floating(node->children[0]->type))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_floating(node->children[i]->type) &&
-            (node->kind == IR_CAST || node->kind == IR_BINARY || node->kind == IR_ASSIGN ||
-             node->kind == IR_INITIALIZERS))
-            return true;
-    return false;
-}
-
-/* A divisor that is neither 0 nor -1, a number of places within the type. */
-static bool is_harmless_operand(const ir_node *node, const ir_node *right) {
-    int64_t constant;
-    if (!expression_constant(right, &constant))
-        return false;
-    if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER)
-        return constant != 0 && constant != -1;
-    return constant >= 0 && node->type && constant < node->type->size * 8;
-}
-
-/* May it have no meaning, for some operands? Sums and products of signed integers do too: they are
- * written so that they wrap around (emit/unconditional.c), but for those that assign. */
-static bool is_hazard(const ir_node *node) {
-    const bool assigns = node->kind == IR_ASSIGN && node->op != IR_OP_NONE;
-    const bool counts = node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-                        node->op <= IR_OP_POST_DECREMENT;
-    if (node->kind == IR_CALL || node->kind == IR_OPAQUE || assigns || counts ||
-        has_floating_hazard(node))
-        return true;
-    if (node->kind != IR_BINARY)
-        return false;
-    if (node->op == IR_OP_DIVIDE || node->op == IR_OP_REMAINDER || node->op == IR_OP_SHIFT_LEFT ||
-        node->op == IR_OP_SHIFT_RIGHT)
-        return !is_harmless_operand(node, node->children[1]);
-    return node->op == IR_OP_SUBTRACT && node->children[1]->type &&
-           node->children[1]->type->kind == IR_POINTER; /* of different objects, perhaps */
-}
-
-static bool has_hazard(const ir_node *node) {
-    if (is_hazard(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_hazard(node->children[i]))
-            return true;
-    return false;
-}
-
 bool slice_is_safe_anywhere(const ir_node *row) {
-    return !expression_has_load(row, true) && !has_hazard(row);
+    return !expression_has_load(row, true) && !expression_has_hazard(row);
 }
 
 /* Is this load made in each iteration whatever the conditions, with the same address? */
@@ -103,7 +42,7 @@ bool slice_is_safe_here(const judgement *j, const ir_node *node, bool as_address
     if (!as_address && !is_array && node->kind != IR_VARIABLE && expression_is_lvalue(node) &&
         expression_has_load(node, false))
         return is_steady(j, node) && is_made_anyway(j, node);
-    if (is_hazard(node))
+    if (expression_is_hazard(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
@@ -154,12 +93,27 @@ static bool changes_in(const judgement *j, const ir_node *row, const ir_node *pl
     return false;
 }
 
-bool slice_can_tell(const judgement *j, const ir_node *row, const ir_node *node,
+bool slice_loops_are_constant(unsigned count, const source_loop *loops) {
+    int64_t constant;
+    for (unsigned i = 0; i < count; i++)
+        if (!expression_constant(loops[i].lower, &constant) ||
+            !expression_constant(loops[i].bound, &constant))
+            return false;
+    return true;
+}
+
+bool slice_can_tell(const judgement *j, const loop_source *told, const ir_node *node,
                     const ir_node *place) {
-    if (!place || (slice_is_ahead(node, place) && !slice_is_safe_anywhere(row)))
+    if (!place ||
+        (slice_is_ahead(node, place) && (!slice_is_safe_anywhere(told->row) ||
+                                         !slice_loops_are_constant(told->loop_count, told->loops))))
         return false;
     /* Of if and switch only the condition is computed between. */
     if (place->kind == IR_IF || place->kind == IR_SWITCH)
         place = place->children[0];
-    return !changes_in(j, row, place);
+    for (unsigned i = 0; i < told->loop_count; i++)
+        if (changes_in(j, told->loops[i].lower, place) ||
+            changes_in(j, told->loops[i].bound, place))
+            return false;
+    return !changes_in(j, told->row, place);
 }

@@ -4,12 +4,25 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 
+/* A counter of a function that is called, in what its access is in the caller's terms
+ * (access.loops).
+ */
+static bool is_of_callee(variable_facts *facts, const ir_node *loop, const ir_variable *variable) {
+    const ir_node *outer = variable_fact_of(facts, variable)->declarator;
+    while (loop->parent)
+        loop = loop->parent;
+    while (outer && outer->parent)
+        outer = outer->parent;
+    return variable->storage == IR_LOCAL && outer && outer != loop;
+}
+
 bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir_node *expression) {
     if (expression->kind == IR_CALL || expression->kind == IR_OPAQUE ||
         expression->kind == IR_ASSIGN || expression_written(expression))
         return false;
     if (expression->kind == IR_VARIABLE)
-        return !variable_written_in(facts, loop, expression->variable) &&
+        return !is_of_callee(facts, loop, expression->variable) &&
+               !variable_written_in(facts, loop, expression->variable) &&
                !(expression->variable->function &&
                  ir_contains(loop, variable_fact_of(facts, expression->variable)->declarator));
     for (unsigned i = 0; i < expression->child_count; i++)

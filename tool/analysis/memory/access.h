@@ -16,10 +16,14 @@ typedef struct access {
     const ir_node *lvalue; /* in the terms of the function looked at; NULL: any memory at all */
     bool is_exact; /* lvalue can be spelled before the statement, and its bytes are all that is
                       accessed; else only what it hangs on is known */
-    const ir_type *type;       /* of the values accessed */
-    bool is_presumed;          /* by the user's word it is apart from what the loop accumulates */
-    bool is_conditional;       /* not executed each time the piece is */
-    bool is_behind;            /* a condition of the callee's decides whether it is made */
+    const ir_type *type; /* of the values accessed */
+    bool is_presumed;    /* by the user's word it is apart from what the loop accumulates */
+    bool is_conditional; /* not executed each time the piece is */
+    bool is_behind;      /* a condition of the callee's decides whether it is made; with
+                            loops, for some of their turns */
+    unsigned loop_count; /* of the callee's loops: the lvalue stands for an element for each turn */
+    const source_loop *loops;  /* outermost first. Bounds and lvalue can be computed in all turns
+                                  whenever the call is executed */
     const ir_node *node;       /* the expression: access, or call */
     const ir_function *callee; /* the access is the callee's; NULL: in the text itself */
     update_form form;          /* ACCESS_UPDATE in the text itself */

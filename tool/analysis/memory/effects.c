@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One summary a function, bottom-up: what it accesses that is not its own. */
-#include <stdlib.h>
 #include <string.h>
 
-#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/external.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/access_walk.h"
-#include "analysis/memory/alias.h"
+#include "analysis/memory/callee_terms.h"
 #include "analysis/memory/library.h"
-#include "analysis/memory/search.h"
 
 typedef struct summary {
     enum { SUMMARY_NONE, SUMMARY_IN_PROGRESS, SUMMARY_DONE } state;
@@ -22,56 +19,11 @@ struct effects {
     const ir_unit *unit;
     const analysis_options *options;
     variable_facts *facts;
-    summary *summaries;       /* by function id */
-    const char **local_names; /* of all functions' own variables, sorted */
-    unsigned local_name_count;
+    summary *summaries; /* by function id */
+    const hidden_names *names;
 };
 
 enum { SUMMARY_LIMIT = 4000 }; /* accesses; larger functions are not followed */
-
-/* ---- an lvalue of a function's text in terms of its parameters ------------------------------- */
-
-typedef struct rewriting {
-    effects *all;
-    const ir_function *function;
-    const access_list *raw;
-    bool is_exact;
-    unsigned depth;
-} rewriting;
-
-static ir_node *unknown_part(rewriting *r, const ir_node *node) {
-    ir_node *unknown = ir_new(r->all->memory, IR_OPAQUE, node->type, 0);
-    unknown->text = "?";
-    unknown->range = node->range;
-    r->is_exact = false;
-    return unknown;
-}
-
-static int compare_names(const void *a, const void *b) {
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-/* Could something of a function, a variable, enumerator or type, stand in front of the global one?
- */
-static bool is_shadowed(const effects *all, const ir_variable *global) {
-    if (all->unit->inner_names &&
-        map_get(all->unit->inner_names, global->name, strlen(global->name)))
-        return true;
-    return bsearch(&global->name, all->local_names, all->local_name_count,
-                   sizeof all->local_names[0], compare_names) != NULL;
-}
-
-static void collect_local_names(effects *all) {
-    const ir_unit *unit = all->unit;
-    all->local_names = ARENA_ARRAY(all->memory, const char *, unit->variable_count + 1);
-    for (unsigned i = 0; i < unit->variable_count; i++)
-        if (unit->variables[i]->name &&
-            (variable_is_automatic(unit->variables[i]) ||
-             unit->variables[i]->storage == IR_STATIC_LOCAL ||
-             (unit->variables[i]->storage == IR_THREAD_LOCAL && unit->variables[i]->function)))
-            all->local_names[all->local_name_count++] = unit->variables[i]->name;
-    qsort(all->local_names, all->local_name_count, sizeof all->local_names[0], compare_names);
-}
 
 effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
                      variable_facts *facts) {
@@ -84,149 +36,9 @@ effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *opti
                      .unit = unit,
                      .options = options,
                      .facts = facts,
+                     .names = hidden_names_new(a, unit),
                      .summaries = ARENA_ARRAY(a, summary, highest + 1)};
-    collect_local_names(all);
     return all;
-}
-
-static ir_node *rewrite(rewriting *r, const ir_node *node);
-
-/* The value as a variable of this type holds it. */
-static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
-    if (!value->type || ir_type_equal(value->type, type) || !ir_type_is_scalar(type) ||
-        type->kind == IR_POINTER)
-        return value;
-    ir_node *cast = ir_new(a, IR_CAST, type, 1);
-    cast->range = value->range;
-    cast->children[0] = value;
-    value->parent = cast;
-    return cast;
-}
-
-static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
-    const ir_variable *variable = node->variable;
-    const variable_fact *fact = variable_fact_of(r->all->facts, variable);
-    if (variable->storage == IR_PARAMETER) {
-        if (fact->write_count || variable->address_taken || variable->type->kind == IR_RECORD)
-            return unknown_part(r, node);
-        return ir_substitute(r->all->memory, node, NULL, NULL);
-    }
-    if (variable->storage == IR_LOCAL) {
-        const ir_node *value = variable_single_definition(r->all->facts, variable);
-        if (!value || r->depth > 8 || value->kind == IR_INITIALIZERS ||
-            variable->type->kind == IR_ARRAY || !expression_is_plain(value))
-            return unknown_part(r, node);
-        r->depth++;
-        ir_node *result = as_type(r->all->memory, rewrite(r, value), variable->type);
-        r->depth--;
-        return result;
-    }
-    if (variable->storage == IR_STATIC_LOCAL || is_shadowed(r->all, variable))
-        r->is_exact = false;
-    return ir_substitute(r->all->memory, node, NULL, NULL);
-}
-
-/* May the function itself change what is read here on the way to an address? */
-static bool is_stable(const rewriting *r, const ir_node *load) {
-    for (unsigned i = 0; i < r->raw->items.count; i++) {
-        const access *store = &r->raw->items.items[i];
-        if (store->kind == ACCESS_READ || (store->lvalue && store->lvalue->kind == IR_VARIABLE &&
-                                           variable_is_automatic(store->lvalue->variable)))
-            continue;
-        if (!r->all->unit->strict_aliasing || types_may_overlap(store->type, load->type))
-            return false;
-    }
-    return true;
-}
-
-static ir_node *rewrite(rewriting *r, const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        return rewrite_variable(r, node);
-    if (node->kind == IR_OPAQUE || node->kind == IR_CALL || node->kind == IR_ASSIGN)
-        return unknown_part(r, node);
-    ir_node *copy = ir_new(r->all->memory, node->kind, node->type, node->child_count);
-    ir_node **children = copy->children;
-    *copy = *node;
-    copy->children = children;
-    copy->parent = NULL;
-    for (unsigned i = 0; i < node->child_count; i++) {
-        const ir_node *child = node->children[i];
-        bool is_load = child->kind != IR_VARIABLE && expression_is_lvalue(child) && child->type &&
-                       ir_type_is_scalar(child->type) &&
-                       !(node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) &&
-                       !(node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
-        if (is_load && !is_stable(r, child))
-            r->is_exact = false;
-        children[i] = rewrite(r, child);
-        children[i]->parent = copy;
-    }
-    return copy;
-}
-
-/* a[k] behind a pointer, k in [0, high]: the array *(T (*)[high + 1])a. */
-static ir_node *widened(rewriting *r, const ir_node *lvalue, int64_t high) {
-    arena *a = r->all->memory;
-    const ir_type *element = lvalue->type;
-    if (!element->spelling || element->kind == IR_POINTER || element->kind == IR_ARRAY ||
-        element->size <= 0)
-        return NULL;
-    ir_type *array = ARENA_NEW(a, ir_type);
-    ir_type *pointer = ARENA_NEW(a, ir_type);
-    *array = (ir_type){.kind = IR_ARRAY,
-                       .count = high + 1,
-                       .size = (high + 1) * element->size,
-                       .target = element,
-                       .spelling =
-                           arena_format(a, "%s[%lld]", element->spelling, (long long)(high + 1))};
-    *pointer = (ir_type){
-        .kind = IR_POINTER,
-        .size = (int64_t)sizeof(void *),
-        .target = array,
-        .spelling = arena_format(a, "%s (*)[%lld]", element->spelling, (long long)(high + 1))};
-    ir_node *cast = ir_new(a, IR_CAST, pointer, 1);
-    ir_node *whole = ir_new(a, IR_UNARY, array, 1);
-    cast->range = whole->range = lvalue->range;
-    cast->children[0] = rewrite(r, lvalue->children[0]);
-    cast->children[0]->parent = cast;
-    whole->op = IR_OP_DEREFERENCE;
-    whole->children[0] = cast;
-    cast->parent = whole;
-    return whole;
-}
-
-static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
-    const ir_node *row = access_extent(lvalue);
-    int64_t low, high, constant;
-    if (row->kind == IR_INDEX && row->children[0]->type->kind == IR_POINTER &&
-        !expression_constant(row->children[1], &constant) &&
-        counted_range(row->children[1], &low, &high) && low >= 0) {
-        ir_node *whole = widened(r, row, high);
-        if (whole)
-            return whole;
-    }
-    return rewrite(r, row);
-}
-
-/* A search's element at another subscript, in the terms of the parameters; NULL: cannot be told. */
-static const ir_node *search_element(rewriting *r, const access *item) {
-    const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
-                               ? search_start(r->function, item->lvalue)
-                               : NULL;
-    if (!start || item->lvalue->children[0]->type->kind != IR_POINTER)
-        return NULL;
-    ir_node *element = ir_new(r->all->memory, IR_INDEX, item->lvalue->type, 2);
-    element->range = item->lvalue->range;
-    element->children[0] = item->lvalue->children[0];
-    element->children[1] = (ir_node *)start;
-    const ir_type *cursor = item->lvalue->children[1]->type;
-    if (!start->type || !ir_type_equal(start->type, cursor)) {
-        element->children[1] = ir_new(r->all->memory, IR_CAST, cursor, 1);
-        element->children[1]->range = start->range;
-        element->children[1]->children[0] = (ir_node *)start;
-    }
-    r->is_exact = true;
-    const ir_node *result = rewrite(r, element);
-    return r->is_exact ? result : NULL;
 }
 
 /* a[from] to a[call]: the last element that a search reads is the one it finds. */
@@ -269,12 +81,10 @@ static void summarise_access(effects *all, const ir_function *function, const ac
         VECTOR_PUSH(all->memory, &result->items, kept);
         return;
     }
-    rewriting r = {all, function, raw, item->is_exact, 0};
-    kept.lvalue = rewrite_lvalue(&r, item->lvalue);
-    kept.is_exact = r.is_exact;
-    kept.from = kept.to = NULL;
-    if (!kept.is_exact)
-        kept.from = search_element(&r, item);
+    const callee_terms terms = {all->memory, all->facts, all->names, all->unit->strict_aliasing,
+                                function,    raw};
+    kept = callee_terms_of(&terms, item);
+    kept.callee = function;
     if (where.is_string)
         return;
     if (!where.object && !where.pointer)
@@ -403,6 +213,22 @@ static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
     return true;
 }
 
+/* The access's loops with the arguments in their bounds. Unsets is_exact where these cannot be
+ * spelled there. */
+static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
+    const ir_function *function = call->children[0]->function;
+    source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
+    for (unsigned i = 0; i < item->loop_count; i++) {
+        loops[i] = item->loops[i];
+        loops[i].lower = ir_substitute(w->memory, loops[i].lower, function, &call->children[1]);
+        loops[i].bound = ir_substitute(w->memory, loops[i].bound, function, &call->children[1]);
+        item->is_exact &=
+            expression_is_plain(loops[i].lower) && expression_is_plain(loops[i].bound) &&
+            is_declared_before(loops[i].lower, call) && is_declared_before(loops[i].bound, call);
+    }
+    return loops;
+}
+
 static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
     const ir_function *function = call->children[0]->function;
     effects *all = w->all;
@@ -420,12 +246,15 @@ static void walk_known_call(access_walk *w, const ir_node *call, const access_li
         access item = known->items.items[i];
         item.node = call;
         item.callee = function;
-        item.is_behind = item.is_conditional;
+        if (!item.loop_count)
+            item.is_behind = item.is_conditional;
         if (item.lvalue) {
             item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
             item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&
                             is_declared_before(item.lvalue, call);
         }
+        if (item.loop_count)
+            item.loops = loops_for_caller(w, &item, call);
         if (item.from) {
             item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
             item.to = found_element(all->memory, item.from, call);

@@ -162,12 +162,12 @@ static source_plan plan_touched(const judgement *j, const judged_access *read, l
     item.extent = EXTENT_TOUCHED;
     item.place = place;
     item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
-    if (read->access.is_behind && !slice_is_safe_here(j, item.row, true))
+    if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
         return (source_plan){false, item}; /* the row may not be there where the call reads none */
     const bool is_safe = item.base
                              ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
                              : !of_contents && update_table_of(j, read->where.base);
-    return (source_plan){is_safe && slice_can_tell(j, item.row, node, place), item};
+    return (source_plan){is_safe && slice_can_tell(j, &item, node, place), item};
 }
 
 /* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
@@ -191,11 +191,13 @@ source_plan source_plan_of(const judgement *j, const judged_access *read, bool o
     bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
     plan.source = (loop_source){.name = expression_text(j->an->memory, base),
                                 .base = base_is_fixed ? base : NULL,
-                                .row = row};
+                                .row = row,
+                                .loop_count = read->access.loop_count,
+                                .loops = read->access.loops};
     const source_plan touched = plan_touched(j, read, plan.source, of_contents);
     bool is_certain = !of_contents || !read->access.is_conditional;
-    if (is_certain && is_safe_before(read, row) && !has_moving_load(j, row) &&
-        plan_known(j, read, touched.is_possible, &plan))
+    if (is_certain && !read->access.loop_count && is_safe_before(read, row) &&
+        !has_moving_load(j, row) && plan_known(j, read, touched.is_possible, &plan))
         return plan;
     return touched;
 }
@@ -231,7 +233,7 @@ static bool plan_found(const judgement *j, const judged_access *read, source_pla
     row->children[1]->parent = row;
     plan->source.row = row;
     plan->source.place = after;
-    return slice_can_tell(j, row, read->access.node, after);
+    return slice_can_tell(j, &plan->source, read->access.node, after);
 }
 
 static bool plan_search_end(const judgement *j, const judged_access *read, const ir_node *row,
@@ -245,7 +247,7 @@ static bool plan_search_end(const judgement *j, const judged_access *read, const
                                  .place = place,
                                  .is_subscript = true,
                                  .needs_guard = read->needs_guard};
-    plan->is_possible = slice_can_tell(j, row, read->access.node, place);
+    plan->is_possible = slice_can_tell(j, &plan->source, read->access.node, place);
     return plan->is_possible;
 }
 
