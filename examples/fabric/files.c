@@ -89,15 +89,6 @@ int files_find_scene(const char *name, char path[FILE_PATH_SIZE]) {
     return -1;
 }
 
-int files_find_beside_scenes(const char *name, char path[FILE_PATH_SIZE]) {
-    char folder[FILE_PATH_SIZE];
-    if (find_scenes_folder(folder) == 0 &&
-        snprintf(path, FILE_PATH_SIZE, "%s/../%s", folder, name) < FILE_PATH_SIZE)
-        return 0;
-    fprintf(stderr, "the scenes folder cannot be found; FABRIC_SCENES can name it\n");
-    return -1;
-}
-
 FILE *files_open(const char *path) {
     FILE *file = fopen(path, "rb");
     if (!file)

@@ -14,10 +14,6 @@ enum { FILE_PATH_SIZE = 4096 };
  */
 int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 
-/** A file that lies beside the scenes folder: name is relative to that. 0, or -1 after a message.
- */
-int files_find_beside_scenes(const char *name, char path[FILE_PATH_SIZE]);
-
 /** "folder/name". 0, or -1 after a message when that is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 

@@ -20,6 +20,7 @@ if(TARGET fabric_app)
   fabric_app_test(gltf fabric_app PkgConfig::JANSSON)
   fabric_app_test(checkpoint fabric_app)
   fabric_app_test(progress fabric_app)
+  fabric_app_test(advise fabric_app)
   foreach(document runs files)
     add_test(NAME fabric.app.docs_${document}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/app_docs.sh $<TARGET_FILE:fabric-serial>

@@ -6,162 +6,237 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "accuracy/study.h"
-#include "files.h"
+#include "accuracy/measure.h"
+#include "integrator.h"
+#include "random.h"
+#include "solver.h"
+#include "solver_direct.h"
 
-enum { LINE_SIZE = 512, FIELDS = 19 };
+/* Part of the error that is aimed at, that algebra may have, and by which starts are moved. */
+static const double aim = 0.7, of_algebra = 0.1, moved = 1e-3;
 
-/* Splits a line at its commas; fewer than FIELDS fields: 0. */
-static int split(char *line, char *field[FIELDS]) {
-    int count = 0;
-    line[strcspn(line, "\r\n")] = '\0';
-    for (char *at = line; at && count < FIELDS; count++) {
-        field[count] = at;
-        at = strchr(at, ',');
-        if (at)
-            *at++ = '\0';
+/** Runs of one integrator, in ever more steps. */
+typedef struct pilot {
+    const scene *base;
+    const mesh *cloth;
+    int integrator, method, preconditioner;
+    double tolerance;      /* of the linear systems, or of Newton's method */
+    int steps;             /* of `last` */
+    measured before, last; /* the last two runs */
+    double difference;     /* m, of the last two; not a number: there are none */
+    double rate, error;    /* of the last differences; m, of `last`, as they let expect */
+} pilot;
+
+static scene settings_of(const pilot *p, int steps, double tolerance) {
+    scene s = divided(p->base, steps);
+    s.integrator = p->integrator;
+    s.method = p->method;
+    s.preconditioner = p->preconditioner;
+    if (p->integrator == INTEGRATOR_LINEAR_EULER) {
+        s.tolerance = tolerance;
+    } else {
+        s.tolerance = 0.1;
+        s.newton_tolerance = tolerance;
+        s.newton_iterations = 200;
     }
-    return count == FIELDS;
+    return s;
 }
 
-/* Only runs without a rejected step and with an error are points of a curve. */
-static int take(char *field[FIELDS], curve_point *p) {
-    if (strcmp(field[0], "dt") != 0 || strtol(field[7], NULL, 10) != 0 || field[11][0] == '\0')
-        return 0;
-    *p = (curve_point){.vertices = (int)strtol(field[2], NULL, 10),
-                       .step = strtod(field[4], NULL),
-                       .tolerance = strtod(field[5], NULL),
-                       .steps = strtol(field[6], NULL, 10),
-                       .cpu_seconds = strtod(field[10], NULL),
-                       .error = strtod(field[11], NULL),
-                       .side = strtod(field[15], NULL),
-                       .stiffness = strtod(field[16], NULL),
-                       .contact = field[17][0] == '1',
-                       .wind = field[18][0] == '1'};
-    snprintf(p->scene, sizeof p->scene, "%s", field[1]);
-    snprintf(p->integrator, sizeof p->integrator, "%s", field[3]);
-    return p->step > 0 && p->error > 0 && p->cpu_seconds > 0 && p->steps > 0 && p->vertices > 0 &&
-           p->side > 0;
+static int run_at(const pilot *p, int steps, double tolerance, measured *got) {
+    const scene s = settings_of(p, steps, tolerance);
+    return measure(&s, p->cloth, 1, ANY_REJECTIONS, got);
 }
 
-int curves_read(const char *path, curve_point **points) {
-    char line[LINE_SIZE], *field[FIELDS];
-    int count = 0, room = 0;
-    *points = NULL;
-    FILE *file = files_open(path);
-    if (!file)
+/* The order that the method has where everything is smooth; no more is believed. */
+static double best_order(int integrator) {
+    return integrator == INTEGRATOR_MIDPOINT ? 2 : 1;
+}
+
+static double order_of(const pilot *p) {
+    return fmin(log2(p->rate), best_order(p->integrator));
+}
+
+/* One more run, in twice as many steps. */
+static int refine(pilot *p) {
+    measured_free(&p->before);
+    p->before = p->last;
+    p->last = (measured){0};
+    p->steps *= 2;
+    if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
         return -1;
-    while (fgets(line, sizeof line, file)) {
-        if (count == room) {
-            room = 2 * room + 16;
-            curve_point *more = realloc(*points, sizeof *more * (size_t)room);
-            if (!more) {
-                fprintf(stderr, "%s: out of memory\n", path);
-                free(*points);
-                fclose(file);
-                return -1;
-            }
-            *points = more;
-        }
-        if (split(line, field))
-            count += take(field, &(*points)[count]);
-    }
-    fclose(file);
-    return count;
+    const double difference = measured_distance(&p->before, &p->last, NULL);
+    p->rate = p->difference / difference;
+    p->difference = difference;
+    p->error = p->rate > 1.2 ? difference / (pow(2, order_of(p)) - 1) : NAN;
+    return 0;
 }
 
-/* The two points of a curve to go by: around the error, or the nearest pair. Points stand in
- * descending order of step, as the experiment writes them. */
-static int choose_pair(const curve_point *points, int count, const char *of, const char *integrator,
-                       double error, const curve_point *pair[2]) {
-    const curve_point *before = NULL;
-    int found = 0;
-    for (int k = 0; k < count; k++) {
-        const curve_point *p = &points[k];
-        if (strcmp(p->scene, of) != 0 || strcmp(p->integrator, integrator) != 0)
+static void pilot_free(pilot *p) {
+    measured_free(&p->before);
+    measured_free(&p->last);
+}
+
+/* Refines until the error is reached. 0; 1: it is not, in most_steps; -1 after a message. */
+static int reach(pilot *p, double error, int most_steps) {
+    p->difference = p->error = NAN;
+    if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
+        return -1;
+    while (!(p->error <= error)) {
+        if (2 * p->steps > most_steps)
+            return 1;
+        if (refine(p) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* The way to solve that the first steps of the last run take least time by, if it is clearly less
+ * than that of the default; `last` is then run by it. */
+static int choose_solver(pilot *p) {
+    static const int ways[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
+                                  {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
+                                  {METHOD_DIRECT, PRECONDITIONER_GAUSS_SEIDEL}};
+    enum { COUNT = sizeof ways / sizeof *ways };
+    double least = INFINITY;
+    int best = 0;
+    for (int k = 0; k < COUNT; k++) {
+        scene s = settings_of(p, p->steps, p->tolerance);
+        measured got;
+        if (ways[k][0] == METHOD_DIRECT && !direct_solver_available())
             continue;
-        if (before && before->step > p->step && before->error > p->error) {
-            pair[0] = before;
-            pair[1] = p;
-            found = 1;
-            if (p->error <= error)
-                return 1;
+        s.steps = s.steps < 8 ? s.steps : 8;
+        s.method = ways[k][0];
+        s.preconditioner = ways[k][1];
+        if (measure(&s, p->cloth, 3, ANY_REJECTIONS, &got) != 0)
+            return -1;
+        if (got.finished && got.cpu_seconds < least * (k == 0 ? 1 : 0.8)) {
+            least = got.cpu_seconds;
+            best = k;
         }
-        before = p;
+        measured_free(&got);
     }
-    return found;
+    p->method = ways[best][0];
+    p->preconditioner = ways[best][1];
+    if (best == 0)
+        return 0;
+    measured_free(&p->last);
+    return run_at(p, p->steps, p->tolerance, &p->last);
 }
 
-/* Along a straight line in logarithms; steps go no longer than the longest measured. */
-static advice along(const scene *s, const curve_point *pair[2], double wanted, int exact_scene) {
-    const double larger = exact_scene ? 1 : s->side / pair[1]->side;
-    const double error = wanted / larger; /* of the sheet that was measured */
-    const double order = log(pair[0]->error / pair[1]->error) / log(pair[0]->step / pair[1]->step);
-    const double growth =
-        log(pair[1]->cpu_seconds / pair[0]->cpu_seconds) / log(pair[0]->step / pair[1]->step);
-    const double duration = s->step * s->steps;
-    const double measured_duration = pair[1]->step * (double)pair[1]->steps;
-    /* Work a step grows with the vertices, and iterations with the vertices along an edge. */
-    const double size = pow((double)s->vertices / pair[1]->vertices, 1.5);
-    advice a = {.exact_scene = exact_scene,
-                .within = error <= pair[0]->error && error >= pair[1]->error,
-                .order = order,
-                .tolerance = pair[1]->tolerance};
-    a.step = pair[1]->step * pow(error / pair[1]->error, 1 / order);
-    if (a.step > pair[0]->step)
-        a.step = pair[0]->step;
-    a.error = larger * pair[1]->error * pow(a.step / pair[1]->step, order);
-    a.cpu_seconds = pair[1]->cpu_seconds * pow(pair[1]->step / a.step, growth) * size * duration /
-                    measured_duration;
-    snprintf(a.integrator, sizeof a.integrator, "%s", pair[1]->integrator);
-    snprintf(a.measured_on, sizeof a.measured_on, "%s", pair[1]->scene);
-    return a;
-}
-
-/* |log2(a / b)|; what is not above 0 is as unlike as anything. */
-static double octaves(double a, double b) {
-    if (!(a > 0) || !(b > 0))
-        return a > 0 || b > 0 ? 10 : 0;
-    return fabs(log2(a / b));
-}
-
-double curve_unlike(const scene *s, const curve_point *curve) {
-    return octaves(s->vertices, curve->vertices) + octaves(s->side, curve->side) +
-           octaves(scene_stiffness(s), curve->stiffness) +
-           octaves(s->step * s->steps, curve->step * (double)curve->steps) +
-           4 * abs((s->collider_count > 0) - curve->contact) +
-           2 * abs(scene_has_wind(s) - curve->wind) + (strcmp(s->name, curve->scene) != 0 ? 3 : 0);
-}
-
-/* The scene to go by; own: it is s itself. */
-static const curve_point *choose_scene(const scene *s, const curve_point *points, int count,
-                                       int *own) {
-    const curve_point *nearest = NULL;
-    for (int k = 0; k < count; k++) {
-        *own = strcmp(points[k].scene, s->name) == 0 && points[k].vertices == s->vertices;
-        if (*own)
-            return &points[k];
-        if (!nearest || curve_unlike(s, &points[k]) < curve_unlike(s, nearest))
-            nearest = &points[k];
+/* The loosest tolerance whose own error is small enough; `last` becomes the run with it. */
+static int choose_tolerance(pilot *p, double error) {
+    measured exact = {0}, looser = {0};
+    int status = run_at(p, p->steps, 1e-3 * p->tolerance, &exact);
+    for (int n = 0; n < 3 && status == 0; n++) {
+        if (measured_distance(&p->last, &exact, NULL) <= of_algebra * error)
+            break;
+        p->tolerance /= 10;
+        measured_free(&p->last);
+        status = run_at(p, p->steps, p->tolerance, &p->last);
     }
-    return nearest;
+    for (int n = 0; n < 2 && status == 0 && p->tolerance < 0.05; n++) {
+        status = run_at(p, p->steps, 10 * p->tolerance, &looser);
+        if (status != 0 || !(measured_distance(&looser, &exact, NULL) <= of_algebra * error))
+            break;
+        p->tolerance *= 10;
+        measured_free(&p->last);
+        p->last = looser;
+        looser = (measured){0};
+    }
+    measured_free(&exact);
+    measured_free(&looser);
+    return status;
 }
 
-int advise(const scene *s, double error, const curve_point *points, int count, advice *result) {
-    int found = 0, own = 0;
-    const curve_point *by = choose_scene(s, points, count, &own);
-    const char *of = by ? by->scene : "";
-    for (int kind = 0; integrator_names[kind]; kind++) {
-        const curve_point *pair[2];
-        if (!choose_pair(points, count, of, integrator_names[kind], error, pair))
-            continue;
-        advice a = along(s, pair, error, own);
-        a.unlike = own ? 0 : curve_unlike(s, by);
-        /* Between curves that were measured there and ones continued, the measured are believed. */
-        if (!found || a.within > result->within ||
-            (a.within == result->within && a.cpu_seconds < result->cpu_seconds))
+/* How far a run ends from `last` whose start is moved a little, each coordinate at random. */
+static int spread_of(const pilot *p, double error, double *spread) {
+    mesh other = *p->cloth;
+    measured got = {0};
+    random_source source = {1};
+    other.position = malloc(sizeof *other.position * ((size_t)other.vertex_count + 1));
+    if (!other.position) {
+        fprintf(stderr, "%s: out of memory\n", p->base->name);
+        return -1;
+    }
+    for (int i = 0; i < other.vertex_count; i++)
+        for (int a = 0; a < 3; a++)
+            other.position[i][a] =
+                p->cloth->position[i][a] + moved * error * random_signed(&source);
+    const scene s = settings_of(p, p->steps, p->tolerance);
+    const int status = measure(&s, &other, 1, ANY_REJECTIONS, &got);
+    *spread = status == 0 ? measured_distance(&got, &p->last, NULL) : NAN;
+    measured_free(&got);
+    free(other.position);
+    return status;
+}
+
+/* What the runs let expect of one in the number of steps that the error asks for. Time grows with
+ * the steps to the power `growth`, and so do iterations to theirs. */
+static void expect(const pilot *p, double error, double growth, double growth_of_iterations,
+                   advice *a) {
+    const double order = order_of(p);
+    const double more = fmin(fmax(pow(p->error / (aim * error), 1 / order), 0.5), 1.5);
+    const int steps = (int)ceil(p->steps * more);
+    a->settings = settings_of(p, steps, p->tolerance);
+    a->order = order;
+    a->error = p->error / pow(more, order);
+    a->cpu_seconds = p->last.cpu_seconds * pow(more, fmin(fmax(growth, 0), 1.5));
+    a->iterations =
+        (double)p->last.cg_iterations * pow(more, fmin(fmax(growth_of_iterations, -0.5), 1.5));
+}
+
+/* Advice by one integrator, but for the solver. 0, 1 with a reason, or -1. */
+static int advise_by(int integrator, const scene *s, const mesh *cloth, double error,
+                     int most_steps, advice *a, char *reason) {
+    pilot p = {.base = s,
+               .cloth = cloth,
+               .integrator = integrator,
+               .method = METHOD_CONJUGATE_GRADIENTS,
+               .preconditioner = PRECONDITIONER_GAUSS_SEIDEL,
+               .tolerance = 1e-3,
+               .steps = s->steps / 8 > 4 ? s->steps / 8 : 4};
+    int status = reach(&p, error, most_steps);
+    if (status == 1)
+        snprintf(reason, 256,
+                 "runs in %d and %d steps still end %.3g m apart, and the error is not below %g m: "
+                 "ask for a larger error, for more --most-steps, or for less time",
+                 p.steps / 2, p.steps, p.difference, error);
+    const double growth = log2(p.last.cpu_seconds / p.before.cpu_seconds);
+    const double more_iterations =
+        log2(fmax((double)p.last.cg_iterations, 1) / fmax((double)p.before.cg_iterations, 1));
+    if (status == 0 && (choose_solver(&p) != 0 || choose_tolerance(&p, error) != 0))
+        status = -1;
+    if (status == 0)
+        status = spread_of(&p, error, &a->spread);
+    if (status == 0 && !(a->spread <= 0.5 * error)) {
+        snprintf(
+            reason, 256,
+            "past the scene's horizon: runs that start %.3g m apart end %.3g m apart, whatever "
+            "the step; ask for a larger error or for less time",
+            moved * error, a->spread);
+        status = 1;
+    }
+    if (status == 0)
+        expect(&p, error, growth, more_iterations, a);
+    pilot_free(&p);
+    return status;
+}
+
+int advise(const scene *s, const mesh *cloth, double error, int most_steps, advice *result,
+           char *reason) {
+    static const int integrators[] = {INTEGRATOR_LINEAR_EULER, INTEGRATOR_MIDPOINT};
+    char why[256] = "";
+    int best = 1;
+    for (int k = 0; k < 2; k++) {
+        advice a = {0};
+        const int status =
+            advise_by(integrators[k], s, cloth, error, most_steps, &a, k == 0 ? reason : why);
+        if (status < 0)
+            return -1;
+        if (status == 0 && (best != 0 || a.cpu_seconds < result->cpu_seconds)) {
             *result = a;
-        found = 1;
+            best = 0;
+        }
     }
-    return found ? 0 : -1;
+    return best;
 }

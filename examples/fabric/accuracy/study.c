@@ -103,11 +103,12 @@ int study_trusts_reference(study *of) {
         smallest = fmin(smallest, of->rows[k].error_rms);
     if (of->quick || !(of->reference_gap > 0.1 * smallest))
         return 0;
-    fprintf(stderr,
-            "accuracy: the reference is not to be relied on: its two methods are %.3g m apart, more "
-            "than a tenth of the smallest error, %.3g m.\n"
-            "Errors below %.3g m are left out. Ask for fewer --most-steps, or for a shorter scene.\n",
-            of->reference_gap, smallest, 10 * of->reference_gap);
+    fprintf(
+        stderr,
+        "accuracy: the reference is not to be relied on: its two methods are %.3g m apart, more "
+        "than a tenth of the smallest error, %.3g m.\n"
+        "Errors below %.3g m are left out. Ask for fewer --most-steps, or for a shorter scene.\n",
+        of->reference_gap, smallest, 10 * of->reference_gap);
     for (int k = 0; k < of->row_count; k++)
         if (of->rows[k].error_rms < 10 * of->reference_gap) {
             of->rows[k].error_rms = of->rows[k].error_max = NAN;

@@ -101,7 +101,10 @@ int study_plot(const study *of, const char *name) {
         if (files_join(path, of->folder, script) != 0)
             return -1;
         FILE *file = fopen(path, "w");
-        if (!file || fprintf(file, "%s%s", common, plots[k].text) < 0 || fclose(file) != 0) {
+        if (!file ||
+            fprintf(file, "%sset title '%s, %d vertices'\n%s", common, of->base.name,
+                    of->cloth.vertex_count, plots[k].text) < 0 ||
+            fclose(file) != 0) {
             fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
             return -1;
         }

@@ -9,17 +9,20 @@
 #include "accuracy/study.h"
 #include "commands/commands.h"
 #include "files.h"
+#include "integrator.h"
+#include "solver.h"
 
-enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR, CURVES };
+enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR };
 static const option accuracy_options[] = {
     [SCENE] = {"--scene", "SCENE", "what is simulated (default: flap)"},
     [OUTPUT] = {"-o", "DIR", "where tables and plots go (default: accuracy)"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as mesh.vertices=100"},
     [REPEAT] = {"--repeat", "N", "measure each time N times and keep the least (default 1)"},
-    [STEPS] = {"--most-steps", "N", "the finest division of the scene (default 64)"},
+    [STEPS] = {"--most-steps", "N",
+               "the finest division of the scene (default 64; advise: 16 times "
+               "its steps)"},
     [QUICK] = {"--quick", NULL, "few and coarse runs, to see that it works"},
     [ERROR] = {"--error", "LENGTH", "advise: the rms error to reach, in m, or with mm, um"},
-    [CURVES] = {"--curves", "FILE", "advise: measured curves instead of the installed ones"},
     {NULL, NULL, NULL}};
 
 static const char *const names[] = {"dt",        "cg",  "newton", "integrator", "preconditioner",
@@ -32,11 +35,11 @@ enum { EXPERIMENTS = sizeof experiments / sizeof *experiments, ALL = EXPERIMENTS
 
 typedef struct request {
     int name; /* -1: none yet */
-    const char *scene_name, *folder, *curves;
+    const char *scene_name, *folder;
     setting_list settings;
     int quick;
-    long repeat, most_steps;
-    double error; /* m; 0: none given */
+    long repeat, most_steps; /* most_steps 0: none given */
+    double error;            /* m; 0: none given */
 } request;
 
 /* "1mm", "0.001", "50um". 0, or -1 after a message. */
@@ -97,9 +100,6 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
         case ERROR:
             wrong = read_length(self, o.value, &r->error);
             break;
-        case CURVES:
-            r->curves = o.value;
-            break;
         case OPTIONS_WORD:
             wrong = take_word(self, &o, r);
             break;
@@ -118,54 +118,53 @@ static int read_request(const command *self, int argc, char **argv, request *r) 
 }
 
 static void print_advice(const scene *s, const advice *a) {
-    const int steps = (int)ceil(s->step * s->steps / a->step - 1e-9);
-    const int linear = strcmp(a->integrator, "linear-euler") == 0;
-    printf("integrator      %s (order %.2f there)\n", a->integrator, a->order);
-    printf("step            %.3g s: %d steps instead of %d\n", s->step * s->steps / steps, steps,
-           s->steps);
-    printf("tolerance       %.0e%s\n", a->tolerance, linear ? "" : " of Newton's method");
-    printf("error           %.3g m rms expected\n", a->error);
-    printf("time            %.3g s of one core, on a machine as the curves were measured on\n",
-           a->cpu_seconds);
-    if (a->exact_scene && a->within)
-        printf("how sure        measured on this scene on both sides of it: within 1.5 times\n");
-    else if (a->exact_scene)
-        printf("how sure        measured on this scene, continued past what was measured: within 3 "
-               "times\n");
-    else
-        printf(
-            "how sure        carried over from '%s', the nearest that was measured, %.1f unlike\n"
-            "                (log2 of vertices, side, stiffness, duration; 4 for contact, 2 for\n"
-            "                wind, 3 for another name): a guess, which may be 10 times off;\n"
-            "                'fabric accuracy dt --scene' measures it\n",
-            a->measured_on, a->unlike);
-    printf("--set time.integrator=%s --set time.step=%.9g --set time.steps=%d --set "
-           "solution.%s=%g%s\n",
-           a->integrator, s->step * s->steps / steps, steps,
-           linear ? "tolerance" : "newton_tolerance", a->tolerance,
-           linear ? "" : " --set solution.tolerance=0.01");
+    static const char *const methods[] = {"conjugate-gradients", "direct"};
+    static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi"};
+    const scene *to = &a->settings;
+    const int linear = to->integrator == INTEGRATOR_LINEAR_EULER;
+    const int direct = to->method == METHOD_DIRECT;
+    printf("integrator      %s (order %.2f here)\n", integrator_names[to->integrator], a->order);
+    printf("step            %.3g s: %d steps instead of %d\n", to->step, to->steps, s->steps);
+    printf("tolerance       %.0e%s\n", linear ? to->tolerance : to->newton_tolerance,
+           linear ? "" : " of Newton's method");
+    printf("solver          %s\n",
+           direct ? methods[to->method] : preconditioners[to->preconditioner]);
+    printf("error           %.3g m rms expected at the end\n", a->error);
+    printf("time            %.3g s of one core of this machine, %.0f iterations\n", a->cpu_seconds,
+           a->iterations);
+    printf("how sure        from runs of this scene: within twice the error and twice the time; "
+           "starts\n                a thousandth of the error apart end %.2g m apart\n",
+           a->spread);
+    printf("--set time.integrator=%s --set time.step=%.17g --set time.steps=%d --set "
+           "solution.tolerance=%g --set solution.newton_tolerance=%g --set "
+           "solution.newton_iterations=%d --set solution.method=%s --set "
+           "solution.preconditioner=%s\n",
+           integrator_names[to->integrator], to->step, to->steps, to->tolerance,
+           to->newton_tolerance, to->newton_iterations, methods[to->method],
+           preconditioners[to->preconditioner]);
 }
 
 static int give_advice(const request *r) {
-    char path[FILE_PATH_SIZE];
-    curve_point *points;
+    char reason[256] = "";
     advice a;
     scene s;
-    if (r->curves ? snprintf(path, sizeof path, "%s", r->curves) < 0
-                  : files_find_beside_scenes("accuracy/curves.csv", path) != 0)
-        return EXIT_FAILURE;
+    mesh cloth;
     if (read_scene(&s, r->scene_name, &r->settings) != 0)
         return EXIT_FAILURE;
-    const int count = curves_read(path, &points);
-    int status = count < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
-    if (count >= 0 && advise(&s, r->error, points, count, &a) != 0) {
-        fprintf(stderr, "%s: no curve of any integrator\n", path);
-        status = EXIT_FAILURE;
-    } else if (count >= 0)
+    if (scene_mesh(&s, &cloth, NULL, reason) != 0) {
+        fprintf(stderr, "%s: mesh: %s\n", s.name, reason);
+        scene_free(&s);
+        return EXIT_FAILURE;
+    }
+    const int most = r->most_steps > 0 ? (int)r->most_steps : 16 * s.steps;
+    const int status = advise(&s, &cloth, r->error, most, &a, reason);
+    if (status == 0)
         print_advice(&s, &a);
-    free(points);
+    else if (status > 0)
+        fprintf(stderr, "%s: no advice for %g m: %s\n", s.name, r->error, reason);
+    mesh_free(&cloth);
     scene_free(&s);
-    return status;
+    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static int run_experiments(study *of, int name) {
@@ -189,8 +188,9 @@ static int experiment(const request *r) {
     if (files_make_folder(r->folder) != 0 ||
         read_scene(&of.base, r->scene_name ? r->scene_name : "flap", &r->settings) != 0)
         return EXIT_FAILURE;
-    const int least = r->quick ? (int)r->most_steps / 4 : 8;
-    for (int steps = least; steps <= r->most_steps && of.step_count < MOST_COUNTS; steps *= 2)
+    const int most = r->most_steps > 0 ? (int)r->most_steps : 64;
+    const int least = r->quick ? most / 4 : 8;
+    for (int steps = least; steps <= most && of.step_count < MOST_COUNTS; steps *= 2)
         of.steps[of.step_count++] = steps;
     int status = -1;
     if (scene_mesh(&of.base, &of.cloth, NULL, error) != 0)
@@ -204,7 +204,7 @@ static int experiment(const request *r) {
 }
 
 static int run(const command *self, int argc, char **argv) {
-    request r = {.name = -1, .folder = "accuracy", .repeat = 1, .most_steps = 64};
+    request r = {.name = -1, .folder = "accuracy", .repeat = 1};
     const int wrong = read_request(self, argc, argv, &r);
     if (wrong >= 0)
         return wrong;
@@ -215,5 +215,5 @@ const command accuracy_command = {
     "accuracy",
     "dt|cg|newton|integrator|preconditioner|precision|sum|mesh|all|advise [SCENE] [options]",
     "Measures what accuracy costs in time; writes a table and a plot an experiment. 'advise' picks "
-    "step,\nintegrator and tolerance for an error from curves measured before.",
+    "step,\nintegrator, tolerance and solver for an error by runs of the scene itself.",
     accuracy_options, run};

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Advice against what comes of it, for ten scenes: the error against a run of another method in
+ * many more steps, at most twice what was promised; iterations, which stand for the time without
+ * the machine's noise, at most twice what was predicted. The seconds are printed.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "accuracy/advise.h"
+#include "accuracy/measure.h"
+#include "integrator.h"
+#include "scene.h"
+
+typedef struct trial {
+    const char *scene;
+    double error; /* m */
+    const char *settings[6];
+} trial;
+
+static const trial trials[] = {
+    {"flap", 0.005, {"mesh.boundary=28", "mesh.vertices=100"}},
+    {"flap", 0.0005, {"mesh.boundary=28", "mesh.vertices=100"}},
+    {"flap", 0.004, {"mesh.boundary=36", "mesh.vertices=150", "material.stretch=5000"}},
+    {"flap", 0.01, {"mesh.boundary=28", "mesh.vertices=100", "mesh.side=2", "time.steps=40"}},
+    {"flap", 0.003, {"mesh.boundary=32", "mesh.vertices=120", "surroundings.drag=3"}},
+    {"flap",
+     0.002,
+     {"mesh.boundary=28", "mesh.vertices=100", "material.density=1", "time.steps=15"}},
+    {"hanging",
+     0.01,
+     {"mesh.boundary=32", "mesh.vertices=120", "time.step=0.02", "time.steps=20", "colliders=[]"}},
+    {"curtain", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=16"}},
+    {"flag", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=25"}},
+    {"patch", 0.01, {"mesh.boundary=24", "mesh.vertices=80", "time.steps=12"}},
+};
+
+static void set_up(const trial *t, scene *s, mesh *cloth) {
+    char path[1024], error[256] = "";
+    snprintf(path, sizeof path, "%s/%s.yaml", SCENES_FOLDER, t->scene);
+    assert_int_equal(scene_read(s, path), 0);
+    for (int k = 0; k < 6 && t->settings[k]; k++)
+        assert_int_equal(scene_set(s, t->settings[k]), 0);
+    if (scene_mesh(s, cloth, NULL, error) != 0)
+        fail_msg("%s", error);
+}
+
+static void test_ten_scenes(void **state) {
+    (void)state;
+    int advised = 0;
+    for (size_t k = 0; k < sizeof trials / sizeof *trials; k++) {
+        scene s;
+        mesh cloth;
+        advice a;
+        measured got = {0}, reference = {0};
+        char reason[256] = "";
+        set_up(&trials[k], &s, &cloth);
+        const int status = advise(&s, &cloth, trials[k].error, 16 * s.steps, &a, reason);
+        assert_in_range(status, 0, 1);
+        if (status == 1) {
+            print_message("%s to %g m: refused: %s\n", trials[k].scene, trials[k].error, reason);
+        } else {
+            scene exact =
+                divided(&s, 8 * (a.settings.steps > s.steps ? a.settings.steps : s.steps));
+            exact.integrator = INTEGRATOR_BDF2;
+            exact.tolerance = 1e-2;
+            exact.newton_tolerance = 1e-7;
+            exact.newton_iterations = 200;
+            assert_int_equal(measure(&a.settings, &cloth, 2, ANY_REJECTIONS, &got), 0);
+            assert_int_equal(measure(&exact, &cloth, 1, ANY_REJECTIONS, &reference), 0);
+            const double error = measured_distance(&got, &reference, NULL);
+            print_message("%s to %g m: %d steps of integrator %d, way %d %d, promised %.2g m, is "
+                          "%.2g m; %.0f "
+                          "iterations, is %ld; %.3f s, is %.3f s\n",
+                          trials[k].scene, trials[k].error, a.settings.steps, a.settings.integrator,
+                          a.settings.method, a.settings.preconditioner, a.error, error,
+                          a.iterations, got.cg_iterations, a.cpu_seconds, got.cpu_seconds);
+            assert_true(a.error <= trials[k].error);
+            assert_true(error <= 2 * a.error);
+            assert_true((double)got.cg_iterations <= 2 * a.iterations);
+            assert_true((double)got.cg_iterations >= a.iterations / 2);
+            advised++;
+            measured_free(&got);
+            measured_free(&reference);
+        }
+        mesh_free(&cloth);
+        scene_free(&s);
+    }
+    assert_in_range(advised, 8, 10);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ten_scenes)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
