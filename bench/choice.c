@@ -15,6 +15,7 @@
  *   columns           y += A x by columns, random pattern of 1 M entries; a new one each call
  *   force-sorted      triangles of a mesh: forces and a matrix; -shuffled: nodes at random
  *   springs-sorted    edges of that mesh; -shuffled
+ *   gaxpy-sorted      columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
  */
 #include <math.h>
 #include <stdint.h>
@@ -36,6 +37,7 @@ enum {
     PER_COLUMN = 10,
     SIDE = 467,
     NODES = SIDE * SIDE,
+    AROUND = 9,
     TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1),
     EDGES = 3 * TRIANGLES / 2
 };
@@ -146,7 +148,8 @@ static void draw_all(double *to, int count, double scale) {
         to[i] = scale * real();
 }
 
-static void make_mesh(int shuffled) {
+/* The number of each node. */
+static int *permutation(int shuffled) {
     int *node = malloc(NODES * sizeof *node);
     for (int i = 0; i < NODES; i++)
         node[i] = i;
@@ -155,6 +158,11 @@ static void make_mesh(int shuffled) {
         node[j] = node[i];
         node[i] = other;
     }
+    return node;
+}
+
+static void make_mesh(int shuffled) {
+    int *node = permutation(shuffled);
     triangle = malloc(TRIANGLES * sizeof *triangle);
     edge = malloc(EDGES * sizeof *edge);
     at = malloc(NODES * sizeof *at);
@@ -283,6 +291,41 @@ static void make_sorted(void) {
 static void make_shuffled(void) {
     make_mesh(1);
 }
+/* Each node's neighbours in the grid, and itself. */
+static void make_gaxpy(int shuffled) {
+    int *node = permutation(shuffled);
+    start = malloc((NODES + 1) * sizeof *start);
+    key = malloc((size_t)NODES * AROUND * sizeof *key);
+    q = reals((size_t)NODES * AROUND);
+    x = reals(NODES);
+    result = reals(NODES);
+    int entries = 0, *place = malloc(NODES * sizeof *place);
+    for (int i = 0; i < NODES; i++)
+        place[node[i]] = i;
+    for (int column = 0; column < NODES; column++) {
+        start[column] = entries;
+        const int i = place[column] / SIDE, j = place[column] % SIDE;
+        for (int down = -1; down <= 1; down++)
+            for (int right = -1; right <= 1; right++)
+                if (i + down >= 0 && i + down < SIDE && j + right >= 0 && j + right < SIDE)
+                    key[entries++] = node[(i + down) * SIDE + j + right];
+    }
+    start[NODES] = entries;
+    draw_all(q, entries, 1);
+    draw_all(x, NODES, 1);
+    free(place);
+    free(node);
+}
+static void make_gaxpy_sorted(void) {
+    make_gaxpy(0);
+}
+static void make_gaxpy_shuffled(void) {
+    make_gaxpy(1);
+}
+static void run_gaxpy(void) {
+    columns(NODES, start, key, q, x, result);
+}
+
 static void change_nothing(void) {
 }
 static void run_forces(void) {
@@ -303,7 +346,9 @@ static const struct {
              {"force-sorted", make_sorted, change_nothing, run_forces},
              {"force-shuffled", make_shuffled, change_nothing, run_forces},
              {"springs-sorted", make_sorted, change_nothing, run_springs},
-             {"springs-shuffled", make_shuffled, change_nothing, run_springs}};
+             {"springs-shuffled", make_shuffled, change_nothing, run_springs},
+             {"gaxpy-sorted", make_gaxpy_sorted, change_nothing, run_gaxpy},
+             {"gaxpy-shuffled", make_gaxpy_shuffled, change_nothing, run_gaxpy}};
 
 static double now(void) {
     struct timespec time;
@@ -324,6 +369,7 @@ static uint64_t hash_results(const char *name) {
     const size_t reals_there = strcmp(name, "pairs") == 0     ? DISTANCES
                                : strcmp(name, "weights") == 0 ? BINS
                                : strcmp(name, "charge") == 0  ? (GRID + 1) * (GRID + 1)
+                               : name[0] == 'g'               ? NODES
                                                               : COLUMNS;
     return hash(h, result, reals_there * sizeof *result);
 }

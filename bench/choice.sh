@@ -4,13 +4,17 @@
 # programs have them (bench/choice.c), most of which are not worth running in parallel, by `auto`, by
 # each method named, and sequentially. Rounds are interleaved; each ratio is of one round, and the
 # table has their medians, lowest and highest. Results are compared bit for bit.
-#   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..."
+# Of the loops of `script/bench methods`, force is its heavy and springs its light one, by rows alone.
+# NEIGHBOURS: processes that only compute run beside all of it, the sequential program as well.
+#   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..." NEIGHBOURS=1
 . bench/common.sh
 rounds=${ROUNDS:-5}
 read -r -a calls <<<"${CALLS:-1 3 10 40 400}"
-read -r -a loops <<<"${LOOPS:-count pairs weights charge columns force-sorted force-shuffled springs-sorted springs-shuffled}"
+read -r -a loops <<<"${LOOPS:-count pairs weights charge columns force-sorted force-shuffled springs-sorted springs-shuffled gaxpy-sorted gaxpy-shuffled}"
 read -r -a methods <<<"${METHODS:-auto localwrite graph-localwrite wavefront}"
+neighbours=${NEIGHBOURS:-0}
 csv=$results/choice.csv
+[ "$neighbours" -eq 0 ] || csv=$results/choice-beside-$neighbours.csv
 prefix=$work/prefix
 cmake --install "$build" --prefix "$prefix" >/dev/null
 flags=(-O2 -ffp-contract=off)
@@ -18,6 +22,13 @@ gcc "${flags[@]}" bench/choice.c -lm -o "$work/sequential"
 "$prefix/bin/redcc-cc" "${flags[@]}" bench/choice.c -lm -o "$work/redcc"
 load_note
 export OMP_NUM_THREADS=${OMP_NUM_THREADS:-$(nproc)}
+
+busy=()
+for ((i = 0; i < neighbours; i++)); do
+  sh -c 'while :; do :; done' &
+  busy+=($!)
+done
+trap '[ ${#busy[@]} -eq 0 ] || kill "${busy[@]}" 2>/dev/null; rm -rf "$work"' EXIT
 
 raw=$work/raw # loop method calls ratio seconds
 for round in $(seq "$rounds"); do

@@ -51,6 +51,7 @@ static enum result result_of(const struct execution *execution) {
     case REASON_DEADLINE:
         return RESULT_STOPPED;
     case REASON_UNATTRACTIVE:
+    case REASON_SAVING: /* it was looked at */
         return RESULT_UNATTRACTIVE;
     default:
         return RESULT_REFUSED;

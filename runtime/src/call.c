@@ -270,14 +270,18 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         redcc_note_serial(&state->reported.statistics);
         return false;
     }
-    threads = redcc_team_prepare(threads, execution->within.signals);
+    const bool alone = execution->advice.alone;
+    call->planned = threads;
+    threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
-    if (threads < (call->always_planned || (call->method && call->method->in_bins) ? 1 : 2))
+    if (!alone &&
+        threads < (call->always_planned || (call->method && call->method->in_bins) ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
         return false;
     call->asked = call->threads = threads;
+    call->planned = alone ? call->planned : threads;
     execution->inspection.inspector = state->inspector;
     execution->inspection.route = ROUTE_SERIAL;
     execution->inspected = execution->binned = false;
@@ -471,14 +475,15 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     runner->step = STEP_BEGIN;
     const bool as_asked = threads == execution->call.asked;
     const bool in_bins = execution->call.method && execution->call.method->in_bins;
-    const bool too_few = threads == 1 && !execution->call.always_planned && !in_bins;
+    const bool may_be_one = execution->call.always_planned || in_bins || execution->advice.alone;
+    const bool too_few = threads == 1 && !may_be_one;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
     if (in_bins) {
         thread->stage = STAGE_BINS;
         redcc_binner_join(thread->binner, threads);
     }
     if (number == 0 && !as_asked) {
-        execution->call.threads = threads;
+        execution->call.threads = execution->call.planned = threads;
         execution->reason = too_few ? REASON_ONE_THREAD : REASON_NONE;
     }
 }

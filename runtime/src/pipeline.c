@@ -108,7 +108,7 @@ static enum stage cut(struct execution *execution) {
     inspection->route =
         redcc_advise_sampled(&execution->state->chooser, &execution->advice, inspection, &estimate);
     if (inspection->route == ROUTE_SERIAL)
-        return refuse(execution, REASON_UNATTRACTIVE);
+        return refuse(execution, execution->advice.alone ? REASON_SAVING : REASON_UNATTRACTIVE);
     return redcc_is_logged(inspection) ? begin_log(execution, false) : STAGE_SWEEP;
 }
 

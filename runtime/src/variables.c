@@ -39,6 +39,19 @@ const char *redcc_environment(const char *name) {
     return redcc_system_is_privileged() ? NULL : getenv(name);
 }
 
+static bool is_ours(const char *variable) {
+    return strncmp(variable, "REDCC_", 6) == 0;
+}
+
+bool redcc_any_variable(void) {
+    if (!&__environ || !__environ)
+        return true;
+    for (char *const *each = __environ; *each; each++)
+        if (is_ours(*each))
+            return true;
+    return false;
+}
+
 /* A misspelled name of the build's is the build's affair. */
 static void note_if_unknown(const char *name) {
     const size_t nearest = redcc_spelling_nearest(name, names, NAMES);
@@ -56,7 +69,7 @@ void redcc_note_unknown_variables(void) {
     for (char *const *each = __environ; *each; each++) {
         char name[64];
         const size_t length = strcspn(*each, "=");
-        if (strncmp(*each, "REDCC_", 6) != 0 || length >= sizeof name)
+        if (!is_ours(*each) || length >= sizeof name)
             continue;
         memcpy(name, *each, length);
         name[length] = '\0';

@@ -3,6 +3,8 @@
 #ifndef REDCC_VARIABLES_H
 #define REDCC_VARIABLES_H
 
+#include <stdbool.h>
+
 /** Those that a translated program reads; docs/report.md describes them, and a test compares. */
 #define REDCC_VARIABLE_LIST(X)                                                                     \
     X("REDCC_METHOD")                                                                              \
@@ -21,5 +23,8 @@ const char *redcc_environment(const char *name);
 /** Says on standard error, once for each, which variables REDCC_... are set that neither a
  *  translated program nor redcc and redcc-cc know. To be called once. */
 void redcc_note_unknown_variables(void);
+
+/** Is any variable set that begins as ours do, or is that not known? */
+bool redcc_any_variable(void);
 
 #endif

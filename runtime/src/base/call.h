@@ -34,6 +34,7 @@ struct call {
     bool always_planned; /* one thread executes by the plan as well */
     int asked;
     int threads;                        /* that came */
+    int planned;                        /* that a plan would be for: a look is one thread's */
     struct float_control float_control; /* of the thread that entered */
     double entered;                     /* seconds */
     int error_before;                   /* errno of that thread */

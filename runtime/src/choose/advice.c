@@ -19,6 +19,10 @@ static const double frequent = 0.25;       /* runs, of the iterations */
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
 static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execution */
+/* Seconds: starting threads and waiting for their end takes up to some 5 ms on a busy machine. A
+ * loop whose execution is shorter than some of these is looked at by one thread: most are not worth
+ * more than that look. */
+static const double light = 10e-3;
 static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
 
 enum {
@@ -140,6 +144,8 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
         advice.reason = reason_for(chooser, decision.rule);
     else if (decision.action == ACTION_INSPECT)
         advice.deadline = reuse->call->entered + decision.deadline;
+    advice.alone =
+        decision.rule == RULE_LOOKING && redcc_usual_sequential(&chooser->state, now.trip) < light;
     return advice;
 }
 
@@ -166,7 +172,7 @@ bool redcc_copies_allowed(const struct inspection *inspection) {
     return redcc_copies_possible(&inspection->partition, inspection->touched) &&
            memory_allows(inspection->call->memory_limit,
                          redcc_copy_bytes(&inspection->partition, inspection->touched) *
-                             (size_t)inspection->call->threads);
+                             (size_t)inspection->call->planned);
 }
 
 static double usual_iteration(const struct chooser *chooser, redcc_int trip) {
@@ -181,7 +187,7 @@ static struct findings begin_findings(const struct chooser *chooser,
     const bool free_order = call->order == REDCC_ORDER_ANY || any_order_is_exact(loop);
     return (struct findings){
         .trip = call->request.trip,
-        .threads = call->threads,
+        .threads = call->planned,
         .sequential = usual_iteration(chooser, call->request.trip),
         .spent = redcc_seconds() - call->entered,
         .touches = inspection->touches,
@@ -196,7 +202,7 @@ static struct findings begin_findings(const struct chooser *chooser,
  * and changes? */
 static bool stealing_pays(const struct chooser *chooser, const struct call *call,
                           const struct estimate *found) {
-    if (found->overhead > most_overhead || found->share * call->threads > even_share)
+    if (found->overhead > most_overhead || found->share * call->planned > even_share)
         return false;
     return found->changes < frequent ||
            usual_iteration(chooser, call->request.trip) >= long_iteration;
@@ -219,7 +225,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     redcc_estimate_prospects(&findings, prospect);
     const struct situation now = {.trip = findings.trip,
-                                  .threads = call->asked,
+                                  .threads = call->planned,
                                   .wake = wake_seconds(),
                                   .steady = chooser->steady,
                                   .verified = chooser->verified};
@@ -239,7 +245,9 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_stealable(partition);
     entry->way = decision.way;
-    if (decision.action != ACTION_INSPECT)
+    if (entry->alone)
+        entry->way = WAY_SEQUENTIAL; /* whatever is worth a set-up is set up at the next call */
+    if (decision.action != ACTION_INSPECT || entry->alone)
         return ROUTE_SERIAL;
     entry->deadline = inspection->deadline = redcc_seconds() + decision.deadline;
     if (entry->way != WAY_COPIES)

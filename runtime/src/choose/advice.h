@@ -39,6 +39,7 @@ struct advice {
     enum action action;
     enum way way;       /* REUSE; INSPECT: as soon as it is decided */
     bool timed;         /* SEQUENTIAL */
+    bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
     double deadline;    /* INSPECT: on the clock of redcc_seconds; 0: none */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
     enum reason reason; /* for SEQUENTIAL */

@@ -14,17 +14,17 @@ void redcc_inspection_set_owners(struct inspection *inspection) {
     const uint32_t each = 1 + inspection->stealable;
     inspection->partition.stealable = inspection->stealable;
     inspection->partition.owners = call->method && call->method->owners
-                                       ? call->method->owners(call->threads, call->parameter)
-                                       : (uint32_t)call->threads * each;
+                                       ? call->method->owners(call->planned, call->parameter)
+                                       : (uint32_t)call->planned * each;
 }
 
 /* auto may come to stealable blocks later than the cut. */
 static uint32_t most_owners(const struct call *call) {
-    const uint32_t threads = (uint32_t)call->threads;
+    const uint32_t threads = (uint32_t)call->planned;
     if (!call->method)
         return threads * (1 + REDCC_STEALABLE);
     if (call->method->owners)
-        return call->method->owners(call->threads, call->parameter);
+        return call->method->owners(call->planned, call->parameter);
     return threads * (call->method->steals ? 1 + REDCC_STEALABLE : 1);
 }
 

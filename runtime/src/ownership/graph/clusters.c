@@ -59,6 +59,12 @@ void redcc_clusters_end(struct clusters *clusters) {
     *clusters = (struct clusters){0};
 }
 
+/* Work is added up to what the number holds. */
+static inline uint32_t add(uint32_t weight, uint32_t more) {
+    const uint32_t sum = weight + more;
+    return sum < weight ? UINT32_MAX : sum;
+}
+
 /* All ones where the node is full: it takes no part, so that a row which all iterations update is
  * in a cluster soon, and joins nobody any more. */
 static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
@@ -99,7 +105,7 @@ void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t en
             all->choice[node] = choice[node] < all->choice[node] ? choice[node] : all->choice[node];
         const uint32_t *weight = clusters->share[thread].weight;
         for (uint32_t node = first; clusters->rounds == 1 && node < end; node++)
-            all->weight[node] += weight[node];
+            all->weight[node] = add(all->weight[node], weight[node]);
     }
 }
 
@@ -151,7 +157,7 @@ static void add_up_weights(const struct clusters *clusters) {
     uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
     memset(sum, 0, clusters->count * sizeof *sum);
     for (uint32_t node = 0; node < clusters->nodes; node++)
-        sum[clusters->into[node]] += weight[node];
+        sum[clusters->into[node]] = add(sum[clusters->into[node]], weight[node]);
     memcpy(weight, sum, clusters->count * sizeof *sum);
 }
 
@@ -215,7 +221,7 @@ void redcc_clusters_retell(struct clusters *clusters, int thread) {
         const bool several = map_iteration(clusters->into, from.item + at, count, to + kept);
         const uint32_t work = redcc_work_of(count);
         for (size_t i = kept; first && i < kept + count; i++)
-            share->weight[to[i]] += work;
+            share->weight[to[i]] = add(share->weight[to[i]], work);
         if (!several)
             continue;
         hear(share->choice, clusters->size, clusters->most, to + kept, count);
