@@ -169,7 +169,10 @@ void update_array_add(judgement *j, judged_access *update, update_kind kind,
         if (j->updates.items[i].statement == statement)
             return; /* if (R < v) R = v; else R = 0; is one update */
     reduction_array *array = &j->arrays.items[number].array;
-    reduction_update item = {statement, target, access_row(target), number};
+    reduction_update item = {.statement = statement,
+                             .target = target,
+                             .row = access_row(target),
+                             .array = number};
     int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
     if (unit > array->unit)
         array->unit = unit;
