@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "analysis/memory/must_write/must_write.h"
-#include "ir/ir_text.h"
+#include "ir_reader/ir_read.h"
 #include "support/source.h"
 
 static arena *memory;

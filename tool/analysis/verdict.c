@@ -2,6 +2,8 @@
 /* One loop: the steps of its judgement in turn, and what is said of it. */
 #include "analysis/verdict.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
@@ -116,6 +118,7 @@ static void note_irregular_arrays(judgement *j) {
 
 static loop_facts *finish_facts(judgement *j) {
     loop_facts *facts = ARENA_NEW(j->an->memory, loop_facts);
+    assert(ir_is_loop(j->loop) && ir_contains(j->function->body, j->loop));
     facts->loop = j->loop;
     facts->function = j->function;
     facts->counted = j->counted;

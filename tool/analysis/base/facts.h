@@ -8,6 +8,7 @@
 
 #include "analysis/base/pragma.h"
 #include "ir/ir.h"
+#include "support/map.h"
 
 /* ---- reasons ------------------------------------------------------------------------------- */
 
@@ -256,12 +257,22 @@ typedef struct loop_verdict {
     loop_facts *facts; /* arrays as far as known also for refusals; complete for TRANSFORM */
 } loop_verdict;
 
+/** What is known of a function that another file of the build defines. */
+typedef enum exported_kind {
+    EXPORTED_NOTHING,   /* it may do anything */
+    EXPORTED_CONST,     /* no side effects, reads nothing but its arguments */
+    EXPORTED_ARGUMENTS, /* no side effects, reads what its pointer arguments point to */
+    EXPORTED_PURE       /* no side effects, may read anything */
+} exported_kind;
+
 typedef struct analysis_options {
     unsigned pure_count;
     const char *const *pure; /* --pure: the user's word */
     bool assume_noalias;     /* --assume-noalias */
     bool report_all;         /* --all: NOT_A_REDUCTION verdicts too */
     bool any_order;          /* --order=any: other bits will do */
+    const map *external;     /* name -> const exported_kind *, of functions that exactly one other
+                                file of the build defines; NULL: nothing is known of other files */
 } analysis_options;
 
 #endif

@@ -11,6 +11,7 @@
 
 #include "analysis/loop/place.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/exact.h"
@@ -63,6 +64,7 @@ static void keep_header_declaration(slicer *s, const ir_node *part) {
 }
 
 static void keep_control(slicer *s, const ir_node *node) {
+    assert(node->id < s->j->function->node_count && !ir_is_expression(node));
     if (s->keep[node->id])
         return;
     s->keep[node->id] = true;

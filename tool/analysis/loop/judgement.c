@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/loop/judgement.h"
 
+#include <assert.h>
+
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
 
 bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name) {
+    assert(why > REASON_NONE && why < REASON_COUNT);
     if (j->why.id != REASON_NONE)
         return false;
     ir_range range = node ? node->range : j->loop->range;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/external.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/access_walk.h"
 #include "analysis/memory/callee_terms.h"
@@ -126,7 +127,18 @@ const access_list *effects_of(effects *all, const ir_function *function) {
 /* ---- calls ------------------------------------------------------------------------------------
  */
 
-static bool is_named_pure(const effects *all, const ir_function *function) {
+static bool is_const(const effects *all, const ir_function *function) {
+    return function->is_attribute_const || external_kind(all->options, function) == EXPORTED_CONST;
+}
+
+static bool is_pure(const effects *all, const ir_function *function) {
+    return function->is_attribute_pure || external_kind(all->options, function) == EXPORTED_PURE;
+}
+
+/* By the user's word, or because another file shows it: it reads what its arguments lead to. */
+static bool is_presumed_pure(const effects *all, const ir_function *function) {
+    if (external_kind(all->options, function) == EXPORTED_ARGUMENTS)
+        return true;
     for (unsigned i = 0; all->options && i < all->options->pure_count; i++)
         if (strcmp(all->options->pure[i], function->name) == 0)
             return true;
@@ -155,13 +167,15 @@ static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
     const ir_function *function = call->children[0]->function;
     if (library_is_locale_table(call))
         return;
-    if (!by_user && library_tells_of_thread(function)) {
+    /* of another file's function the body was looked at */
+    const bool is_seen = external_kind(w->all->options, function) != EXPORTED_NOTHING;
+    if (!by_user && !is_seen && library_tells_of_thread(function)) {
         const bool is_errno = strcmp(function->name, "__errno_location") == 0;
         access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
         return;
     }
     w->list->has_floating_work = w->list->has_unrepeatable_work = true;
-    if (function->is_attribute_const)
+    if (is_const(w->all, function))
         return;
     access_add(
         w, (access){.kind = ACCESS_READ, .node = call, .callee = function, .is_presumed = by_user});
@@ -269,7 +283,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         return;
     }
     const ir_function *function = callee->function;
-    bool by_user = is_named_pure(w->all, function);
+    bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
     if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
@@ -289,7 +303,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         walk_pure_call(w, call, true);
     } else if (library) {
         walk_library_call(w, call, library);
-    } else if (function->is_attribute_const || function->is_attribute_pure) {
+    } else if (is_const(w->all, function) || is_pure(w->all, function)) {
         walk_pure_call(w, call, false);
     } else if (function->is_interposable) {
         access_problem_add(w, REASON_INTERPOSED, call, function->name);

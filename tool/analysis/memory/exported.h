@@ -5,13 +5,6 @@
 
 #include "analysis/base/facts.h"
 
-typedef enum exported_kind {
-    EXPORTED_NOTHING,   /* it may do anything */
-    EXPORTED_CONST,     /* no side effects, reads nothing but its arguments */
-    EXPORTED_ARGUMENTS, /* no side effects, reads what its pointer arguments point to */
-    EXPORTED_PURE       /* no side effects, may read anything */
-} exported_kind;
-
 /** "const", "pure of its arguments", "pure"; NULL for EXPORTED_NOTHING. */
 const char *exported_word(exported_kind kind);
 

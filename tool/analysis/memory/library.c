@@ -154,8 +154,6 @@ bool library_is_locale_table(const ir_node *call) {
  * whole thread (pthread_self, __errno_location), and an address may lead to the thread's own. (What
  * is declared pure may read all memory, that of the arrays as well, and is refused for that.) */
 bool library_tells_of_thread(const ir_function *function) {
-    if (function->is_same_in_threads)
-        return false;
     const ir_type *result = function->type ? function->type->target : NULL;
     return function->is_attribute_const &&
            (function->parameter_count == 0 || !result || result->kind == IR_POINTER);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include <string.h>
 
+#include "analysis/base/external.h"
 #include "analysis/memory/must_write/must_write_run.h"
 
 enum { MOST_CALLS_DEEP = 32, MOST_ARGUMENTS = 64 };
@@ -67,7 +68,8 @@ static const known_function *find_known(const ir_function *function) {
 }
 
 static bool is_pure(const must_write *prover, const ir_function *function) {
-    if (function->is_attribute_pure || function->is_attribute_const)
+    if (function->is_attribute_pure || function->is_attribute_const ||
+        external_kind(prover->options, function) != EXPORTED_NOTHING)
         return true;
     for (unsigned i = 0; prover->options != NULL && i < prover->options->pure_count; i++)
         if (strcmp(prover->options->pure[i], function->name) == 0)

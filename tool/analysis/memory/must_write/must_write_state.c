@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/memory/must_write/must_write_state.h"
 
+#include <assert.h>
 #include <string.h>
 
 byte_set byte_set_new(arena *a, int64_t size) {
+    assert(size >= 0);
     byte_set s;
     s.word_count = (unsigned)((size + 63) / 64);
     s.words = ARENA_ARRAY(a, uint64_t, s.word_count + 1);
@@ -17,11 +19,13 @@ byte_set byte_set_copy(arena *a, byte_set other) {
 }
 
 void byte_set_assign(byte_set to, byte_set from) {
+    assert(to.word_count >= from.word_count);
     if (from.word_count > 0)
         memcpy(to.words, from.words, from.word_count * sizeof *from.words);
 }
 
 void byte_set_add(byte_set s, int64_t begin, int64_t end) {
+    assert(begin >= end || (begin >= 0 && end <= (int64_t)s.word_count * 64));
     while (begin < end) {
         const int64_t word = begin / 64;
         const int64_t stop = (word + 1) * 64 < end ? (word + 1) * 64 : end;
@@ -32,6 +36,7 @@ void byte_set_add(byte_set s, int64_t begin, int64_t end) {
 }
 
 bool byte_set_has(byte_set s, int64_t begin, int64_t end) {
+    assert(begin >= end || (begin >= 0 && end <= (int64_t)s.word_count * 64));
     while (begin < end) {
         const int64_t word = begin / 64;
         const int64_t stop = (word + 1) * 64 < end ? (word + 1) * 64 : end;
@@ -44,16 +49,19 @@ bool byte_set_has(byte_set s, int64_t begin, int64_t end) {
 }
 
 void byte_set_unite(byte_set s, byte_set other) {
+    assert(s.word_count == other.word_count);
     for (unsigned i = 0; i < s.word_count; i++)
         s.words[i] |= other.words[i];
 }
 
 void byte_set_intersect(byte_set s, byte_set other) {
+    assert(s.word_count == other.word_count);
     for (unsigned i = 0; i < s.word_count; i++)
         s.words[i] &= other.words[i];
 }
 
 void byte_set_subtract(byte_set s, byte_set other) {
+    assert(s.word_count == other.word_count);
     for (unsigned i = 0; i < s.word_count; i++)
         s.words[i] &= ~other.words[i];
 }
@@ -66,6 +74,7 @@ bool byte_set_is_empty(byte_set s) {
 }
 
 bool byte_set_includes(byte_set s, byte_set other) {
+    assert(s.word_count == other.word_count);
     for (unsigned i = 0; i < s.word_count; i++)
         if ((other.words[i] & ~s.words[i]) != 0)
             return false;

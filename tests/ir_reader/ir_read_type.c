@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ir/ir_reader.h"
 #include "ir/ir_words.h"
+#include "ir_reader/ir_reader.h"
 
 typedef struct type_reader {
     ir_reader *reader;

@@ -33,9 +33,6 @@ sexp *sexp_read(arena *a, const char *text, size_t length, const char **message)
 /** "line:column: " and what was expected. */
 const char *sexp_expected(arena *a, const sexp *at, const char *what);
 
-/** Appends the text in quotes, with \\ \" \n \r \t and \ooo. */
-void sexp_quote(buffer *out, const char *text, size_t length);
-
 /** Reads a quoted text; `from` stands on the quote. Returns what follows the closing quote, or NULL
  *  where it is missing before `end` or an escape is unknown. */
 const char *sexp_unquote(buffer *out, const char *from, const char *end);

@@ -3,8 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "ir/ir_reader.h"
 #include "ir/ir_words.h"
+#include "ir_reader/ir_reader.h"
 
 /* ---- what stands behind the first word ----------------------------------------------------- */
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ir/ir_reader.h"
-#include "ir/ir_text.h"
 #include "ir/ir_words.h"
+#include "ir_reader/ir_read.h"
+#include "ir_reader/ir_reader.h"
 
 bool ir_reader_expected(ir_reader *r, const sexp *at, const char *what) {
     if (r->message == NULL)

@@ -4,7 +4,7 @@
 #define IR_IR_READER_H
 
 #include "ir/ir.h"
-#include "ir/sexp.h"
+#include "ir_reader/sexp.h"
 #include "support/map.h"
 #include "support/vector.h"
 
