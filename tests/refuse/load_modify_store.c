@@ -15,6 +15,16 @@ void value_used_after(int n) {
     }
 }
 
+void value_used_after_by_an_outer_one(int n) {
+    double v;
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        v = h[k[t]];
+        v += w[t];
+        h[k[t]] = v;
+        out[t] = v;
+    }
+}
+
 void exchanged(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: nothing
         double v = h[k[t]];
