@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Functions that read through their parameters in loops of their own: by tables, in rows whose
  * bounds are read as well, in searches that may fail, and in ways that cannot be told before; and
- * updates in several statements. Of programs whose seeds are divisible by 7; the others stay what they were when these were added. */
+ * updates in several statements. Of programs whose seeds are divisible by 7; the others stay what
+ * they were when these were added. */
 #include "fuzz/kernel.h"
 
 typedef struct helper {
