@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Loops as programs spell them: *p for p[0], bounds set in the header or asked of a function, a
 // counter whose address was given away, arrays and subscripts handed over apart.
-// covers: row 73, row 74, row 75, row 76, row 77
+// covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84
 #include "case.h"
 
 enum { N = 3000, ROWS = 70 };
@@ -137,6 +137,28 @@ static void apart(int n, double *to) {
         count_at(counted, s[t] + 256 * t);
 }
 
+/* ---- one element beside the others ---- */
+
+static void beside(int n, long *to, int m) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        to[0]++;
+        if (e[t] > 0.25)
+            to[m] += 3;
+        to[s[t]] += t;
+    }
+}
+
+/* ---- constants of the body ---- */
+
+static void by_constants(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        static const double weight[2][3] = {{0.5, 0.25, 0.25}, {1, 2, 3}};
+        static const int twice = 2;
+        for (int c = 0; c < 3; c++)
+            wide[s[t]][c] += weight[t & 1][c] * twice;
+    }
+}
+
 int main(void) {
     int *const subscripts[1] = {second};
     double *const values[1] = {e};
@@ -157,6 +179,8 @@ int main(void) {
         sum = sum * 7 + bound_of_a_function(&x);
         counter_given_away(N - round);
         apart(N, h);
+        beside(N, counted, 5 + round);
+        by_constants(N);
         sum = sum * 7 + bound_in_header(&x, N + 1);
     }
     printf("%ld %ld\n", sum, last_seen);

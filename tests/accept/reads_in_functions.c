@@ -15,7 +15,7 @@ struct mesh {
     double **rows;
 };
 static int node[N][4], ptr[N + 1], col[6 * N], to[N], edge[N][2], wanted[N];
-static double memory[2 * NODES + 40][3], other[NODES][3], val[6 * N], y[NODES + 8], a[6 * N];
+static double memory[2 * NODES + 40][3], other[NODES][3], val[6 * N], y[NODES + 48], a[6 * N];
 static double *rows[NODES];
 
 /* ---- elements ---- */
@@ -169,11 +169,44 @@ static void first_ones(int n, const double *x, const int *to, double *y) {
         y[to[i]] += first_above(x, to[i], to[i] + 40, 0.5);
 }
 
+/* ---- a plan, and what is looked up on the way ---- */
+
+static double in_row(const double *x, const int *list) {
+    double s = 0;
+    for (int k = 0; k < 4; k++)
+        s += x[list[k]];
+    return s;
+}
+
+static void kept_apart(int n, const int (*list)[4], const double *x, const int *to, double *y) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        y[to[i]] += 0.25 * in_row(x, list[i]);
+}
+
+/* Nothing but the lists changes: once they lead to what is updated. */
+static void change_lists(void) {
+    static double both[2 * NODES];
+    static int list[N][4];
+    case_values(both, 2 * NODES);
+    for (int again = 0; again < 4; again++) {
+        for (int i = 0; i < N; i++)
+            for (int c = 0; c < 4; c++)
+                list[i][c] = NODES + (i * 7 + c) % NODES - (again == 2 && i > N / 2 ? NODES : 0);
+        for (int twice = 0; twice < 2; twice++)
+            kept_apart(N, (const int(*)[4])list, both, to, both);
+        if (again == 2) {
+            CASE_PRINT(both);
+            case_values(both, 2 * NODES);
+        }
+    }
+    CASE_PRINT(both);
+}
+
 static void fill(int round) {
     case_values(&memory[0][0], (long)(sizeof memory / sizeof(double)));
     case_values(&other[0][0], 3 * NODES);
     case_values(val, 6 * N);
-    case_values(y, NODES + 8);
+    case_values(y, NODES + 48);
     for (int i = 0, k = 0; i < N; i++) {
         ptr[i] = k;
         for (int c = 0; c < 4; c++)
@@ -195,7 +228,7 @@ static void fill(int round) {
 static void begin_again(int is_needed) {
     if (is_needed) {
         CASE_PRINT(y);
-        case_values(y, NODES + 8);
+        case_values(y, NODES + 48);
     }
 }
 
@@ -229,11 +262,12 @@ int main(void) {
             pairs(&m, x, b);
             entries(N, ptr, col, (const int(*)[2])edge, val, a);
             first_ones(N, (const double *)memory, to, y);
-            first_ones(100, y, edge[0], a);
+            first_ones(100, y, to, a);
             if (again == 1)
                 col[case_below(ptr[N])] = case_below(NODES - 1);
         }
     }
+    change_lists();
     CASE_PRINT(memory);
     CASE_PRINT(y);
     CASE_PRINT(a);

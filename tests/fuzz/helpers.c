@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Functions that read through their parameters in loops of their own: by tables, in rows whose
- * bounds are read as well, in searches that may fail, and in ways that cannot be told before. Of
- * programs whose seeds are divisible by 7; the others stay what they were when these were added. */
+ * bounds are read as well, in searches that may fail, and in ways that cannot be told before; and
+ * updates in several statements. Of programs whose seeds are divisible by 7; the others stay what
+ * they were when these were added. */
 #include "fuzz/kernel.h"
 
 typedef struct helper {
@@ -145,4 +146,36 @@ void call_of_helper(kernel *k) {
     const char *name = new_name(k, "d");
     put(k, &k->body, "double %s = damp(%s(%s));\n", name, function, arguments);
     add_name(&k->scope.values, name);
+}
+
+/* ---- an update in several statements --------------------------------------------------------- */
+
+void in_pieces(kernel *k) {
+    const array *a = any_reduction(k);
+    const char *name = new_name(k, "v");
+    const char *where = place(k, a, chance(k, 85) ? subscript(k) : position(k));
+    const char *type = elements[a->type].spelling;
+    const char *first = contribution(k, a);
+    const bool is_outer = chance(k, 25);
+    if (is_outer)
+        declare_outside(k, type, name, "0");
+    put(k, &k->body, "%s%s%s = %s;\n", is_outer ? "" : type, is_outer ? "" : " ", name, where);
+    if (chance(k, 10))
+        put(k, &k->body, "%s[%s] = 0.25;\n", k->out.base, position(k));
+    if (chance(k, 60))
+        put(k, &k->body, "if (%s)\n", condition(k));
+    switch (a->operation[0]) {
+    case '<':
+    case '>':
+        put(k, &k->body, "%s = %s %s %s ? %s : %s;\n", name, name, a->operation, first, name,
+            first);
+        break;
+    default:
+        put(k, &k->body, "%s %s= %s;\n", name, a->operation, first);
+    }
+    if (chance(k, 8)) /* the value is wanted for another element */
+        where = place(k, a, subscript(k));
+    put(k, &k->body, "%s = %s;\n", where, name);
+    if (chance(k, 10))
+        put(k, &k->body, "%s;\n", update(k, a, where));
 }

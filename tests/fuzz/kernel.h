@@ -172,6 +172,7 @@ void wide_bait(kernel *k);
 void rows_behind_pointers(kernel *k);
 void loop_along_a_row(kernel *k);
 void call_of_helper(kernel *k);
+void in_pieces(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

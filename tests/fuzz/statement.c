@@ -306,8 +306,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
-    if (k->has_helpers && chance(k, 30)) {
-        call_of_helper(k);
+    if (k->has_helpers && chance(k, 40)) {
+        if (chance(k, 70))
+            call_of_helper(k);
+        else
+            in_pieces(k);
         end_statement(k, begin);
         return;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The smallest changes by which the loops of accept/idioms.c may no longer be translated.
-// covers: row 62, row 73, row 74, row 75, row 76, row 77
+// covers: row 62, row 73, row 74, row 75, row 76, row 77, row 83, row 84
 #include <assert.h>
 
 enum { N = 3000 };
@@ -204,5 +204,47 @@ void asserted(int n, double *h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse no-return
         assert(s[t] >= 0);
         h[s[t]] += 1.0;
+    }
+}
+
+/* ---- one element beside the others ---- */
+
+void one_alone(int n, int *h, const int *other) {
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        h[0] += other[s[t]];
+        h[1]++;
+    }
+}
+
+int one_is_read(int n, int *h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse update-value-used
+        h[s[t]]++;
+        if (h[0]++ > 5)
+            h[s[t]]++;
+    }
+    return h[0];
+}
+
+/* ---- constants of the body ---- */
+
+void not_constant(int n, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse text
+        static double weight[2] = {1, 2};
+        h[s[t]] += weight[t & 1];
+    }
+}
+
+void by_address(int n, const int **restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: nothing
+        static const int here = 1;
+        h[s[t]] = &here;
+    }
+}
+
+void address_as_value(int n, const double *const *restrict marks, int *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        static const double mark[2] = {1, 2};
+        if (marks[t] == mark)
+            h[s[t]]++;
     }
 }

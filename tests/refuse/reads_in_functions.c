@@ -68,6 +68,22 @@ void left_early(int n, const int *count, const int *to, const int *list, const d
         b[to[e]] += up_to(x, list, count[e]);
 }
 
+static double left_inside(const double *x, const int *list) {
+    double sum = 0;
+    for (int a = 0; a < 4; a++)
+        for (int c = 0; c < 3; c++) {
+            if (x[c] > 1)
+                break;
+            sum += x[list[a]];
+        }
+    return sum;
+}
+
+void left_before(int n, const int (*list)[4], const int *to, const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += left_inside(x, list[e]);
+}
+
 static double in_steps(const double *x, int count, double limit) {
     for (int k = 0; k < count; k += 2)
         if (x[k] > limit)

@@ -7,6 +7,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/candidate.h"
 #include "analysis/loop/variation.h"
+#include "analysis/memory/update_group.h"
 #include "analysis/verdict.h"
 
 /* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
@@ -24,7 +25,10 @@ static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {
 }
 
 /* What an update looks like whose loop is listed: its target; or NULL. */
-static const ir_node *updated_target(const ir_node *node) {
+static const ir_node *updated_target(const analyser *an, const ir_node *node) {
+    update_group group;
+    if (update_group_of(an->facts, node, &group))
+        return node->children[0];
     if (node->kind == IR_ASSIGN || node->kind == IR_UNARY) {
         update_form form = update_form_of(node);
         if (form.is_update && form.target->kind != IR_VARIABLE)
@@ -51,7 +55,7 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
 static bool is_irregular_update(const analyser *an, const ir_node *loop, const ir_node *node) {
     if (node->kind == IR_CALL)
         return call_updates(an, loop, node);
-    const ir_node *target = updated_target(node);
+    const ir_node *target = updated_target(an, node);
     if (!target || !variation_is_irregular(an->facts, loop, target))
         return false;
     const ir_variable *object = location_of(an->facts, target, loop).object;

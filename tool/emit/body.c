@@ -32,7 +32,7 @@ static const char *local_name(const ir_node *node, void *context) {
 
 /** Not to catch an `else` of its own, nor to look as if it did. */
 static bool needs_braces(const reduction_update *update) {
-    return update->statement->kind != IR_EXPRESSION;
+    return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
 /** `{ if (redcc_owns(...)) `: what goes before an update. */
@@ -117,6 +117,9 @@ static bool print_guard(printer *p, const ir_node *statement) {
     const reduction_update *update = update_of(copy->loop->facts, statement);
     if (!update)
         return false;
+    if (update->last)
+        loop_obstacle(copy->loop, statement->range,
+                      "an update of several statements cannot be spelled a second time");
     writer_line(p->out, "%s", guard_text(copy->loop, update));
     copy->within = statement;
     print_statement(p, statement);
@@ -235,6 +238,8 @@ static void choose_printed_updates(body_copy *copy) {
     const loop_facts *facts = copy->loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {
         const ir_node *statement = facts->updates[i].statement;
+        if (statement->kind == IR_DECLARATOR)
+            statement = statement->parent;
         if (syntax_editable_statement(statement, facts->counted.body) != statement)
             print_instead(copy, statement);
     }
@@ -244,12 +249,17 @@ static void guard_updates(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
         const reduction_update *update = &loop->facts->updates[i];
-        if (is_printed(copy, update->statement))
+        const ir_node *first = update->statement;
+        const ir_node *last = update->last ? update->last : first;
+        if (first->kind == IR_DECLARATOR)
+            first = first->parent;
+        if (update->last && (is_printed(copy, first) || is_printed(copy, last)))
+            loop_obstacle(loop, first->range,
+                          "an update of several statements cannot be spelled a second time");
+        if (is_printed(copy, first))
             continue;
-        edit_insert(loop->arena, &copy->edits, update->statement->range.begin,
-                    guard_text(loop, update));
-        edit_insert(loop->arena, &copy->edits,
-                    syntax_statement_end(loop->unit->source, update->statement),
+        edit_insert(loop->arena, &copy->edits, first->range.begin, guard_text(loop, update));
+        edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
                     arena_format(loop->arena, " %s", guard_end(update)));
     }
 }

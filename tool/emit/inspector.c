@@ -4,6 +4,7 @@
  * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
  * only compares it with what the iterations before have touched.
  */
+#include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
@@ -34,15 +35,6 @@ typedef struct inspector {
     row_list recent;   /* told since the slice last did something else */
     size_t recent_end; /* length of the text when the last of them was */
 } inspector;
-
-static bool mentions(const ir_node *node, const ir_variable *variable) {
-    if (node->variable == variable)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (mentions(node->children[i], variable))
-            return true;
-    return false;
-}
 
 /* ---- telling addresses --------------------------------------------------------------------- */
 
@@ -186,13 +178,12 @@ static void tell_in_loops(inspector *self, const loop_source *read, unsigned num
     self->loops = read->loops;
     open_loops(self, read, is_span);
     if (is_span) {
-        const told_row item = {read->row, (int)number, 0, self->is_bare};
         writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",
                     row_address_text(self, read->row, last->counter));
         writer_line(out, "%s = (%s)(%s%s);", source_loop_counter(a, read->loop_count - 1),
                     origin_type(a, last->counter->type), row_text(self, last->bound),
                     last->comparison == IR_OP_LESS ? " - 1" : "");
-        tell_up_to(self, &item, 0, last->counter);
+        tell_up_to(self, &(told_row){read->row, (int)number, 0, self->is_bare}, 0, last->counter);
     } else {
         tell_row(self, read->row, false, number, base);
     }
@@ -370,7 +361,7 @@ static void tell_at_once(printer *p, const ir_node *loop) {
     const char *counter = origin_variable(p->arena, counted->counter);
     const row_list rows = rows_of_span(self, counted->body);
     for (unsigned i = 0; i < rows.count; i++)
-        if (mentions(rows.items[i].row, counted->counter)) {
+        if (expression_mentions(rows.items[i].row, counted->counter)) {
             self->is_bare = rows.items[i].is_bare;
             writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
                         row_address_text(self, rows.items[i].row, counted->counter));
@@ -378,14 +369,14 @@ static void tell_at_once(printer *p, const ir_node *loop) {
     for (unsigned i = 0; i < rows.count; i++) {
         const told_row *item = &rows.items[i];
         self->is_bare = item->is_bare;
-        if (!mentions(item->row, counted->counter))
+        if (!expression_mentions(item->row, counted->counter))
             tell_row(self, item->row, is_update(item), number_of(item), NULL);
     }
     self->is_bare = is_bare(self->loop->facts, loop);
     writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
                 row_text(self, counted->bound), counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < rows.count; i++)
-        if (mentions(rows.items[i].row, counted->counter))
+        if (expression_mentions(rows.items[i].row, counted->counter))
             tell_up_to(self, &rows.items[i], i, counted->counter);
     if (!counted->counter_is_declared_in_header)
         writer_line(p->out, "%s++;", counter);
@@ -414,11 +405,11 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
     if (self->is_mentioned[variable->id])
         return true;
     for (unsigned i = 0; i < facts->update_count; i++)
-        if (mentions(facts->updates[i].row, variable))
+        if (expression_mentions(facts->updates[i].row, variable))
             return true;
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].extent == EXTENT_TOUCHED && self->source_told[i] &&
-            mentions(facts->sources[i].row, variable))
+            expression_mentions(facts->sources[i].row, variable))
             return true;
     return false;
 }

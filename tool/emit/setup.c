@@ -177,12 +177,37 @@ static void number_sources(loop_text *loop) {
 
 /* ---- what may stop it ---------------------------------------------------------------------- */
 
+static bool is_constant(const ir_type *type) {
+    const ir_type *inner = ir_type_innermost(type);
+    return (type->is_const || inner->is_const) && !inner->is_volatile && !inner->is_atomic &&
+           ir_type_is_scalar(inner) && inner->kind != IR_POINTER;
+}
+
+/** Is the variable used other than by reading it, or elements of it? Of what stands in the body
+ * there is one in each copy of it. */
+static bool goes_by_address(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable) {
+        const ir_node *whole = node;
+        while (whole->type->kind == IR_ARRAY && whole->parent->kind == IR_INDEX &&
+               whole->parent->children[0] == whole)
+            whole = whole->parent;
+        return whole->type->kind == IR_ARRAY ||
+               (whole->parent->kind == IR_UNARY && whole->parent->op == IR_OP_ADDRESS);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (goes_by_address(node->children[i], variable))
+            return true;
+    return false;
+}
+
 static void check_statement(loop_text *loop, const ir_node *node) {
     if (node->kind == IR_LABEL)
         loop_obstacle(loop, node->range, "its body holds a label, which cannot stand twice");
     if (node->kind == IR_DECLARATOR && node->variable->storage == IR_GLOBAL)
         loop_obstacle(loop, node->range, "its body declares '%s' extern", node->variable->name);
-    if (node->kind == IR_DECLARATOR && node->variable->storage == IR_STATIC_LOCAL)
+    if (node->kind == IR_DECLARATOR && node->variable->storage == IR_STATIC_LOCAL &&
+        (!is_constant(node->variable->type) ||
+         goes_by_address(loop->facts->counted.body, node->variable)))
         loop_obstacle(loop, node->range, "its body declares '%s' static", node->variable->name);
     if (node->kind == IR_VARIABLE && node->variable->storage == IR_THREAD_LOCAL &&
         !ir_type_is_scalar(node->variable->type))

@@ -83,10 +83,12 @@ typedef struct reduction_array {
 typedef struct reduction_update {
     const ir_node *statement; /* IR_EXPRESSION, or an IR_IF that reads the element in its condition:
                                  what the guarded form wraps; writes nothing but the element */
-    const ir_node *target;    /* the lvalue updated: b[i][c] */
-    const ir_node *row; /* the part of it whose address is told to the inspector: b[i] where all
-                           that follows is proved to stay inside the row; else target itself */
-    unsigned array;     /* index into arrays */
+    const ir_node *last;   /* of several statements, wrapped together, of which `statement` is the
+                              first; NULL: there is one. A declaration goes by its declarator */
+    const ir_node *target; /* the lvalue updated: b[i][c] */
+    const ir_node *row;    /* the part of it whose address is told to the inspector: b[i] where all
+                              that follows is proved to stay inside the row; else target itself */
+    unsigned array;        /* index into arrays */
 } reduction_update;
 
 /* ---- what else the loop touches ------------------------------------------------------------ */

@@ -51,7 +51,8 @@ static bool is_of_text(const rewriting *r, const ir_node *node) {
     return r->loops && ir_contains(r->loops->body, node);
 }
 
-/* Are all variables in it parameters that nothing changes, and counters of loops around both nodes? */
+/* Are all variables in it parameters that nothing changes, and counters of loops around both nodes?
+ */
 static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
                           const ir_node *second) {
     if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {

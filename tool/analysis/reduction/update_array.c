@@ -68,6 +68,15 @@ static bool judge_table(judgement *j, const ir_node *base, const ir_node *target
     return true;
 }
 
+/* h[0]++ beside h[k]++: one element of an array that is updated by subscripts as well. */
+static bool is_updated_besides(const judgement *j, const ir_node *base) {
+    for (unsigned i = 0; i < j->arrays.count; i++)
+        if (expression_same(j->arrays.items[i].array.base, base) &&
+            !variation_is_fixed(j->an->facts, j->loop, j->arrays.items[i].first))
+            return true;
+    return false;
+}
+
 bool update_judge_base(judgement *j, const judged_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const location *where = &update->where;
@@ -87,7 +96,7 @@ bool update_judge_base(judgement *j, const judged_access *update, const char *na
         return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
     if (type->is_volatile || type->is_atomic)
         return judgement_refuse(j, REASON_VOLATILE, target, name);
-    if (variation_is_fixed(j->an->facts, j->loop, target))
+    if (variation_is_fixed(j->an->facts, j->loop, target) && !is_updated_besides(j, where->base))
         return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
     return true;
 }
@@ -169,7 +178,8 @@ void update_array_add(judgement *j, judged_access *update, update_kind kind,
         if (j->updates.items[i].statement == statement)
             return; /* if (R < v) R = v; else R = 0; is one update */
     reduction_array *array = &j->arrays.items[number].array;
-    reduction_update item = {statement, target, access_row(target), number};
+    reduction_update item = {
+        .statement = statement, .target = target, .row = access_row(target), .array = number};
     int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
     if (unit > array->unit)
         array->unit = unit;

@@ -4,6 +4,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/variation.h"
+#include "analysis/memory/update_group.h"
 #include "analysis/private/induction.h"
 #include "analysis/reduction/extremum.h"
 #include "analysis/reduction/forward.h"
@@ -276,12 +277,59 @@ static bool judge_call(judgement *j, judged_access *write) {
     return true;
 }
 
+/* v = h[k]; v += e; h[k] = v: the thread that owns the element executes all of it. */
+static bool judge_group(judgement *j, judged_access *store, const update_group *group) {
+    unsigned number;
+    const ir_node *target = group->element;
+    const char *name = judgement_name(j, target);
+    judged_access update = *store;
+    update.access.form.target = target;
+    update.access.form.value = NULL;
+    update.where = location_of(j->an->facts, target, j->loop);
+    if (update.where.base && is_inside_node(target, update.where.base))
+        update.where.base = update_base_of(target, update.where.base);
+    const ir_node *statement =
+        group->first->kind == IR_DECLARATION ? group->first->children[0] : group->first;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other != store && other->access.kind != ACCESS_READ &&
+            update_group_has(group, other->access.node) &&
+            !(is_own_object(j, &other->where) && take_private(j, other->where.object)))
+            return judgement_refuse(j, REASON_SIDE_EFFECT, other->access.node, name);
+    }
+    if (group->first->range.begin >= group->first->range.end ||
+        group->last->range.begin >= group->last->range.end)
+        return judgement_refuse(j, REASON_NO_RANGE, statement, name);
+    if (!judge_element(j, &update, name) || !update_judge_base(j, &update, name))
+        return false;
+    const update_kind kind = {REDUCTION_NONE, true};
+    if (!update_array_find(j, &update, kind, &number))
+        return false;
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (j->accesses[i].access.node == target && j->accesses[i].access.kind == ACCESS_READ)
+            j->accesses[i].class = CLASS_SELF;
+    store->where = update.where;
+    update_array_add(j, store, kind, statement, target, number);
+    j->updates.items[j->updates.count - 1].last = group->last;
+    return true;
+}
+
+static bool is_of_group(const judgement *j, const judged_access *store, update_group *group) {
+    return store->access.kind == ACCESS_WRITE && !store->access.callee && store->access.lvalue &&
+           store->access.lvalue->parent &&
+           update_group_of(j->an->facts, store->access.lvalue->parent, group);
+}
+
 /* A plain store: each element's last one counts, so their order must be kept. */
 static bool judge_store(judgement *j, judged_access *store) {
     if (store->access.callee)
         return judge_call(j, store);
+    update_group group;
     if (!is_element(store->access.lvalue))
         return refuse_store(j, store);
+    if (is_of_group(j, store, &group) &&
+        variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
+        return judge_group(j, store, &group);
     const bool is_scattered = store->where.base && update_table_of(j, store->where.base);
     if (other_read(j, store) && (is_scattered || !forward_take(j, store)))
         return refuse_store(j, store);
@@ -347,7 +395,8 @@ static bool judge_plain_reads(judgement *j) {
         const judged_access *read = &j->accesses[i];
         for (unsigned k = 0;
              read->access.kind == ACCESS_READ && !read->access.callee && k < j->arrays.count; k++)
-            if (!is_own_scalar(j, &read->where) && !is_read_of_own_element(j, read) &&
+            if (read->class != CLASS_SELF && !is_own_scalar(j, &read->where) &&
+                !is_read_of_own_element(j, read) &&
                 locations_overlap(&j->an->rules, &read->where, &j->arrays.items[k].where) ==
                     OVERLAP_SAME)
                 return judgement_refuse(j, REASON_ARRAY_READ, read->access.node,
@@ -361,8 +410,10 @@ bool judge_updates(judgement *j) {
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
             judged_access *a = &j->accesses[i];
+            update_group group;
             bool is_irregular_update =
-                a->access.kind == ACCESS_UPDATE && !a->access.callee &&
+                ((a->access.kind == ACCESS_UPDATE && !a->access.callee) ||
+                 is_of_group(j, a, &group)) &&
                 is_element(a->access.lvalue) &&
                 variation_is_irregular(j->an->facts, j->loop, a->access.lvalue);
             if (a->access.kind != ACCESS_READ && a->class == CLASS_OPEN &&

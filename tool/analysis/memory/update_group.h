@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Updates in several statements: the element is loaded, the value is changed, and stored again. */
+#ifndef ANALYSIS_UPDATE_GROUP_H
+#define ANALYSIS_UPDATE_GROUP_H
+
+#include "analysis/memory/variable_facts.h"
+
+/** `double v = h[k]; if (v > m) v = m; h[k] = v;`: statements of one block, one behind the other,
+ * that write nothing but the variable, which occurs nowhere else, and the element. */
+typedef struct update_group {
+    const ir_node *first;   /* the declaration, or assignment as a statement, that loads */
+    const ir_node *last;    /* the statement that stores */
+    const ir_node *element; /* as the first names it */
+} update_group;
+
+/** Is the assignment the last of such statements? */
+bool update_group_of(variable_facts *facts, const ir_node *assignment, update_group *group);
+
+/** Is the node in one of its statements? */
+bool update_group_has(const update_group *group, const ir_node *node);
+
+#endif
