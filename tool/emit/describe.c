@@ -203,7 +203,8 @@ static const char *flags_text(const loop_text *loop) {
     } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
-                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"}};
+                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
+                 {loop->bins != NULL, "REDCC_BINS_FLAG"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)
@@ -216,13 +217,18 @@ static void write_loop_object(loop_text *loop, writer *out) {
                                          "REDCC_ORDER_ANY"};
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
-    writer_line(out, "static redcc_loop redcc__loop =");
-    writer_line(out, "    {%s, %u, %s, %s, %s,", text_quoted(loop->arena, place.file), place.line,
+    writer_line(out, "static redcc_%s redcc__loop =", loop->bins ? "binned" : "loop");
+    writer_line(out, "    %s{%s, %u, %s, %s, %s,", loop->bins ? "{" : "",
+                text_quoted(loop->arena, place.file), place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
-    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0};", loop->facts->array_count,
+    const char *streams = loop->bins
+                              ? arena_format(loop->arena, "}, %u, %s", loop->facts->array_count,
+                                             outlined_name(loop, "streams"))
+                              : "";
+    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
                 loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
-                key_count(loop->facts));
+                key_count(loop->facts), streams);
     writer_fill(out, false);
 }
 

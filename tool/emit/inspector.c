@@ -115,7 +115,7 @@ static void tell_either(inspector *self, const ir_node *row, bool is_update, uns
                     macro_argument(a, subscript));
     else if (is_row)
         writer_line(out,
-                    "redcc_slice_%s_row(redcc__probe, redcc__worker, %u, %s, %s%s, (redcc_int)%s, "
+                    "redcc_slice_%s_row(REDCC_SLICE_NAMES, %u, %s, %s%s, (redcc_int)%s, "
                     "sizeof(%s));",
                     is_update ? "touch" : "read", number, address,
                     row->type->is_restrict ? "(const void *)" : "", array, subscript, text);

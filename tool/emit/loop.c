@@ -30,10 +30,6 @@ static const char *or_obstacle(loop_text *loop, const ir_node *expression, const
     return "0";
 }
 
-const char *loop_expression(loop_text *loop, const ir_node *expression) {
-    return or_obstacle(loop, expression, text_expression(loop->arena, expression, NULL, NULL));
-}
-
 const char *loop_operand(loop_text *loop, const ir_node *expression) {
     return or_obstacle(loop, expression, text_operand(loop->arena, expression, NULL, NULL));
 }
@@ -218,15 +214,20 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
 }
 
 bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
-                bool in_place, loop_piece *front, loop_piece *block, reason *why) {
+                loop_form *form, loop_piece *front, loop_piece *block, reason *why) {
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
     writer out = {0};
     prepare_loop(&loop);
-    if (!in_place && !loop.obstacle) {
+    if (*form == FORM_BINNED && !loop.obstacle)
+        find_bins(&loop);
+    if (*form == FORM_BINNED && !loop.bins)
+        *form = FORM_SHORT;
+    for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++, loop.bins = NULL) {
         front->text = write_outlined(&loop, &front->replaced.begin);
         front->replaced.end = front->replaced.begin;
-        if (!front->text)
-            loop.obstacle = NULL; /* perhaps there is none in place */
+        if (front->text)
+            break;
+        loop.obstacle = NULL; /* perhaps there is none in the next form */
     }
     block->replaced = (ir_range){begin_with_pragmas(unit, facts->loop),
                                  syntax_statement_end(unit->source, facts->loop)};
