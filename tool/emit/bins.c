@@ -313,14 +313,21 @@ static const char *record_name(loop_text *loop, unsigned array) {
 /** The values that the record of this update holds; those that others use are 0. */
 static const char *values_text(loop_text *loop, const site *self) {
     arena *a = loop->arena;
+    const char *const *types = &loop->bins->record_types[self->update->array * MOST_OPERANDS];
     const char *texts[MOST_OPERANDS];
     for (unsigned i = 0; i < self->record_count; i++) {
-        texts[i] =
-            i < self->operand_count ? text_expression(a, self->operands[i], NULL, NULL) : "0";
-        if (!texts[i])
+        const bool is_floating = strcmp(types[i], "float") == 0 || strcmp(types[i], "double") == 0;
+        texts[i] = "0";
+        if (i >= self->operand_count)
+            continue;
+        const char *text = is_floating ? text_expression(a, self->operands[i], NULL, NULL)
+                                       : text_operand(a, self->operands[i], NULL, NULL);
+        if (!text)
             loop_obstacle(loop, self->operands[i]->range,
                           "an operand cannot be spelled a second time");
-        texts[i] = macro_argument(a, texts[i] ? texts[i] : "0");
+        else
+            texts[i] = macro_argument(
+                a, is_floating ? text : arena_format(a, "(%s)%s", types[i], text));
     }
     return self->record_count == 1 ? texts[0]
            : self->record_count == 2

@@ -208,7 +208,7 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
     buffer_text(&out->out, "\n");
     buffer_text(&out->out, loop_condition(loop));
-    writer_line(out, "redcc_sequential_done(&redcc__loop);");
+    writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
     buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }
