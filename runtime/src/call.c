@@ -232,6 +232,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
     const redcc_loop *loop = call->request.loop;
     call->method = method_of(settings);
     call->parameter = settings->parameter;
+    call->in_bins = call->method && call->method->in_bins;
     call->order = order_of(loop, settings);
     if (call->method && call->method->keeps > call->order)
         call->order = call->method->keeps;
@@ -270,9 +271,13 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         redcc_note_serial(&state->reported.statistics);
         return false;
     }
+    if (!call->method && execution->advice.way == WAY_BINS) {
+        call->in_bins = true;
+        call->parameter = redcc_method_binning.usual;
+    }
     threads = redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
-    if (threads < (call->always_planned || (call->method && call->method->in_bins) ? 1 : 2))
+    if (threads < (call->always_planned || call->in_bins ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
@@ -470,7 +475,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     runner->plan = NULL;
     runner->step = STEP_BEGIN;
     const bool as_asked = threads == execution->call.asked;
-    const bool in_bins = execution->call.method && execution->call.method->in_bins;
+    const bool in_bins = execution->call.in_bins;
     const bool too_few = threads == 1 && !execution->call.always_planned && !in_bins;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
     if (in_bins) {
