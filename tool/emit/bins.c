@@ -326,8 +326,8 @@ static const char *values_text(loop_text *loop, const site *self) {
             loop_obstacle(loop, self->operands[i]->range,
                           "an operand cannot be spelled a second time");
         else
-            texts[i] = macro_argument(
-                a, is_floating ? text : arena_format(a, "(%s)%s", types[i], text));
+            texts[i] =
+                macro_argument(a, is_floating ? text : arena_format(a, "(%s)%s", types[i], text));
     }
     return self->record_count == 1 ? texts[0]
            : self->record_count == 2

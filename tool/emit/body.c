@@ -379,9 +379,11 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
                       .is_guarded = is_guarded};
     if (!is_guarded)
         check_updates(loop);
-    writer_fill(out, loop->is_outlined);
+    if (loop->is_outlined)
+        writer_fill(out, true);
     declare_variables(loop, out);
-    writer_fill(out, false);
+    if (loop->is_outlined)
+        writer_fill(out, false);
     write_neutral_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)

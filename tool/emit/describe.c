@@ -146,7 +146,6 @@ unsigned key_length(const loop_text *loop) {
 
 void fill_key(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_line(out, "redcc__key[0] = (redcc_word)redcc__lower;");
     if (!is_verifiable(facts))
         return;
     unsigned number = 1 + facts->key_count;
@@ -158,10 +157,10 @@ void fill_key(loop_text *loop, writer *out) {
         const char *text = loop_operand(loop, key);
         switch (form_of_key(key->type)) {
         case KEY_INTEGER:
-            writer_line(out, "redcc__key[%u] = (redcc_word)%s;", i + 1, text);
+            writer_line(out, "REDCC_KEY(%u, %s);", i + 1, macro_argument(loop->arena, text));
             break;
         case KEY_POINTER:
-            writer_line(out, "redcc__key[%u] = (redcc_word)(redcc_size)%s;", i + 1, text);
+            writer_line(out, "REDCC_KEY(%u, (redcc_size)%s);", i + 1, text);
             break;
         default: /* the bits, not the value rounded to an integer */
             writer_line(out, "{");

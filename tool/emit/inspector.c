@@ -411,16 +411,18 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                       .is_mentioned = is_mentioned};
     self.printer.rename = note_variable;
     self.printer.context = &self;
-    writer slice = {.depth = out->depth};
+    writer slice = {.depth = out->depth, .fills = is_either};
     self.printer.out = &slice;
     print_body(&self.printer, facts->counted.body);
     check_all_told(&self);
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
-    writer_fill(out, loop->is_outlined);
+    if (is_either)
+        writer_fill(out, true);
     declare_variables(&self, out);
-    writer_fill(out, false);
+    if (is_either)
+        writer_fill(out, false);
     if (probes)
         writer_line(out, "redcc_probe redcc__probe = {0, 0};");
     /* `continue` of the user's loop goes to the end of the slice, not past what follows it */

@@ -68,36 +68,35 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node) {
 static void write_execution(loop_text *loop, writer *out) {
     writer_line(out, "if (REDCC_ENTER(%s))%s", loop->source_count > 0 ? "redcc__known" : "0",
                 loop->is_outlined ? "" : " {");
-    writer_fill(out, false);
-    write_region(loop, out);
     if (!loop->is_outlined)
+        writer_fill(out, false);
+    write_region(loop, out);
+    if (!loop->is_outlined) {
+        writer_fill(out, true);
         writer_line(out, "}");
+    }
     writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
 }
 
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_fill(out, true);
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);
     write_thread_local_copies(loop, out, false);
-    writer_fill(out, true);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
             writer_line(out, "redcc__bases[%u] = 0;", i);
         else
-            writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
-                        loop_operand(loop, facts->arrays[i].base));
+            writer_line(out, "REDCC_BASE(%u, %s);", i,
+                        macro_argument(loop->arena, loop_operand(loop, facts->arrays[i].base)));
     fill_key(loop, out);
-    writer_fill(out, false);
     fill_extents(loop, out);
     const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
     const bool is_conditional = memory || known;
-    writer_fill(out, is_conditional);
     if (is_conditional) {
         writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
                     memory ? memory : "");
@@ -152,24 +151,25 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                 heading(loop));
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
-    writer_line(out, "REDCC_QUIET_BEGIN");
-    if (!loop->is_outlined)
+    if (!loop->is_outlined) {
+        writer_line(out, "REDCC_QUIET_BEGIN");
         declare_inlined(loop, out);
+    }
+    writer_fill(out, true);
+    if (loop->is_outlined)
+        writer_line(out, "REDCC_QUIET_BEGIN");
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_entry_values(loop, out, true);
     declare_last_values(loop, out);
     declare_sought_values(loop, out, false);
-    writer_fill(out, true);
     writer_line(out, "int redcc__done = 0;");
     writer_line(out, "if (%s) {", entry);
-    writer_fill(out, false);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
     /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
-    writer_fill(out, true);
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");

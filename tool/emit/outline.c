@@ -323,8 +323,10 @@ static void write_slice(loop_text *loop, writer *out) {
                      counter_argument(loop), take(loop->arena, &h.arguments));
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", outlined_name(loop, "slice"),
                 counter_parameter(loop, is_used), take(loop->arena, &h.parameters));
+    if (statements.out.length > 0)
+        statements.out.length--; /* the line goes on */
     buffer_text(&out->out, writer_text(loop->arena, &statements));
-    writer_line(out, "}");
+    writer_line(out, " }");
 }
 
 static void write_body(loop_text *loop, writer *out) {
@@ -339,8 +341,6 @@ static void write_body(loop_text *loop, writer *out) {
     loop->body_call = arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)",
                                    outlined_name(loop, "body"), loop->bins ? "BINNED" : "BODY",
                                    count, counter_argument(loop), take(loop->arena, &h.arguments));
-    if (loop->bins)
-        write_bins(loop, out);
     writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"),
                 loop->bins ? "BINNED" : "BODY", count,
                 counter_parameter(loop, body_reads(facts, facts->counted.counter)),
@@ -402,11 +402,13 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     *place = place_of(loop, &out);
     loop->is_outlined = true;
     buffer_text(&out.out, loop_condition(loop));
+    writer_fill(&out, true);
     writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
                 ir_position_of(loop->unit, facts->loop->range.begin).line);
-    writer_fill(&out, true);
     writer_line(&out, "REDCC_QUIET_BEGIN");
     declare_inlined(loop, &out);
+    if (loop->bins)
+        write_bins(loop, &out);
     writer_fill(&out, false);
     write_slice(loop, &out);
     write_body(loop, &out);

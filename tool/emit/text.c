@@ -23,8 +23,10 @@ static size_t visible_width(const char *at, const char *end) {
 }
 
 void writer_fill(writer *w, bool fills) {
-    w->fills = fills;
-    w->fill_begin = w->out.length;
+    if (fills && w->fills++ == 0)
+        w->fill_begin = w->out.length;
+    if (!fills)
+        w->fills--;
 }
 
 /** The line from `begin` on is appended to the one before, if both are short. */

@@ -31,8 +31,19 @@
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__))
 
+/** Where an array begins, and what the subscripts depend on. */
+#define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
+#define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
+
+/** The iterations of a loop from one number to before another, in steps of 1. */
+#define REDCC_COUNT_UP(redcc_lower, redcc_bound)                                                   \
+    const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
+                    redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
+                    redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
+
 /** Twice: for the rows that the first iteration reads, and for those of the last. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
+#define REDCC_AN_END(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
 /** A row that the loop reads lies there; several: all between them as well. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
@@ -49,8 +60,9 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
 
 /** Asks the runtime whether the loop is to run in parallel. */
 #define REDCC_ENTER(redcc_known)                                                                   \
-    redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases, redcc_known,            \
-                redcc__key, omp_get_max_threads(), omp_in_parallel())
+    (redcc__key[0] = (redcc_word)redcc__lower,                                                     \
+     redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases, redcc_known,           \
+                 redcc__key, omp_get_max_threads(), omp_in_parallel()))
 
 /** After the original loop; without OpenMP it says nothing. */
 #define REDCC_SEQUENTIAL_DONE redcc_sequential_done(REDCC_DESCRIPTOR);
@@ -224,6 +236,11 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
     }
 
 /* ---- all of it ----------------------------------------------------------------------------- */
+
+/** The region's threads, with a clause of OpenMP's, or none. */
+#define REDCC_PRAGMA(redcc_text) _Pragma(#redcc_text)
+#define REDCC_THREADS(redcc_clause)                                                                \
+    REDCC_PRAGMA(omp parallel num_threads(redcc__call.threads) redcc_clause)
 
 /** What each thread of the parallel region does: it inspects the iterations that it is handed, and
  *  executes those that it is handed then. redcc__k is the iteration's number. */
