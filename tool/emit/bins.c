@@ -414,15 +414,21 @@ void write_bins(loop_text *loop, writer *out) {
             writer_line(out, "REDCC_APPLY(%s_%u, %s, %s, %u, %s)", outlined_name(loop, "apply"), i,
                         element, record_name(loop, i), bits, updates_text(loop, i));
     }
-    writer_line(out, "static const redcc_stream %s[] = {", outlined_name(loop, "streams"));
+    writer_fill(out, false);
+}
+
+void write_streams(loop_text *loop, writer *out) {
+    const unsigned count = loop->facts->array_count;
     for (unsigned i = 0; i < count; i++) {
         const char *record = record_name(loop, i);
-        writer_line(out, "REDCC_STREAM(%s_%u, %u, %s, %s, %u, %d)%s", outlined_name(loop, "apply"),
-                    i, i, origin_type(loop->arena, loop->facts->arrays[i].element),
+        writer_line(out, "%sREDCC_STREAM(%s_%u, %u, %s, %s, %u, %d)%s",
+                    i == 0 ? "static const redcc_stream redcc__streams[] = {" : "",
+                    outlined_name(loop, "apply"), i, i,
+                    origin_type(loop->arena, loop->facts->arrays[i].element),
                     record ? arena_format(loop->arena, "sizeof(%s)", record) : "0",
-                    tag_bits(bins->tag_counts[i]), is_exact(loop, i), i + 1 < count ? "," : "};");
+                    tag_bits(loop->bins->tag_counts[i]), is_exact(loop, i),
+                    i + 1 < count ? "," : "};");
     }
-    writer_fill(out, false);
 }
 
 /** May all updates be made on private copies? */
@@ -434,7 +440,6 @@ static bool are_all_exact(const loop_text *loop) {
 }
 
 const char *bins_phase(loop_text *loop) {
-    return arena_format(loop->arena, "REDCC_BINS_%u, %s, %uu, %d", loop->facts->array_count,
-                        outlined_name(loop, "streams"), loop->bins->told_sources,
-                        are_all_exact(loop));
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
+                        loop->bins->told_sources, are_all_exact(loop));
 }

@@ -221,10 +221,9 @@ static void write_loop_object(loop_text *loop, writer *out) {
                 text_quoted(loop->arena, place.file), place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
-    const char *streams = loop->bins
-                              ? arena_format(loop->arena, "}, %u, %s", loop->facts->array_count,
-                                             outlined_name(loop, "streams"))
-                              : "";
+    const char *streams =
+        loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", loop->facts->array_count)
+                   : "";
     writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
                 loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
                 key_count(loop->facts), streams);
@@ -234,5 +233,7 @@ static void write_loop_object(loop_text *loop, writer *out) {
 void write_description(loop_text *loop, writer *out) {
     write_arrays(loop, out);
     write_sources(loop, out);
+    if (loop->bins)
+        write_streams(loop, out);
     write_loop_object(loop, out);
 }

@@ -394,6 +394,19 @@ static void declare_variables(const inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
+/** The statements follow the declarations, from `before` on, on their line: how much of the first
+ *  one's indentation is to be left out. */
+static size_t goes_on(const inspector *self, writer *out, size_t before, const writer *slice) {
+    if (!self->is_either || self->printer.continues || out->out.length == before ||
+        slice->out.length == 0)
+        return 0;
+    size_t indentation = 0;
+    while (slice->out.data[indentation] == ' ')
+        indentation++;
+    out->out.data[out->out.length - 1] = ' ';
+    return indentation;
+}
+
 /** The slice; for the text that does either, with the variables that it names. */
 static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
                              bool *is_mentioned) {
@@ -420,15 +433,18 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
 
     if (is_either)
         writer_fill(out, true);
+    const size_t before = out->out.length;
     declare_variables(&self, out);
     if (is_either)
         writer_fill(out, false);
+    const size_t indentation = goes_on(&self, out, before, &slice);
     if (probes)
         writer_line(out, "redcc_probe redcc__probe = {0, 0};");
     /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
     if (self.printer.continues)
         writer_line(out, "do {");
-    buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
+    buffer_append(&out->out, slice.out.data ? slice.out.data + indentation : "",
+                  slice.out.length - indentation);
     if (self.printer.continues)
         writer_line(out, "} while (0);");
     buffer_free(&slice.out);

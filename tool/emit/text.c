@@ -8,7 +8,7 @@
 
 #include "emit/origin.h"
 
-enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 140 };
+enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 150 };
 
 /** The width of marked text. */
 static size_t visible_width(const char *at, const char *end) {

@@ -398,14 +398,12 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
 
 /** As REDCC_PARALLEL, of a loop with a form for bins.
  *    redcc_bins_n       REDCC_BINS_n, of n arrays
- *    redcc_all_streams  [n]
  *    redcc_told_bits    of sources whose reads are told while iterations are pushed
  *    redcc_all_exact    may the updates be made on private copies? */
-#define REDCC_PARALLEL_BINNED(redcc_chunk, redcc_bins_n, redcc_all_streams, redcc_told_bits,       \
-                              redcc_all_exact, redcc_call_of_slice, redcc_call_of_body)            \
+#define REDCC_PARALLEL_BINNED(redcc_chunk, redcc_bins_n, redcc_told_bits, redcc_all_exact,         \
+                              redcc_call_of_slice, redcc_call_of_body)                             \
     {                                                                                              \
-        const redcc_stream *const redcc__streams = redcc_all_streams;                              \
-        redcc_bins redcc__all[sizeof(redcc_all_streams) / sizeof(redcc_stream)];                   \
+        redcc_bins redcc__all[sizeof(redcc__streams) / sizeof(redcc_stream)];                      \
         redcc_worker redcc__worker;                                                                \
         redcc_int redcc__k;                                                                        \
         redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
