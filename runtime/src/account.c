@@ -60,6 +60,8 @@ static enum result result_of(const struct execution *execution) {
 
 /* Does the reason concern one way, or (SEQUENTIAL) all of them? */
 static enum way way_concerned(const struct execution *execution) {
+    if (execution->call.in_bins)
+        return WAY_BINS;
     switch (execution->reason) {
     case REASON_NO_MEMORY:
     case REASON_NO_COPIES:
@@ -211,7 +213,7 @@ static void account_binned(struct execution *execution, double now) {
         count_overlap(execution);
     else if (execution->reason != REASON_NONE)
         redcc_count_fallback(state, execution->reason);
-    statistics->method = call->method;
+    statistics->method = &redcc_method_binning;
     statistics->parameter = call->parameter;
     statistics->threads = call->threads;
     statistics->inspect_seconds += execution->run.ready - call->entered;
@@ -231,6 +233,11 @@ static void account_binned(struct execution *execution, double now) {
                 "%lld iterations by %d threads, %ld rounds of %s, %zu bytes; %.3g s", trip,
                 call->threads, binning->rounds, binning->copies ? "private copies" : "records",
                 binning->bytes, now - execution->run.ready);
+    if (call->method)
+        return;
+    const struct outcome outcome = {RESULT_PARALLEL, WAY_BINS, trip, now - call->entered, 0, 0};
+    redcc_tell(&state->chooser, &outcome, REASON_NONE);
+    redcc_note_rule(statistics, redcc_advice_rule(&state->chooser, trip));
 }
 
 bool redcc_account(struct execution *execution) {

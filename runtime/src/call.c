@@ -232,6 +232,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
     const redcc_loop *loop = call->request.loop;
     call->method = method_of(settings);
     call->parameter = settings->parameter;
+    call->in_bins = call->method && call->method->in_bins;
     call->order = order_of(loop, settings);
     if (call->method && call->method->keeps > call->order)
         call->order = call->method->keeps;
@@ -271,11 +272,14 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         return false;
     }
     const bool alone = execution->advice.alone;
+    if (!call->method && execution->advice.way == WAY_BINS) {
+        call->in_bins = true;
+        call->parameter = redcc_method_binning.usual;
+    }
     call->planned = threads;
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
-    if (!alone &&
-        threads < (call->always_planned || (call->method && call->method->in_bins) ? 1 : 2))
+    if (!alone && threads < (call->always_planned || call->in_bins ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
@@ -474,7 +478,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     runner->plan = NULL;
     runner->step = STEP_BEGIN;
     const bool as_asked = threads == execution->call.asked;
-    const bool in_bins = execution->call.method && execution->call.method->in_bins;
+    const bool in_bins = execution->call.in_bins;
     const bool may_be_one = execution->call.always_planned || in_bins || execution->advice.alone;
     const bool too_few = threads == 1 && !may_be_one;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;

@@ -23,7 +23,7 @@ void redcc_find_plan(struct execution *execution) {
     struct reuse *reuse = &execution->reuse;
     const struct advice *advice = &execution->advice;
     reuse->found = NULL;
-    if (execution->call.method || advice->action == ACTION_REUSE)
+    if (!execution->call.in_bins && (execution->call.method || advice->action == ACTION_REUSE))
         redcc_reuse_find(reuse, execution->call.threads,
                          execution->call.method ? WAY_SEQUENTIAL : advice->way);
 }

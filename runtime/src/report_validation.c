@@ -12,7 +12,8 @@ static void begin_line(const struct reported *loop) {
 }
 
 static bool ran_in_parallel(const struct reported *loop) {
-    return loop->statistics.plans_built + loop->statistics.plans_reused > 0;
+    const struct statistics *it = &loop->statistics;
+    return it->plans_built + it->plans_reused + it->validated.passed_over > 0;
 }
 
 /* Why a loop never ran in parallel, which most of its calls say. */

@@ -62,6 +62,7 @@ static struct situation situation_of(struct simulation *it, const struct simulat
         const bool fits = plan && (plan->subscripts == call->subscripts || hidden);
         now.kept[way] = fits ? KEPT_FITS : plan ? KEPT_CHANGED : KEPT_NONE;
     }
+    now.kept[WAY_BINS] = it->trace->possible[WAY_BINS] ? KEPT_FITS : KEPT_NONE;
     return now;
 }
 
@@ -79,9 +80,10 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
 }
 
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
-    struct kept_plan *plan = find_plan(it, way, call->trip);
-    if (plan->subscripts == call->subscripts) {
-        plan->used = ++it->clock;
+    struct kept_plan *plan = way == WAY_BINS ? NULL : find_plan(it, way, call->trip);
+    if (!plan || plan->subscripts == call->subscripts) {
+        if (plan)
+            plan->used = ++it->clock;
         it->so_far.parallel++;
         tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], 0, 0});
         return;

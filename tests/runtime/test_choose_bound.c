@@ -337,6 +337,7 @@ static struct trace *loop_of(const struct digits *digits, double noise) {
     trace->hidden = like[9] < '5';
     trace->compared = like[10] < '5';
     trace->block = 0.01 * sequential;
+    trace->possible[WAY_BINS] = noise == 0 && like[7] % 2 == 1; /* whatever subscripts do */
     int subscripts = 0;
     for (int c = 0; c < trace->count; c++) {
         struct simulated_call *call = &trace->call[c];
@@ -346,6 +347,7 @@ static struct trace *loop_of(const struct digits *digits, double noise) {
         call->sequential = sequential;
         call->execution[WAY_INDEX] = fmax(0.5, fmin(2, by_index * slow)) * sequential;
         call->execution[WAY_GRAPH] = fmax(0.5, fmin(2, by_graph * slow)) * sequential;
+        call->execution[WAY_BINS] = fmax(0.5, fmin(2, (0.5 + part(like[6])) * slow)) * sequential;
         const double parallel = 1 + noise * (2 * uniform() - 1);
         scale(call, 1 + noise * (2 * uniform() - 1), parallel);
     }

@@ -15,7 +15,7 @@ static const struct {
     const char *word, *right, *wrong;
 } plants[] = {
     {"plant: it does not compile", "int redcc__done", "int redcc__dome"},
-    {"plant: another name", "redcc__bases[0] = (void *)here", "redcc__bases[0] = (void *)hers"},
+    {"plant: another name", "REDCC_BASE(0, here)", "REDCC_BASE(0, hers)"},
     {"plant: another subscript", "(redcc_int)won, sizeof", "(redcc_int)two, sizeof"},
     {"plant: another subscript", "_ROW(0, hers, won)", "_ROW(0, hers, two)"},
     {"plant: only in front", "_ROW(0, hers, won)", "_ROW(0, hers, two)"},

@@ -144,9 +144,7 @@ static void print_check(unsigned number, const struct type_row *counter,
 
 static const char head[] =
     "#include <stdio.h>\n"
-    "typedef long long redcc_int;\n"
-    "typedef unsigned long long redcc_word;\n"
-    "typedef unsigned int redcc_u32;\n"
+    "#include <redcc/runtime.h>\n"
     "enum { LONGEST = 300 };\n"
     "static unsigned long compared, declined, wrong;\n"
     "/* around zero and around both ends of a type */\n"

@@ -42,10 +42,13 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
         return "";
     }
+    const char *address = macro_argument(loop->arena, arena_format(loop->arena, "&%s", target));
+    const char *brace = needs_braces(update) ? "{ " : "";
+    if (loop->bins)
+        return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
     if (loop->is_outlined)
-        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array,
-                            macro_argument(loop->arena, arena_format(loop->arena, "&%s", target)),
-                            needs_braces(update) ? "{ " : "");
+        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
+                            brace);
     return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) %s",
                         loop->arrays[update->array].owner, target,
                         needs_braces(update) ? "{ " : "");
@@ -386,9 +389,11 @@ void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
                       .is_guarded = is_guarded};
     if (!is_guarded)
         check_updates(loop);
-    writer_fill(out, loop->is_outlined);
+    if (loop->is_outlined)
+        writer_fill(out, true);
     declare_variables(loop, out);
-    writer_fill(out, false);
+    if (loop->is_outlined)
+        writer_fill(out, false);
     write_neutral_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)

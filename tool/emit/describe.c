@@ -149,7 +149,6 @@ unsigned key_length(const loop_text *loop) {
 
 void fill_key(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_line(out, "redcc__key[0] = (redcc_word)redcc__lower;");
     if (!is_verifiable(facts))
         return;
     unsigned number = 1 + facts->key_count;
@@ -161,10 +160,10 @@ void fill_key(loop_text *loop, writer *out) {
         const char *text = loop_operand(loop, key);
         switch (form_of_key(key->type)) {
         case KEY_INTEGER:
-            writer_line(out, "redcc__key[%u] = (redcc_word)%s;", i + 1, text);
+            writer_line(out, "REDCC_KEY(%u, %s);", i + 1, macro_argument(loop->arena, text));
             break;
         case KEY_POINTER:
-            writer_line(out, "redcc__key[%u] = (redcc_word)(redcc_size)%s;", i + 1, text);
+            writer_line(out, "REDCC_KEY(%u, (redcc_size)%s);", i + 1, text);
             break;
         default: /* the bits, not the value rounded to an integer */
             writer_line(out, "{");
@@ -206,7 +205,8 @@ static const char *flags_text(const loop_text *loop) {
     } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
-                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"}};
+                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
+                 {loop->bins != NULL, "REDCC_BINS_FLAG"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)
@@ -220,18 +220,24 @@ static void write_loop_object(loop_text *loop, writer *out) {
     _Static_assert(sizeof orders / sizeof *orders == EMIT_ORDER_ANY + 1, "all orders");
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
-    writer_line(out, "static redcc_loop redcc__loop =");
-    writer_line(out, "    {%s, %u, %s, %s, %s,", text_quoted(loop->arena, place.file), place.line,
+    writer_line(out, "static redcc_%s redcc__loop =", loop->bins ? "binned" : "loop");
+    writer_line(out, "    %s{%s, %u, %s, %s, %s,", loop->bins ? "{" : "",
+                text_quoted(loop->arena, place.file), place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
-    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0};", loop->facts->array_count,
+    const char *streams =
+        loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", loop->facts->array_count)
+                   : "";
+    writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
                 loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
-                key_count(loop->facts));
+                key_count(loop->facts), streams);
     writer_fill(out, false);
 }
 
 void write_description(loop_text *loop, writer *out) {
     write_arrays(loop, out);
     write_sources(loop, out);
+    if (loop->bins)
+        write_streams(loop, out);
     write_loop_object(loop, out);
 }

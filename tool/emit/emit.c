@@ -202,21 +202,20 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
 /** Adds the text of one loop; false, with *why set, where it cannot be written. */
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
                      const emit_options *options, loop_list *loops, reason *why) {
-    bool in_place = options->in_place && options->in_place[number];
+    loop_form form = options->in_place && options->in_place[number] ? FORM_IN_PLACE : FORM_BINNED;
     loop_piece front = {0}, block = {0};
-    bool is_written = write_loop(a, unit, verdict->facts, options, in_place, &front, &block, why);
     written_loop moved = {0};
-    if (is_written && front.text) {
+    for (;; form++) {
+        front.text = NULL;
+        if (!write_loop(a, unit, verdict->facts, options, &form, &front, &block, why))
+            return false;
+        if (!front.text)
+            break;
         moved = unmark(a, unit, &front, number);
         moved.copied = verdict->facts->counted.body->range;
-        in_place = !all_is_known(unit, &moved);
-        if (in_place) {
-            front.text = NULL;
-            is_written = write_loop(a, unit, verdict->facts, options, true, &front, &block, why);
-        }
+        if (all_is_known(unit, &moved))
+            break;
     }
-    if (!is_written)
-        return false;
     written_loop loop = unmark(a, unit, &block, number);
     if (overlaps_another(loops, loop.replaced)) {
         *why = (reason){.message = "another loop's text is part of its own",

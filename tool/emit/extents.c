@@ -74,10 +74,9 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     writer_fill(out, true);
     writer_line(out, "REDCC_FIRST_AND_LAST {");
     out->depth++;
-    writer_line(out, "%s %s = (%s)(redcc__end ? redcc__final - %s%lld%s : redcc__lower);",
-                loop->counter_type, origin_declarator(loop->arena, counted->counter),
-                loop->counter_type, counted->step < 0 ? "(" : "", (long long)counted->step,
-                counted->step < 0 ? ")" : "");
+    writer_line(out, "%s %s = (%s)REDCC_AN_END(%lld);", loop->counter_type,
+                origin_declarator(loop->arena, counted->counter), loop->counter_type,
+                (long long)counted->step);
     for (unsigned i = 0; i < loop->source_count; i++) {
         if (loop->sources[i].fact->extent != EXTENT_AFFINE || loop->sources[i].fact->is_checked)
             continue;

@@ -110,7 +110,7 @@ static void tell_either(inspector *self, const ir_node *row, bool is_update, uns
                     macro_argument(a, subscript));
     else if (is_row)
         writer_line(out,
-                    "redcc_slice_%s_row(redcc__probe, redcc__worker, %u, %s, %s%s, (redcc_int)%s, "
+                    "redcc_slice_%s_row(REDCC_SLICE_NAMES, %u, %s, %s%s, (redcc_int)%s, "
                     "sizeof(%s));",
                     is_update ? "touch" : "read", number, address,
                     row->type->is_restrict ? "(const void *)" : "", array, subscript, text);
@@ -445,6 +445,19 @@ static void declare_variables(const inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
+/** The statements follow the declarations, from `before` on, on their line: how much of the first
+ *  one's indentation is to be left out. */
+static size_t goes_on(const inspector *self, writer *out, size_t before, const writer *slice) {
+    if (!self->is_either || self->printer.continues || out->out.length == before ||
+        slice->out.length == 0)
+        return 0;
+    size_t indentation = 0;
+    while (slice->out.data[indentation] == ' ')
+        indentation++;
+    out->out.data[out->out.length - 1] = ' ';
+    return indentation;
+}
+
 /** The slice; for the text that does either, with the variables that it names. */
 static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
                              bool *is_mentioned) {
@@ -462,22 +475,27 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                       .is_mentioned = is_mentioned};
     self.printer.rename = note_variable;
     self.printer.context = &self;
-    writer slice = {.depth = out->depth};
+    writer slice = {.depth = out->depth, .fills = is_either};
     self.printer.out = &slice;
     print_body(&self.printer, facts->counted.body);
     check_all_told(&self);
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
-    writer_fill(out, loop->is_outlined);
+    if (is_either)
+        writer_fill(out, true);
+    const size_t before = out->out.length;
     declare_variables(&self, out);
-    writer_fill(out, false);
+    if (is_either)
+        writer_fill(out, false);
+    const size_t indentation = goes_on(&self, out, before, &slice);
     if (probes)
         writer_line(out, "redcc_probe redcc__probe = {0, 0};");
     /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
     if (self.printer.continues)
         writer_line(out, "do {");
-    buffer_append(&out->out, slice.out.data ? slice.out.data : "", slice.out.length);
+    buffer_append(&out->out, slice.out.data ? slice.out.data + indentation : "",
+                  slice.out.length - indentation);
     if (self.printer.continues)
         writer_line(out, "} while (0);");
     buffer_free(&slice.out);

@@ -68,8 +68,8 @@ void take_sought_values(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
         if (!loop->facts->privates[i].is_last_sought)
             continue;
-        writer_line(out, "if (redcc__latest_%u >= 0)", i);
-        writer_line(out, "    %s = redcc__found_%u;",
+        writer_line(out, "if (redcc__latest_%u >= 0) {", i);
+        writer_line(out, "    %s = redcc__found_%u; }",
                     origin_variable(loop->arena, loop->facts->privates[i].variable), i);
     }
 }

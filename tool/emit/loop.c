@@ -31,10 +31,6 @@ static const char *or_obstacle(loop_text *loop, const ir_node *expression, const
     return "0";
 }
 
-const char *loop_expression(loop_text *loop, const ir_node *expression) {
-    return or_obstacle(loop, expression, text_expression(loop->arena, expression, NULL, NULL));
-}
-
 const char *loop_operand(loop_text *loop, const ir_node *expression) {
     return or_obstacle(loop, expression, text_operand(loop->arena, expression, NULL, NULL));
 }
@@ -75,36 +71,35 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node) {
 static void write_execution(loop_text *loop, writer *out) {
     writer_line(out, "if (REDCC_ENTER(%s))%s", loop->source_count > 0 ? "redcc__known" : "0",
                 loop->is_outlined ? "" : " {");
-    writer_fill(out, false);
-    write_region(loop, out);
     if (!loop->is_outlined)
+        writer_fill(out, false);
+    write_region(loop, out);
+    if (!loop->is_outlined) {
+        writer_fill(out, true);
         writer_line(out, "}");
+    }
     writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
 }
 
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_fill(out, true);
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);
     write_thread_local_copies(loop, out, false);
-    writer_fill(out, true);
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered)
             writer_line(out, "redcc__bases[%u] = 0;", i);
         else
-            writer_line(out, "redcc__bases[%u] = (void *)%s;", i,
-                        loop_operand(loop, facts->arrays[i].base));
+            writer_line(out, "REDCC_BASE(%u, %s);", i,
+                        macro_argument(loop->arena, loop_operand(loop, facts->arrays[i].base)));
     fill_key(loop, out);
-    writer_fill(out, false);
     fill_extents(loop, out);
     const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
     const bool is_conditional = memory || known;
-    writer_fill(out, is_conditional);
     if (is_conditional) {
         writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
                     memory ? memory : "");
@@ -161,24 +156,25 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                 heading(loop));
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
-    writer_line(out, "REDCC_QUIET_BEGIN");
-    if (!loop->is_outlined)
+    if (!loop->is_outlined) {
+        writer_line(out, "REDCC_QUIET_BEGIN");
         declare_inlined(loop, out);
+    }
+    writer_fill(out, true);
+    if (loop->is_outlined)
+        writer_line(out, "REDCC_QUIET_BEGIN");
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_entry_values(loop, out, true);
     declare_last_values(loop, out);
     declare_sought_values(loop, out, false);
-    writer_fill(out, true);
     writer_line(out, "int redcc__done = 0;");
     writer_line(out, "if (%s) {", entry);
-    writer_fill(out, false);
     out->depth++;
     write_attempt(loop, out);
     out->depth--;
     writer_line(out, "}");
     /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
-    writer_fill(out, true);
     writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
     write_outcome(loop, out);
     writer_line(out, "} else");
@@ -217,21 +213,26 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
     buffer_text(&out->out, "\n");
     buffer_text(&out->out, loop_condition(loop));
-    writer_line(out, "redcc_sequential_done(&redcc__loop);");
+    writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
     buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
                   loop_column_blanks(loop, range.end - 1));
 }
 
 bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
-                bool in_place, loop_piece *front, loop_piece *block, reason *why) {
+                loop_form *form, loop_piece *front, loop_piece *block, reason *why) {
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
     writer out = {0};
     prepare_loop(&loop);
-    if (!in_place && !loop.obstacle) {
+    if (*form == FORM_BINNED && !loop.obstacle)
+        find_bins(&loop);
+    if (*form == FORM_BINNED && !loop.bins)
+        *form = FORM_SHORT;
+    for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++, loop.bins = NULL) {
         front->text = write_outlined(&loop, &front->replaced.begin);
         front->replaced.end = front->replaced.begin;
-        if (!front->text)
-            loop.obstacle = NULL; /* perhaps there is none in place */
+        if (front->text)
+            break;
+        loop.obstacle = NULL; /* perhaps there is none in the next form */
     }
     block->replaced = (ir_range){begin_with_pragmas(unit, facts->loop),
                                  syntax_statement_end(unit->source, facts->loop)};

@@ -50,13 +50,13 @@ typedef struct loop_text {
     bool is_outlined;
     bool is_outlinable;                 /* cleared by what finds that they cannot be */
     const char *slice_call, *body_call; /* of iteration redcc__k */
+    struct bins_text *bins;             /* bins.c: its form for binning; NULL: it has none */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
 void loop_obstacle(loop_text *loop, ir_range range, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/** text_expression and text_operand that record an obstacle, and then give "0". */
-const char *loop_expression(loop_text *loop, const ir_node *expression);
+/** text_operand that records an obstacle, and then gives "0". */
 const char *loop_operand(loop_text *loop, const ir_node *expression);
 /** `#line N "file"` for the user's text at `offset`. */
 const char *loop_line_directive(loop_text *loop, uint32_t offset);
@@ -133,6 +133,8 @@ const char *address_number(arena *a, const row_address *address, const ir_variab
 /** outline.c: slice and body as functions, to be inserted at *place, and sets is_outlined and the
  *  calls; NULL: the loop is to be written in place. */
 const char *write_outlined(loop_text *loop, uint32_t *place);
+/** The name of something in front of the function: "redcc__slice_springs_15". */
+const char *outlined_name(loop_text *loop, const char *part);
 /** The declaration of a private variable in one of these functions. */
 const char *outlined_declaration(loop_text *loop, const ir_variable *variable);
 /** setup.c: may a pointer stand for this array in the body? */
@@ -141,6 +143,18 @@ bool can_be_pointer(const loop_text *loop, const ir_variable *variable);
 bool has_macro(const loop_text *loop);
 /** loop.c: the #if around what is there only where the loop may run in parallel. */
 const char *loop_condition(const loop_text *loop);
+
+/** bins.c: sets loop->bins, where updates can be taken apart and be made later; */
+void find_bins(loop_text *loop);
+/** what goes before an update whose element has this address; */
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address);
+/** what applies records; the streams; the arguments of REDCC_PARALLEL_BINNED that say so. */
+void write_bins(loop_text *loop, writer *out);
+void write_streams(loop_text *loop, writer *out);
+const char *bins_phase(loop_text *loop);
+
+/** stale.c: may the body be executed before what it reads is compared with what it writes? */
+bool is_harmless_when_stale(loop_text *loop);
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
@@ -218,9 +232,13 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** loop.c: the loop's block, and what goes in front of the function (in place: nothing does).
+/** With slice and body in front of the function, if that is possible, and a form for bins. */
+typedef enum loop_form { FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
+
+/** loop.c: the loop's block, and what goes in front of the function (in place: nothing does); sets
+ * *form to what was possible.
  * False, with the obstacle in *why: it cannot be written. */
 bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
-                bool in_place, loop_piece *front, loop_piece *block, reason *why);
+                loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
 #endif

@@ -304,7 +304,7 @@ static const char *take(arena *a, buffer *text) {
     return copy;
 }
 
-static const char *name_of(loop_text *loop, const char *part) {
+const char *outlined_name(loop_text *loop, const char *part) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     return arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name,
                         place.line);
@@ -319,12 +319,14 @@ static void write_slice(loop_text *loop, writer *out) {
     const bool is_used = is_mentioned[facts->counted.counter->id];
     add_variables(loop, is_mentioned, false, &h);
     loop->slice_call =
-        arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", name_of(loop, "slice"),
+        arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
                      counter_argument(loop), take(loop->arena, &h.arguments));
-    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", name_of(loop, "slice"),
+    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", outlined_name(loop, "slice"),
                 counter_parameter(loop, is_used), take(loop->arena, &h.parameters));
+    if (statements.out.length > 0)
+        statements.out.length--; /* the line goes on */
     buffer_text(&out->out, writer_text(loop->arena, &statements));
-    writer_line(out, "}");
+    writer_line(out, " }");
 }
 
 static void write_body(loop_text *loop, writer *out) {
@@ -336,11 +338,12 @@ static void write_body(loop_text *loop, writer *out) {
     add_stand_ins(loop, &h);
     add_variables(loop, is_mentioned, true, &h);
     const unsigned count = facts->array_count;
-    loop->body_call =
-        arena_format(loop->arena, "%s(REDCC_BODY_ARGUMENTS_%u, %s%s)", name_of(loop, "body"), count,
-                     counter_argument(loop), take(loop->arena, &h.arguments));
-    writer_line(out, "REDCC_BODY %s(REDCC_BODY_PARAMETERS_%u, %s%s) {", name_of(loop, "body"),
-                count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
+    loop->body_call = arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)",
+                                   outlined_name(loop, "body"), loop->bins ? "BINNED" : "BODY",
+                                   count, counter_argument(loop), take(loop->arena, &h.arguments));
+    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"),
+                loop->bins ? "BINNED" : "BODY", count,
+                counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 take(loop->arena, &h.parameters));
     out->depth = 1;
     write_iteration(loop, out, true);
@@ -399,11 +402,13 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     *place = place_of(loop, &out);
     loop->is_outlined = true;
     buffer_text(&out.out, loop_condition(loop));
+    writer_fill(&out, true);
     writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
                 ir_position_of(loop->unit, facts->loop->range.begin).line);
-    writer_fill(&out, true);
     writer_line(&out, "REDCC_QUIET_BEGIN");
     declare_inlined(loop, &out);
+    if (loop->bins)
+        write_bins(loop, &out);
     writer_fill(&out, false);
     write_slice(loop, &out);
     write_body(loop, &out);

@@ -31,7 +31,7 @@ static const char *firstprivate_clause(loop_text *loop) {
     for (unsigned i = 0; i < loop->facts->captured_count; i++) {
         const ir_variable *variable = loop->facts->captured[i];
         if (is_copied_in(variable) && !is_thread_local(variable))
-            buffer_format(&out, "%s%s", out.length > 0 ? ", " : " firstprivate(",
+            buffer_format(&out, "%s%s", out.length > 0 ? ", " : "firstprivate(",
                           origin_declarator(loop->arena, variable));
     }
     if (out.length > 0)
@@ -204,14 +204,17 @@ static void write_executor(loop_text *loop, writer *out) {
 }
 
 void write_region(loop_text *loop, writer *out) {
-    buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads)%s\n",
-                  firstprivate_clause(loop));
     if (loop->is_outlined) {
-        writer_line(out, "    REDCC_PARALLEL(REDCC_CHUNK_%u, %s,", loop->facts->array_count,
-                    loop->slice_call);
-        writer_line(out, "                   %s)", loop->body_call);
+        writer_line(out, "REDCC_THREADS(%s)", firstprivate_clause(loop));
+        writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s%s", loop->bins ? "_BINNED" : "",
+                    loop->facts->array_count, loop->bins ? bins_phase(loop) : "",
+                    loop->bins ? "," : "");
+        writer_line(out, "        %s,", loop->slice_call);
+        writer_line(out, "        %s)", loop->body_call);
         return;
     }
+    buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads) %s\n",
+                  firstprivate_clause(loop));
     writer_line(out, "{");
     out->depth++;
     writer_line(out, "redcc_worker redcc__worker;");

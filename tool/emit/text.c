@@ -9,7 +9,7 @@
 
 #include "emit/origin.h"
 
-enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 140 };
+enum { SPACES_A_LEVEL = 4, LONGEST_FILLED = 150 };
 
 /** The width of marked text. */
 static size_t visible_width(const char *at, const char *end) {
@@ -24,8 +24,10 @@ static size_t visible_width(const char *at, const char *end) {
 }
 
 void writer_fill(writer *w, bool fills) {
-    w->fills = fills;
-    w->fill_begin = w->out.length;
+    if (fills && w->fills++ == 0)
+        w->fill_begin = w->out.length;
+    if (!fills)
+        w->fills--;
 }
 
 /** The line from `begin` on is appended to the one before, if both are short. */

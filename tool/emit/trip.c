@@ -13,6 +13,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 enum {
     INT_SIZE = 4,  /* of every target that OpenMP runs on */
@@ -206,9 +207,17 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     require_of_ends(&ends, &h);
     require(&ends, "%s", comparison_text(&h));
     writer_fill(out, true);
-    writer_line(out, "const redcc_int redcc__lower = %s,", lower_text(loop, &h));
-    writer_line(out, "redcc__bound = %s,", bound_text(loop, &h));
-    writer_line(out, "redcc__trip = %s ? %s : 0;", ends.text.data, count_text(loop->arena, &h));
+    const bool counts_up =
+        h.stride == 1 && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
+    if (counts_up && !h.inclusive) {
+        writer_line(out, "REDCC_COUNT_UP(%s, %s);",
+                    macro_argument(loop->arena, lower_text(loop, &h)),
+                    macro_argument(loop->arena, bound_text(loop, &h)));
+    } else {
+        writer_line(out, "const redcc_int redcc__lower = %s,", lower_text(loop, &h));
+        writer_line(out, "redcc__bound = %s,", bound_text(loop, &h));
+        writer_line(out, "redcc__trip = %s ? %s : 0;", ends.text.data, count_text(loop->arena, &h));
+    }
     buffer_free(&ends.text);
 
     conditions entry = {0};
@@ -217,7 +226,10 @@ const char *write_trip_count(loop_text *loop, writer *out) {
         require(&entry, "redcc_is_worth_entering(redcc__trip)");
     const size_t before = entry.text.length;
     require_of_final(&entry, &h, loop->counter_type);
-    if (entry.text.length > before || has_affine_extents(loop) || counter_outlives(loop->facts))
+    if (counts_up)
+        ; /* it is declared */
+    else if (entry.text.length > before || has_affine_extents(loop) ||
+             counter_outlives(loop->facts))
         writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
     writer_fill(out, false);
     const char *text = arena_copy(loop->arena, entry.text.data, entry.text.length);

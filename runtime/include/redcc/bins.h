@@ -247,4 +247,177 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
     bins->cursor[bin] = number;
 }
 
+/* ---- in generated text ---------------------------------------------------------------------- */
+
+/** Flags of a loop with a form for bins: where contributions are rounded to their types when they
+ *  are kept, as they are everywhere. */
+#if (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0) ||                                  \
+    (defined(__i386__) && !defined(__SSE2_MATH__))
+#define REDCC_BINS_FLAG 0
+#else
+#define REDCC_BINS_FLAG REDCC_BINNED
+#endif
+
+/** Of redcc__guarded, beside 0 and 1: updates are pushed, or made on private copies. */
+enum { REDCC_IN_BINS = 2, REDCC_IN_COPIES = 3 };
+
+/** An element's number, counted from the array's first one. */
+#define REDCC_ELEMENT(redcc_base, redcc_at)                                                        \
+    ((redcc_int)((redcc_at) - (__typeof__(redcc_at))(void *)(redcc_base)))
+
+/** Has the thread a copy of this element? Otherwise the runtime is told that it should have. */
+REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
+    if (__builtin_expect((redcc_size)row - (redcc_size)bins->first < bins->span, 1))
+        return 1;
+    redcc_push_outside(bins->buffer, row);
+    return 0;
+}
+
+/** Where row 0 of the array would be, if the copy held it. */
+REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream) {
+    return (void *)((redcc_size)bins->copy[0] -
+                    (redcc_size)bins->first * (redcc_size)stream->rows[0]);
+}
+
+/** Go before an update, as REDCC_UPDATE. In bins its operands are kept; of updates that have none,
+ *  only that there is one. */
+#define REDCC_UPDATE_BY(redcc_i, redcc_tag, redcc_base, redcc_at, redcc_record, redcc_values)      \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_record redcc__e = redcc_values;                                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_i],                                \
+                   REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
+    } else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
+#define REDCC_UPDATE_ALIKE(redcc_i, redcc_tag, redcc_base, redcc_at)                               \
+    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_i],                                \
+                   REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
+    else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
+#define REDCC_IS_MADE(redcc_i, redcc_base, redcc_at)                                               \
+    (redcc__guarded == REDCC_IN_COPIES                                                             \
+         ? redcc_is_copied(redcc__bins_##redcc_i, REDCC_ELEMENT(redcc_base, redcc_at))             \
+         : !redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
+
+/** A record of several values. */
+#define REDCC_VALUES_2(redcc_v0, redcc_v1)                                                         \
+    { redcc_v0, redcc_v1 }
+#define REDCC_VALUES_3(redcc_v0, redcc_v1, redcc_v2)                                               \
+    { redcc_v0, redcc_v1, redcc_v2 }
+
+/** A function that applies records: the updates, on the element *redcc__to and the record redcc__e,
+ *  of which redcc__tag says which one it is. */
+#define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
+    REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
+    const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
+    redcc_updates                                                                                  \
+    }                                                                                              \
+    }
+#define REDCC_APPLY_ALIKE(redcc_name, redcc_element, redcc_bits, redcc_updates)                    \
+    REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
+    redcc_updates                                                                                  \
+    }                                                                                              \
+    }
+#define REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                    \
+    static void redcc_name(const redcc_applied *redcc__applied) {                                  \
+        redcc_element *const redcc__rows = (redcc_element *)redcc__applied->rows[0];               \
+        redcc_size redcc__n;                                                                       \
+        for (redcc__n = 0; redcc__n < redcc__applied->count; redcc__n++) {                         \
+            const redcc_u32 redcc__place = redcc__applied->place[redcc__n];                        \
+            const redcc_u32 redcc__tag __attribute__((__unused__)) =                               \
+                REDCC_PLACE_TAG(redcc__place, redcc_bits);                                         \
+            redcc_element *const redcc__to =                                                       \
+                &redcc__rows[REDCC_PLACE_ROW(redcc__place, redcc_bits)];                           \
+            const int redcc__ahead __attribute__((__unused__)) =                                   \
+                redcc__applied->ahead                                                              \
+                    ? (__builtin_prefetch(&redcc__rows[REDCC_PLACE_ROW(                            \
+                           redcc__applied->place[redcc__n + redcc__applied->ahead], redcc_bits)]), \
+                       1)                                                                          \
+                    : 0;
+
+/** A stream of one array, its rows its elements. */
+#define REDCC_STREAM(redcc_apply, redcc_array, redcc_element, redcc_bytes, redcc_bits,             \
+                     redcc_exact)                                                                  \
+    { redcc_apply, 1, {redcc_array}, {sizeof(redcc_element)}, redcc_bytes, redcc_bits, redcc_exact }
+
+/* For each array, what the body is handed of its bins. */
+#define REDCC_BINS_PARAMETERS_1                                                                    \
+    const redcc_stream *const redcc__streams, const redcc_bins *const redcc__bins_0
+#define REDCC_BINS_PARAMETERS_2 REDCC_BINS_PARAMETERS_1, const redcc_bins *const redcc__bins_1
+#define REDCC_BINS_PARAMETERS_3 REDCC_BINS_PARAMETERS_2, const redcc_bins *const redcc__bins_2
+#define REDCC_BINS_PARAMETERS_4 REDCC_BINS_PARAMETERS_3, const redcc_bins *const redcc__bins_3
+#define REDCC_BINS_PARAMETERS_5 REDCC_BINS_PARAMETERS_4, const redcc_bins *const redcc__bins_4
+#define REDCC_BINS_PARAMETERS_6 REDCC_BINS_PARAMETERS_5, const redcc_bins *const redcc__bins_5
+#define REDCC_BINNED_PARAMETERS_1 REDCC_BODY_PARAMETERS_1, REDCC_BINS_PARAMETERS_1
+#define REDCC_BINNED_PARAMETERS_2 REDCC_BODY_PARAMETERS_2, REDCC_BINS_PARAMETERS_2
+#define REDCC_BINNED_PARAMETERS_3 REDCC_BODY_PARAMETERS_3, REDCC_BINS_PARAMETERS_3
+#define REDCC_BINNED_PARAMETERS_4 REDCC_BODY_PARAMETERS_4, REDCC_BINS_PARAMETERS_4
+#define REDCC_BINNED_PARAMETERS_5 REDCC_BODY_PARAMETERS_5, REDCC_BINS_PARAMETERS_5
+#define REDCC_BINNED_PARAMETERS_6 REDCC_BODY_PARAMETERS_6, REDCC_BINS_PARAMETERS_6
+#define REDCC_BINS_ARGUMENTS_1 redcc__streams, redcc__bins_0
+#define REDCC_BINS_ARGUMENTS_2 REDCC_BINS_ARGUMENTS_1, redcc__bins_1
+#define REDCC_BINS_ARGUMENTS_3 REDCC_BINS_ARGUMENTS_2, redcc__bins_2
+#define REDCC_BINS_ARGUMENTS_4 REDCC_BINS_ARGUMENTS_3, redcc__bins_3
+#define REDCC_BINS_ARGUMENTS_5 REDCC_BINS_ARGUMENTS_4, redcc__bins_4
+#define REDCC_BINS_ARGUMENTS_6 REDCC_BINS_ARGUMENTS_5, redcc__bins_5
+#define REDCC_BINNED_ARGUMENTS_1 REDCC_BODY_ARGUMENTS_1, REDCC_BINS_ARGUMENTS_1
+#define REDCC_BINNED_ARGUMENTS_2 REDCC_BODY_ARGUMENTS_2, REDCC_BINS_ARGUMENTS_2
+#define REDCC_BINNED_ARGUMENTS_3 REDCC_BODY_ARGUMENTS_3, REDCC_BINS_ARGUMENTS_3
+#define REDCC_BINNED_ARGUMENTS_4 REDCC_BODY_ARGUMENTS_4, REDCC_BINS_ARGUMENTS_4
+#define REDCC_BINNED_ARGUMENTS_5 REDCC_BODY_ARGUMENTS_5, REDCC_BINS_ARGUMENTS_5
+#define REDCC_BINNED_ARGUMENTS_6 REDCC_BODY_ARGUMENTS_6, REDCC_BINS_ARGUMENTS_6
+
+/* What a chunk of iterations to be pushed holds of each array: a copy of its bins, and where its
+ * elements are; or, if there is no such chunk, nothing. */
+#define REDCC_BINS_OF(redcc_i)                                                                     \
+    const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc_i];                                   \
+    const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i;                         \
+    const redcc_owner redcc__owner_##redcc_i = {0, 0, 0, 0, 0, 0};                                 \
+    void *const redcc__base_##redcc_i __attribute__((__unused__)) =                                \
+        redcc__guarded == REDCC_IN_COPIES                                                          \
+            ? redcc_copy_base(redcc__bins_##redcc_i, &redcc__streams[redcc_i])                     \
+            : redcc__bases[redcc_i];
+#define REDCC_BINS_1_OF(redcc_of) redcc_of(0)
+#define REDCC_BINS_2_OF(redcc_of) REDCC_BINS_1_OF(redcc_of) redcc_of(1)
+#define REDCC_BINS_3_OF(redcc_of) REDCC_BINS_2_OF(redcc_of) redcc_of(2)
+#define REDCC_BINS_4_OF(redcc_of) REDCC_BINS_3_OF(redcc_of) redcc_of(3)
+#define REDCC_BINS_5_OF(redcc_of) REDCC_BINS_4_OF(redcc_of) redcc_of(4)
+#define REDCC_BINS_6_OF(redcc_of) REDCC_BINS_5_OF(redcc_of) redcc_of(5)
+#define REDCC_NO_BINS_OF(redcc_i) const redcc_bins *const redcc__bins_##redcc_i = 0;
+
+/** Executes iterations whose updates are not made at once, in one of the two ways. */
+#define REDCC_PUSH_CHUNK(redcc_bins_n, redcc_mode, redcc_call_of_slice, redcc_call_of_body)        \
+    {                                                                                              \
+        const int redcc__guarded = redcc_mode;                                                     \
+        redcc_probe *const redcc__probe __attribute__((__unused__)) = 0;                           \
+        redcc_bins_n##_OF(REDCC_BINS_OF) for (redcc__k = redcc__worker.first;                      \
+                                              redcc__k < redcc__worker.last; redcc__k++) {         \
+            if (redcc__told)                                                                       \
+                redcc_call_of_slice;                                                               \
+            redcc_call_of_body;                                                                    \
+        }                                                                                          \
+    }
+
+/** As REDCC_PARALLEL, of a loop with a form for bins.
+ *    redcc_bins_n       REDCC_BINS_n, of n arrays
+ *    redcc_told_bits    of sources whose reads are told while iterations are pushed
+ *    redcc_all_exact    may the updates be made on private copies? */
+#define REDCC_PARALLEL_BINNED(redcc_chunk, redcc_bins_n, redcc_told_bits, redcc_all_exact,         \
+                              redcc_call_of_slice, redcc_call_of_body)                             \
+    {                                                                                              \
+        redcc_bins redcc__all[sizeof(redcc__streams) / sizeof(redcc_stream)];                      \
+        redcc_worker redcc__worker;                                                                \
+        redcc_int redcc__k;                                                                        \
+        redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
+        REDCC_INSPECT(redcc_call_of_slice)                                                         \
+        while (__builtin_expect(redcc_bins_next(&redcc__worker, redcc__all, 0), 0)) {              \
+            const redcc_u32 redcc__told = redcc_told_bits;                                         \
+            if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                               \
+                REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_COPIES, redcc_call_of_slice,               \
+                                 redcc_call_of_body)                                               \
+            else                                                                                   \
+                REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,                 \
+                                 redcc_call_of_body)                                               \
+        }                                                                                          \
+        { redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE(redcc_chunk, redcc_call_of_body) }     \
+    }
+
 #endif

@@ -31,8 +31,19 @@
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__))
 
+/** Where an array begins, and what the subscripts depend on. */
+#define REDCC_BASE(redcc_i, redcc_base) redcc__bases[redcc_i] = (void *)redcc_base
+#define REDCC_KEY(redcc_i, redcc_value) redcc__key[redcc_i] = (redcc_word)redcc_value
+
+/** The iterations of a loop from one number to before another, in steps of 1. */
+#define REDCC_COUNT_UP(redcc_lower, redcc_bound)                                                   \
+    const redcc_int redcc__lower = redcc_lower, redcc__bound = redcc_bound,                        \
+                    redcc__trip = redcc__lower < redcc__bound ? redcc__bound - redcc__lower : 0,   \
+                    redcc__final __attribute__((__unused__)) = redcc__lower + redcc__trip
+
 /** Twice: for the rows that the first iteration reads, and for those of the last. */
 #define REDCC_FIRST_AND_LAST for (redcc__end = 0; redcc__end < 2; redcc__end++)
+#define REDCC_AN_END(redcc_step) (redcc__end ? redcc__final - (redcc_step) : redcc__lower)
 
 /** A row that the loop reads lies there; several: all between them as well. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
@@ -44,81 +55,98 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
         extent->end = row + bytes;
 }
 
+/** The loop's descriptor, perhaps the first member of a larger one. */
+#define REDCC_DESCRIPTOR ((redcc_loop *)(void *)&redcc__loop)
+
 /** Asks the runtime whether the loop is to run in parallel. */
 #define REDCC_ENTER(redcc_known)                                                                   \
-    redcc_enter(&redcc__call, &redcc__loop, redcc__trip, redcc__bases, redcc_known, redcc__key,    \
-                omp_get_max_threads(), omp_in_parallel())
+    (redcc__key[0] = (redcc_word)redcc__lower,                                                     \
+     redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases, redcc_known,           \
+                 redcc__key, omp_get_max_threads(), omp_in_parallel()))
 
 /** After the original loop; without OpenMP it says nothing. */
-#define REDCC_SEQUENTIAL_DONE redcc_sequential_done(&redcc__loop);
+#define REDCC_SEQUENTIAL_DONE redcc_sequential_done(REDCC_DESCRIPTOR);
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
-/** redcc__probe is 0 where addresses are told, and a constant: each use of the function is compiled
- *  by itself. */
+/** redcc__probe is 0 where addresses are told, and redcc__told 0 where all of them are, or says by
+ *  its bits of which sources alone. Both are constants: each use of the function is compiled by
+ *  itself. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
-        redcc_worker *const redcc__worker __attribute__((__unused__))
-#define REDCC_SLICE_ARGUMENTS redcc__probe, &redcc__worker
+        redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
+        const redcc_u32 redcc__told __attribute__((__unused__))
+#define REDCC_SLICE_ARGUMENTS redcc__probe, &redcc__worker, redcc__told
+#define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told
 
 /** The iteration may update, or read, `redcc_n` bytes at an address. */
 #define REDCC_TOUCH(redcc_i, redcc_at, redcc_n)                                                    \
-    redcc_slice_touch(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_n)
+    redcc_slice_touch(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 #define REDCC_READ(redcc_i, redcc_at, redcc_n)                                                     \
-    redcc_slice_read(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_n)
+    redcc_slice_read(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_n)
 
 /** The same of redcc_base[redcc_row]: redcc_base is what no iteration changes, so that the number
  *  says which row it is. */
 #define REDCC_TOUCH_ROW(redcc_i, redcc_base, redcc_row)                                            \
-    redcc_slice_touch_row(redcc__probe, redcc__worker, redcc_i,                                    \
-                          (const void *)&(redcc_base)[redcc_row], (const void *)(redcc_base),      \
-                          (redcc_int)(redcc_row), sizeof((redcc_base)[redcc_row]))
+    redcc_slice_touch_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],      \
+                          (const void *)(redcc_base), (redcc_int)(redcc_row),                      \
+                          sizeof((redcc_base)[redcc_row]))
 #define REDCC_READ_ROW(redcc_i, redcc_base, redcc_row)                                             \
-    redcc_slice_read_row(redcc__probe, redcc__worker, redcc_i,                                     \
-                         (const void *)&(redcc_base)[redcc_row], (const void *)(redcc_base),       \
-                         (redcc_int)(redcc_row), sizeof((redcc_base)[redcc_row]))
+    redcc_slice_read_row(REDCC_SLICE_NAMES, redcc_i, (const void *)&(redcc_base)[redcc_row],       \
+                         (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
+                         sizeof((redcc_base)[redcc_row]))
 
 /** All from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
-    redcc_slice_touch_span(redcc__probe, redcc__worker, redcc_i, redcc_at, redcc_end)
+    redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)
 
-REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
-                                    const void *address, redcc_size bytes) {
+REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                    redcc_u32 array, const void *address, redcc_size bytes) {
+    if (told)
+        return;
     if (probe)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
         redcc_touch(worker, array, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 source,
-                                   const void *address, redcc_size bytes) {
+REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                   redcc_u32 source, const void *address, redcc_size bytes) {
+    if (told && !(told >> source & 1))
+        return;
     if (probe)
         redcc_probe_read(probe, worker, source, address, bytes);
     else
         redcc_read(worker, source, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
-                                        const void *address, const void *base, redcc_int row,
-                                        redcc_size bytes) {
+REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                        redcc_u32 array, const void *address, const void *base,
+                                        redcc_int row, redcc_size bytes) {
+    if (told)
+        return;
     if (probe)
         redcc_probe_touch_row(probe, worker, array, base, row, bytes);
     else
         redcc_touch(worker, array, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 source,
-                                       const void *address, const void *base, redcc_int row,
-                                       redcc_size bytes) {
+REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                       redcc_u32 source, const void *address, const void *base,
+                                       redcc_int row, redcc_size bytes) {
+    if (told && !(told >> source & 1))
+        return;
     if (probe)
         redcc_probe_read_row(probe, worker, source, base, row, bytes);
     else
         redcc_read(worker, source, address, bytes);
 }
 
-REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 array,
-                                         const char *first, const char *end) {
+REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worker, redcc_u32 told,
+                                         redcc_u32 array, const char *first, const char *end) {
+    if (told)
+        return;
     if (probe)
         redcc_probe_touch(probe, worker, array, first, (redcc_size)(end - first));
     else
@@ -129,7 +157,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
  *  loop of their own, in which nothing is called or stored: a compiler keeps in registers what does
  *  not change. */
 #define REDCC_INSPECT(redcc_call_of_slice)                                                         \
-    while (redcc_inspect(&redcc__worker))                                                          \
+    while (redcc_inspect(&redcc__worker)) {                                                        \
+        const redcc_u32 redcc__told = 0;                                                           \
         for (redcc__k = redcc__worker.first; redcc__k < redcc__worker.last;                        \
              redcc__k += redcc__worker.stride) {                                                   \
             if (redcc_is_settled(&redcc__worker)) {                                                \
@@ -150,7 +179,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
                 redcc_call_of_slice;                                                               \
                 redcc_iteration_done(&redcc__worker);                                              \
             }                                                                                      \
-        }
+        }                                                                                          \
+    }
 
 /* ---- the body ------------------------------------------------------------------------------ */
 
@@ -207,6 +237,11 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 
 /* ---- all of it ----------------------------------------------------------------------------- */
 
+/** The region's threads, with a clause of OpenMP's, or none. */
+#define REDCC_PRAGMA(redcc_text) _Pragma(#redcc_text)
+#define REDCC_THREADS(redcc_clause)                                                                \
+    REDCC_PRAGMA(omp parallel num_threads(redcc__call.threads) redcc_clause)
+
 /** What each thread of the parallel region does: it inspects the iterations that it is handed, and
  *  executes those that it is handed then. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
@@ -228,5 +263,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #else
 #define REDCC_KEEP_INLINED(redcc_function)
 #endif
+
+#include <redcc/bins.h>
 
 #endif

@@ -25,6 +25,7 @@ struct call {
     /* The settings in force. */
     const struct method *method; /* named; NULL: auto */
     int parameter;               /* the method's */
+    bool in_bins;                /* named, or chosen for this call: no inspection, no plan */
     redcc_order order;
     bool compensated;
     bool validate;

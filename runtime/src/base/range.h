@@ -25,6 +25,11 @@ static inline bool redcc_range_empty(struct range range) {
     return range.end <= range.first;
 }
 
+/** Bytes. */
+static inline size_t redcc_range_size(struct range range) {
+    return redcc_range_empty(range) ? 0 : range.end - range.first;
+}
+
 static inline bool redcc_ranges_overlap(struct range a, struct range b) {
     return !redcc_range_empty(a) && !redcc_range_empty(b) && a.first < b.end && b.first < a.end;
 }

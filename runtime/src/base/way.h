@@ -9,7 +9,10 @@ enum way {
     WAY_INDEX,  /**< LOCALWRITE, owners by address */
     WAY_GRAPH,  /**< LOCALWRITE, owners cut from the access graph; wavefronts where these are uneven
                  */
-    WAY_COUNT
+    WAY_BINS, /**< in-order binning: without an inspection or a plan, so that subscripts may change
+               */
+    WAY_COUNT,
+    WAY_LAST_PLANNED = WAY_GRAPH
 };
 
 #endif

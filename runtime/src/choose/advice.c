@@ -23,6 +23,10 @@ static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execu
  * loop whose execution is shorter than some of these is looked at by one thread: most are not worth
  * more than that look. */
 static const double light = 10e-3;
+/* Bytes of arrays that no cache holds: random updates of smaller ones are no faster in bins
+ * (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
+static const double beyond_caches = 32e6, copied_most = 4e6;
+static const double least_row = 4; /* bytes: more updates than rows, or copies are not worth it */
 static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
 
 enum {
@@ -129,10 +133,12 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     note_subscripts(chooser, reuse);
     now.steady = chooser->steady;
     now.verified = chooser->verified;
-    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         now.kept[way] = fits & 1u << way      ? KEPT_FITS
                         : changed & 1u << way ? KEPT_CHANGED
                                               : KEPT_NONE;
+    if (reuse->call->request.loop->flags & REDCC_BINNED)
+        now.kept[WAY_BINS] = KEPT_FITS;
     const struct decision decision = redcc_decide(&chooser->state, &now);
     struct advice advice = {.action = decision.action,
                             .way = decision.way,
@@ -215,6 +221,22 @@ bool redcc_wants_estimate(const struct inspection *inspection) {
     return !inspection->call->method;
 }
 
+/* Updates in no order of arrays beyond the caches; or of a small array of integers, which are made
+ * on private copies. */
+static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
+                      struct findings *findings) {
+    const redcc_loop *loop = inspection->call->request.loop;
+    double bytes = 0;
+    for (uint32_t array = 0; array < loop->array_count; array++)
+        bytes += (double)redcc_range_size(inspection->touched[array]);
+    const bool is_random = estimate->changes >= frequent && bytes >= beyond_caches;
+    const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
+                           bytes <= copied_most &&
+                           findings->touches * (double)findings->trip * least_row > bytes;
+    findings->binned = (loop->flags & REDCC_BINNED) && (is_random || is_copied);
+    findings->bin_bytes = is_copied ? bytes : 0;
+}
+
 static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
                                 const struct estimate *estimate) {
     const struct call *call = inspection->call;
@@ -223,6 +245,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.share = estimate->share;
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
+    find_bins(inspection, estimate, &findings);
     redcc_estimate_prospects(&findings, prospect);
     const struct situation now = {.trip = findings.trip,
                                   .threads = call->planned,

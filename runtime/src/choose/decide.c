@@ -55,8 +55,10 @@ static struct decision reuse(struct size_state *size, enum way way, enum rule ru
 static double room_for(const struct choice_state *state, const struct size_state *size,
                        long long trip, enum way way) {
     const double usual = redcc_usual(&size->sequential);
-    const bool is_clear = redcc_expected(size, way) < redcc_clear * usual;
-    return redcc_credit(state) - (is_clear ? 0 : reserve * usual * (double)trip);
+    const bool is_known = way != WAY_BINS || size->prospect[way].measured;
+    const bool is_clear = is_known && redcc_expected(size, way) < redcc_clear * usual;
+    const double lent = way == WAY_BINS ? state->ledger.loan : 0; /* for a set-up */
+    return redcc_credit(state) - lent - (is_clear ? 0 : reserve * usual * (double)trip);
 }
 
 static bool keeps_changing(const struct size_state *size, const struct situation *now) {
@@ -85,7 +87,7 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
     const double factor = redcc_next_factor(&size->set_ups) * (now->steady < 0 ? unknown : 1);
     enum way best = WAY_SEQUENTIAL;
     double least_cost = current * horizon;
-    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
         const struct prospect *it = &size->prospect[way];
         const double set_up = set_up_of(it), each = redcc_expected(size, way);
         const double cost = set_up + each * horizon;
@@ -112,7 +114,7 @@ static enum way borrowing_way(const struct size_state *size, const struct situat
                                                 : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
     double least_cost = usual * soon * trip;
-    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
         const struct prospect *it = &size->prospect[way];
         const double set_up = set_up_of(it), each = redcc_expected(size, way);
         const double cost = set_up + each * soon * trip;
@@ -125,13 +127,21 @@ static enum way borrowing_way(const struct size_state *size, const struct situat
     return best;
 }
 
+/* A sample said that bins may be worth a trial, and it would not be the first thing that is lost.
+ */
+static bool may_bin(const struct choice_state *state, const struct size_state *size,
+                    const struct situation *now) {
+    return size->prospect[WAY_BINS].possible && room_for(state, size, now->trip, WAY_BINS) >= 0;
+}
+
 /* Of the plans kept for these subscripts, the one with the least expected time below `least_each`
  * seconds an iteration. */
-static enum way kept_way(const struct size_state *size, const struct situation *now,
-                         double least_each) {
+static enum way kept_way(const struct choice_state *state, const struct size_state *size,
+                         const struct situation *now, double least_each) {
     enum way best = WAY_SEQUENTIAL;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
-        if (now->kept[way] == KEPT_FITS && redcc_expected(size, way) < least_each) {
+        if (now->kept[way] == KEPT_FITS && (way != WAY_BINS || may_bin(state, size, now)) &&
+            redcc_expected(size, way) < least_each) {
             best = way;
             least_each = redcc_expected(size, way);
         }
@@ -180,7 +190,7 @@ static void leave_plan(struct choice_state *state, struct size_state *size) {
 
 static struct decision decide_saving(struct choice_state *state, struct size_state *size,
                                      const struct situation *now) {
-    const enum way kept = kept_way(size, now, redcc_better * redcc_usual(&size->sequential));
+    const enum way kept = kept_way(state, size, now, redcc_better * redcc_usual(&size->sequential));
     if (kept != WAY_SEQUENTIAL && room_for(state, size, now->trip, kept) >= 0) {
         if (size->prospect[kept].measured) {
             size->way = kept;
@@ -244,7 +254,7 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
     const enum way way = best_way(state, size, now, current);
     if (way != WAY_SEQUENTIAL && way != size->way && now->kept[way] != KEPT_FITS)
         return set_up(state, size, now, current);
-    const enum way kept = kept_way(size, now, redcc_better * current);
+    const enum way kept = kept_way(state, size, now, redcc_better * current);
     if (kept != WAY_SEQUENTIAL && kept != size->way) {
         redcc_compare(size, kept, size->way);
         return reuse(size, kept, RULE_COMPARING);

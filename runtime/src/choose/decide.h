@@ -29,7 +29,8 @@ struct prospect {
     double execution; /**< seconds an iteration, the check of a kept plan included */
 };
 
-/** Is a plan kept for what this call executes? */
+/** Is a plan kept for what this call executes? WAY_BINS needs none: it fits where the loop has a
+ * form for it, and is only tried where a sample said that it may be worth it. */
 enum kept_match {
     KEPT_NONE,
     KEPT_CHANGED, /**< one for other subscripts, as a sample of them shows */

@@ -19,6 +19,13 @@ static void stop_resting(struct size_state *size, enum stand stand) {
     size->stand = stand;
 }
 
+/* The way was tried in vain. Is there one that may be better? */
+static bool another_may_do(struct size_state *size, enum way way) {
+    size->prospect[way].possible = false;
+    size->prospect[way].ruled_out = true;
+    return redcc_some_way_is_better(size);
+}
+
 /* A comparison is over: the contender was the faster way, or not. */
 static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
@@ -28,6 +35,10 @@ static void settle(struct size_state *size, bool contender_won) {
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (!contender_won && it->incumbent == WAY_SEQUENTIAL) {
+        if (it->contender == WAY_BINS && another_may_do(size, WAY_BINS)) {
+            stop_resting(size, STAND_SAVING);
+            return;
+        }
         redcc_rest(size, STAND_RESTING, RULE_SLOWER, SLOWER_REST, REDCC_REST_MOST);
         return;
     }
@@ -126,6 +137,12 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
         begin_trial(size, outcome->way, each);
         return;
     }
+    if (outcome->way == WAY_BINS && !prospect->measured) { /* takes memory, as a new plan does */
+        prospect->execution = each;
+        prospect->measured = true;
+        begin_trial(size, outcome->way, each);
+        return;
+    }
     prospect->execution +=
         prospect->measured ? latest * (each - prospect->execution) : each - prospect->execution;
     prospect->measured = true;
@@ -151,9 +168,7 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
 
 /* Of one way: then another one may do. Of all: the loop rests. */
 static void observe_refusal(struct size_state *size, const struct outcome *outcome) {
-    size->prospect[outcome->way].possible = false;
-    size->prospect[outcome->way].ruled_out = true;
-    const bool another = outcome->way != WAY_SEQUENTIAL && redcc_some_way_is_better(size);
+    const bool another = another_may_do(size, outcome->way) && outcome->way != WAY_SEQUENTIAL;
     if (size->stand != STAND_PARALLEL && !another)
         redcc_rest(size, STAND_RESTING, RULE_REFUSED, REFUSED_REST, REDCC_REST_MOST);
 }

@@ -46,6 +46,13 @@ static void by_graph(const struct findings *it, struct prospect *prospect) {
         it->sequential * contended * scattered / it->threads + it->runs * run_begun / it->threads;
 }
 
+/* What pushing and applying records takes is known only when it was tried. */
+static void by_bins(const struct findings *it, struct prospect *prospect) {
+    prospect->possible = it->binned;
+    prospect->execution =
+        it->sequential * contended / it->threads + it->bin_bytes * byte_copied / (double)it->trip;
+}
+
 void redcc_estimate_prospects(const struct findings *findings, struct prospect *prospect) {
     const double trip = (double)findings->trip;
     const double checked = findings->checked * byte_checked / findings->threads / trip;
@@ -54,7 +61,8 @@ void redcc_estimate_prospects(const struct findings *findings, struct prospect *
     by_copies(findings, &prospect[WAY_COPIES]);
     by_index(findings, &prospect[WAY_INDEX]);
     by_graph(findings, &prospect[WAY_GRAPH]);
-    for (enum way way = WAY_COPIES; way < WAY_COUNT;
+    by_bins(findings, &prospect[WAY_BINS]);
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED;
          way++) /* a plan that is not kept serves once */
         prospect[way].execution += findings->reusable ? checked : prospect[way].set_up / trip;
 }

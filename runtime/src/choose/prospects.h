@@ -16,6 +16,8 @@ struct findings {
     double runs;       /**< of the iterations: those that touch other owners than the one before */
     bool copies;       /**< private copies may and can be had */
     double copied;     /**< bytes of one of them */
+    bool binned;       /**< it has a form for binning, which may be worth a trial */
+    double bin_bytes;  /**< of private copies that binning makes in place of records; 0: none */
     bool reusable;     /**< the plan can be kept */
     double checked;    /**< bytes of subscripts that are compared before a plan is used again */
 };
