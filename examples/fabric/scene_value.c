@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "scene_value.h"
 
+#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdarg.h>
@@ -148,7 +149,8 @@ static int read_vector(const scene_source *from, const yaml_node_t *node, const 
                                   "'%s' has no direction, expected a vector other "
                                   "than 0",
                                   path);
-        for (int k = 0; k < 3; k++)
+        /* What was written as a unit vector is read as the same bits. */
+        for (int k = 0; k < 3 && !(fabs(length - 1.0) < 4 * DBL_EPSILON); k++)
             value[k] /= length;
     }
     memcpy(target, value, (size_t)key->components * sizeof *target);

@@ -28,7 +28,7 @@ expect 1 "no scene is called 'pach' in $scenes, expected a path or one of 'ball'
 expect 1 "./none.yaml: cannot be read: No such file or directory" "$program" run ./none.yaml
 expect 1 "--set material.bnd=1: unknown key 'bnd' in 'material'" "$program" run patch --set material.bnd=1
 sed 's/gravity/gravty/' "$scenes/patch.yaml" >wrong.yaml
-expect 1 "wrong.yaml:22: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', 'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?" \
+expect 1 "wrong.yaml:22: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', 'tangential_drag', 'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?" \
   "$program" run wrong.yaml
 expect 1 "wrong.yaml/frames" "$program" run patch -o wrong.yaml/frames --steps 1
 

@@ -130,8 +130,9 @@ static void print_faults(const simulation *sim) {
         "were solved directly");
     print_count(f.not_solved, "of the shortest steps were taken without a converged solution");
     print_count(f.strain, "of the shortest steps were taken though the strain grew too much");
-    print_count(f.penetration, "steps were taken though vertices went into a collider: shorter ones "
-                               "did not help");
+    print_count(f.penetration,
+                "steps were taken though vertices went into a collider: shorter ones "
+                "did not help");
     print_count(f.passing,
                 "steps were taken though cloth passed through itself or a collider: shorter ones "
                 "did not help");

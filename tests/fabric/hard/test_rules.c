@@ -531,87 +531,6 @@ static void test_rounds_and_zones(void **state) {
         thrown_at_itself(seed % 2 == 0 ? 20 : 100, seed);
 }
 
-/* Near a sharp edge or tip the nearest face alone may have its normal on the wrong side. */
-static void test_tip_is_outside(void **state) {
-    (void)state;
-    enum { around = 16 };
-    char error[256] = "";
-    mesh m;
-    assert_int_equal(mesh_allocate(&m, around + 2, 2 * around), 0);
-    for (int k = 0; k < around; k++) {
-        m.position[k][0] = 0.03 * cos(2 * acos(-1) * k / (int)around);
-        m.position[k][1] = 0.03 * sin(2 * acos(-1) * k / (int)around);
-        m.position[k][2] = 0.1;
-    }
-    memset(m.position[around], 0, sizeof m.position[around]);
-    m.position[around + 1][0] = m.position[around + 1][1] = 0;
-    m.position[around + 1][2] = 0.1;
-    for (int k = 0; k < around; k++) {
-        const int next = (k + 1) % around;
-        const int side[3] = {around, next, k}, top[3] = {around + 1, k, next};
-        memcpy(m.triangle[2 * k], side, sizeof side);
-        memcpy(m.triangle[2 * k + 1], top, sizeof top);
-    }
-    surface *s = surface_new(&m, error);
-    assert_non_null(s);
-    for (int k = 0; k < 100; k++) {
-        const double p[3] = {0.01 * cos(k), 0.01 * sin(k), -0.01};
-        double normal[3];
-        assert_near(surface_distance(s, p, normal), vector_length(p), 1e-14);
-    }
-    surface_free(s);
-}
-
-/* A wedge of 20 degrees, anyhow in space: from anywhere before its edge the edge is nearest, and
- * the point outside, whichever of the two faces is asked. Rounding decides which that is. */
-static void test_edge_is_outside(void **state) {
-    (void)state;
-    unsigned seed = 11;
-    for (int turned = 0; turned < 40; turned++) {
-        char error[256] = "";
-        double axes[3][3], flat[6][3];
-        mesh m;
-        for (int a = 0; a < 3; a++)
-            axes[0][a] = random_number(&seed);
-        const double other[3] = {random_number(&seed), random_number(&seed), random_number(&seed)};
-        vector_cross(axes[0], other, axes[1]);
-        for (int n = 0; n < 2; n++) {
-            const double length = vector_length(axes[n]);
-            for (int a = 0; a < 3; a++)
-                axes[n][a] /= length;
-        }
-        vector_cross(axes[0], axes[1], axes[2]);
-        for (int k = 0; k < 6; k++) { /* the edge, and two points behind it at either end */
-            flat[k][0] = k < 2 ? 0 : 1;
-            flat[k][1] = k % 2 == 0 ? -2 : 2;
-            flat[k][2] = k < 2 ? 0 : k < 4 ? tan(10 * acos(-1) / 180) : -tan(10 * acos(-1) / 180);
-        }
-        static const int faces[8][3] = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4},
-                                        {2, 4, 3}, {3, 4, 5}, {0, 4, 2}, {1, 3, 5}};
-        assert_int_equal(mesh_allocate(&m, 6, 8), 0);
-        memcpy(m.triangle, faces, sizeof faces);
-        for (int k = 0; k < 6; k++)
-            for (int a = 0; a < 3; a++)
-                m.position[k][a] =
-                    flat[k][0] * axes[0][a] + flat[k][1] * axes[1][a] + flat[k][2] * axes[2][a];
-        surface *s = surface_new(&m, error);
-        if (!s)
-            fail_msg("%s", error);
-        for (int n = 0; n < 200; n++) {
-            const double angle = acos(-1) * (0.5 + (n + 0.5) / 200), along = random_number(&seed);
-            const double way = 0.3 * (1.1 + random_number(&seed));
-            double p[3], normal[3];
-            for (int a = 0; a < 3; a++)
-                p[a] =
-                    way * (cos(angle) * axes[0][a] + sin(angle) * axes[2][a]) + along * axes[1][a];
-            /* Before the edge: more than 10 degrees off both faces' normals, inwards. */
-            if (fabs(angle - acos(-1)) < 79 * acos(-1) / 180)
-                assert_near(surface_distance(s, p, normal), way, 1e-12);
-        }
-        surface_free(s);
-    }
-}
-
 /* Of demands that contradict each other the first wins. */
 static void test_first_demand_wins(void **state) {
     (void)state;
@@ -654,8 +573,6 @@ int main(void) {
         cmocka_unit_test(test_bdf2_of_unequal_steps),
         cmocka_unit_test(test_ends_in_touch),
         cmocka_unit_test(test_rounds_and_zones),
-        cmocka_unit_test(test_tip_is_outside),
-        cmocka_unit_test(test_edge_is_outside),
         cmocka_unit_test(test_first_demand_wins),
         cmocka_unit_test(test_step_grows_again),
         cmocka_unit_test(test_start_inside),
