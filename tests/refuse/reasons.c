@@ -72,7 +72,7 @@ void ignored(int n, const int *restrict s, double *restrict h) {
 
 void text(int n, const int *restrict s, double *restrict h) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse text
-        static const double weights[2] = {0.5, 0.25};
+        static double weights[2] = {0.5, 0.25};
         h[s[t]] += weights[t % 2];
     }
 }

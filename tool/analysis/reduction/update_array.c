@@ -68,10 +68,12 @@ static bool judge_table(judgement *j, const ir_node *base, const ir_node *target
     return true;
 }
 
-/* h[0]++ beside h[k]++: one element of an array that is updated by subscripts as well. */
-static bool is_updated_besides(const judgement *j, const ir_node *base) {
+/* h[0]++ beside h[k]++: one element of an array that is updated by subscripts as well. A store of
+ * the same element in each iteration is worth a loop of its own. */
+static bool is_updated_besides(const judgement *j, const judged_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
-        if (expression_same(j->arrays.items[i].array.base, base) &&
+        if (update->access.kind == ACCESS_UPDATE &&
+            expression_same(j->arrays.items[i].array.base, update->where.base) &&
             !variation_is_fixed(j->an->facts, j->loop, j->arrays.items[i].first))
             return true;
     return false;
@@ -96,7 +98,7 @@ bool update_judge_base(judgement *j, const judged_access *update, const char *na
         return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
     if (type->is_volatile || type->is_atomic)
         return judgement_refuse(j, REASON_VOLATILE, target, name);
-    if (variation_is_fixed(j->an->facts, j->loop, target) && !is_updated_besides(j, where->base))
+    if (variation_is_fixed(j->an->facts, j->loop, target) && !is_updated_besides(j, update))
         return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
     return true;
 }
