@@ -9,7 +9,7 @@
  */
 #include <string.h>
 
-#include "analysis/expression.h"
+#include "analysis/base/expression.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/print.h"

@@ -9,7 +9,7 @@
  * What depends on stale values is found by going through the body until nothing new is: variables,
  * not values, are marked.
  */
-#include "analysis/expression.h"
+#include "analysis/base/expression.h"
 #include "emit/loop.h"
 #include "emit/syntax.h"
 
