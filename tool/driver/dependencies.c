@@ -73,7 +73,8 @@ static word_list headers_of(arena *a, const word_list *list, const char *source)
     for (unsigned i = 0; i < list->count; i++) {
         const char *name = list->items[i];
         if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
-            !ends_in(name, "/redcc/loop.h") && !is_listed(&headers, name))
+            !ends_in(name, "/redcc/loop.h") && !ends_in(name, "/redcc/prefetch.h") &&
+            !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;

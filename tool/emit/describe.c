@@ -203,7 +203,8 @@ static const char *flags_text(const loop_text *loop) {
     } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
-                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"}};
+                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
+                 {prefetches(loop), "REDCC_PREFETCHES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)

@@ -394,6 +394,12 @@ static void declare_variables(const inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
+static void tell_gathers(printer *p) {
+    inspector *self = (inspector *)p;
+    if (self->is_either)
+        write_gathers(self->loop, p->out, self->is_mentioned);
+}
+
 /** The slice; for the text that does either, with the variables that it names. */
 static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
                              bool *is_mentioned) {
@@ -402,7 +408,8 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                                   .keep = facts->in_slice,
                                   .before = before_statement,
                                   .is_at_once = is_at_once,
-                                  .print_at_once = tell_at_once},
+                                  .print_at_once = tell_at_once,
+                                  .at_end = tell_gathers},
                       .loop = loop,
                       .probes = probes,
                       .is_either = is_either,

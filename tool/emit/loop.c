@@ -85,6 +85,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     writer_fill(out, true);
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
+    if (prefetches(loop))
+        writer_line(out, "REDCC_PREFETCH;");
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);

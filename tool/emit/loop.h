@@ -142,6 +142,12 @@ bool has_macro(const loop_text *loop);
 /** loop.c: the #if around what is there only where the loop may run in parallel. */
 const char *loop_condition(const loop_text *loop);
 
+/** prefetch.c: does the executor prefetch what iterations to come touch? */
+bool prefetches(const loop_text *loop);
+/** At the end of the slice: rows that an iteration reads and the inspector is not told. Only
+ *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
+void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
+
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
 /** Has each thread a copy of its own? */
