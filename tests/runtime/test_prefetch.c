@@ -30,7 +30,7 @@ static void try_runs(int runs, int prefetches) {
     const redcc_worker worker = {
         .origin = origin, .run = run, .run_end = run + runs, .prefetches = prefetches};
     redcc_ahead ahead;
-    redcc_ahead_begin(&ahead, &worker);
+    redcc_ahead_begin(&ahead, &worker, worker.prefetches, REDCC_PREFETCH_DISTANCE);
     for (int i = 0; i < count + 2; i++) {
         const int found = redcc_ahead_step(&ahead), expected = i + REDCC_PREFETCH_DISTANCE;
         assert_int_equal(found, prefetches && expected < count);

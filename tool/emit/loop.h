@@ -48,8 +48,10 @@ typedef struct loop_text {
 
     /* outline.c: slice and body are functions of their own */
     bool is_outlined;
-    bool is_outlinable;                 /* cleared by what finds that they cannot be */
-    const char *slice_call, *body_call; /* of iteration redcc__k */
+    bool is_outlinable;                           /* cleared by what finds that they cannot be */
+    const char *slice_call, *body_call;           /* of iteration redcc__k */
+    const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
+    const char *lanes_call; /* of the iterations redcc__block; NULL: there is no such function */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -147,6 +149,12 @@ bool prefetches(const loop_text *loop);
 /** At the end of the slice: rows that an iteration reads and the inspector is not told. Only
  *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
 void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
+
+/** lanes.c: the function that executes several iterations at once, where it is asked for and the
+ *  body can be written so; sets lanes_call, or says in a comment why not. */
+void write_lanes(loop_text *loop, writer *out);
+/** outline.c: what the name of that function ends with. */
+const char *loop_lanes_name(loop_text *loop);
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);

@@ -207,9 +207,10 @@ void write_region(loop_text *loop, writer *out) {
     buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads)%s\n",
                   firstprivate_clause(loop));
     if (loop->is_outlined) {
-        writer_line(out, "    REDCC_PARALLEL(REDCC_CHUNK_%u, %s,", loop->facts->array_count,
-                    loop->slice_call);
-        writer_line(out, "                   %s)", loop->body_call);
+        writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s,",
+                    loop->lanes_call ? "_LANES" : "", loop->facts->array_count, loop->slice_call);
+        writer_line(out, "                   %s%s%s)", loop->body_call,
+                    loop->lanes_call ? ", " : "", loop->lanes_call ? loop->lanes_call : "");
         return;
     }
     writer_line(out, "{");

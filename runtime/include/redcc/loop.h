@@ -203,7 +203,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
         redcc_ahead redcc__ahead;                                                                  \
         if (redcc__prefetches)                                                                     \
-            redcc_ahead_begin(&redcc__ahead, &redcc__worker);                                      \
+            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.prefetches,             \
+                              REDCC_PREFETCH_DISTANCE);                                            \
         for (; redcc__run != redcc__worker.run_end; redcc__run++) {                                \
             const redcc_int redcc__end =                                                           \
                 redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;        \

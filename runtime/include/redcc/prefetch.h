@@ -70,14 +70,14 @@ REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
     return ++it->k < it->end || redcc_ahead_turn(it);
 }
 
-/** Begins in front of iteration REDCC_PREFETCH_DISTANCE of the runs. */
-REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker) {
-    int i;
+/** Begins in front of iteration number `distance` of the runs; with no wish for it at their end. */
+REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker, int is_wanted,
+                                    int distance) {
     it->k = it->end = 0;
     it->origin = worker->origin;
-    it->run = worker->prefetches ? worker->run : 0;
-    it->run_end = worker->prefetches ? worker->run_end : 0;
-    for (i = 0; i < REDCC_PREFETCH_DISTANCE; i++)
+    it->run = is_wanted ? worker->run : 0;
+    it->run_end = is_wanted ? worker->run_end : 0;
+    for (; distance > 0; distance--)
         redcc_ahead_step(it);
 }
 
