@@ -79,6 +79,17 @@ static void lifted_integers(int n, const struct element *restrict e, const doubl
     }
 }
 
+static void lifted_zeros(int n, const struct element *restrict e, const double (*restrict p)[3],
+                         double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double zero = -0.0;
+        double other = p[0][0] > 1e300 ? 1.0 : -0.0;
+        other *= 1.0;
+        b[e[t].node[0]] += zero;
+        b[e[t].node[1]] += other;
+    }
+}
+
 static void lifted_roots(int n, const struct element *restrict e, const double (*restrict p)[3],
                          double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -220,6 +231,35 @@ static void plain_subscript_from_double(int n, const struct element *restrict e,
     }
 }
 
+static void plain_effects_in_operands(int n, const struct element *restrict e,
+                                      const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        double d[2];
+        d[0] = p[e[t].node[0]][k++];
+        d[1] = p[e[t].node[0]][k++];
+        b[e[t].node[1]] += d[0] / d[1] + k;
+    }
+}
+
+static void plain_effects_in_updates(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        const double d[3] = {p[e[t].node[0]][0], 2.0, 3.0};
+        b[e[t].node[1]] += d[k++];
+        b[e[t].node[2]] += d[k++];
+    }
+}
+
+static void plain_array_as_pointer(int n, const struct element *restrict e,
+                                   const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d[3] = {p[e[t].node[0]][0], 2.0, 3.0};
+        b[e[t].node[1]] += *(d + 1) + dot(d, d);
+    }
+}
+
 static void plain_length_of_loop(int n, const struct element *restrict e,
                                  const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -256,6 +296,12 @@ static void print(const char *name, const double *v, size_t count) {
     printf("%s %016llx\n", name, (unsigned long long)hash);
 }
 
+/* -0.0 is the only value that any other leaves as it is. */
+static void begin(double *v, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        v[i] = -0.0;
+}
+
 #define P (const double(*)[3])x
 
 int main(void) {
@@ -274,9 +320,9 @@ int main(void) {
             for (int c = 0; c < 3; c++)
                 x[i][c] = odd_value();
 #define EACH(call, array)                                                                          \
-    memset(force, 0, sizeof force);                                                                \
-    memset(block, 0, sizeof block);                                                                \
-    memset(single, 0, sizeof single);                                                              \
+    begin(&force[0][0], sizeof force / sizeof(double));                                            \
+    begin(&block[0][0][0], sizeof block / sizeof(double));                                         \
+    begin(single, NODES);                                                                          \
     call;                                                                                          \
     print(#call, (const double *)array, sizeof array / sizeof(double))
         for (int n = COUNT - round * 500; n >= 0; n -= 503) {
@@ -284,6 +330,7 @@ int main(void) {
             EACH(lifted_accumulation(n, element, P, single), single);
             EACH(lifted_declared_outside(n, element, P, force), force);
             EACH(lifted_integers(n, element, P, single), single);
+            EACH(lifted_zeros(n, element, P, single), single);
             EACH(lifted_roots(n, element, P, single), single);
             EACH(lifted_selection(n, element, P, single), single);
             EACH(lifted_uniform_conditions(n, round, element, P, block), block);
@@ -294,6 +341,9 @@ int main(void) {
             EACH(plain_varying_condition(n, element, P, single), single);
             EACH(plain_floats(n, element, small, single), single);
             EACH(plain_subscript_from_double(n, element, P, single), single);
+            EACH(plain_effects_in_operands(n, element, P, single), single);
+            EACH(plain_effects_in_updates(n, element, P, single), single);
+            EACH(plain_array_as_pointer(n, element, P, single), single);
             EACH(plain_length_of_loop(n, element, P, single), single);
         }
     }

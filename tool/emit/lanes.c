@@ -88,16 +88,30 @@ typedef struct update_check {
     const ir_node *body;
 } update_check;
 
+/** It is executed once for each lane: beside the element it must change nothing. */
+static void check_update(lifter *l, const ir_node *statement) {
+    const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
+    for (unsigned i = 0; is_plain && i < value->child_count; i++)
+        is_plain =
+            lane_is_plain(value->children[i]) && !lane_has_whole_lifted(l, value->children[i]);
+    if (!is_plain)
+        lane_problem(l, "an update has no form for vectors");
+}
+
 /** Around and beside updates: nothing but counters is assigned, nothing jumps. */
 static bool check_update_node(ir_node *node, void *context) {
     const update_check *check = context;
     lifter *l = check->l;
     bool other = false;
     if (update_at(l->loop->facts, node)) {
-        if (node->kind != IR_EXPRESSION)
-            lane_problem(l, "an update has no form for vectors");
+        check_update(l, node);
         return false;
     }
+    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+        return false;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        lane_problem(l, "an array of the iteration is used as a pointer");
     const ir_variable *variable = assigned_by(node, &other);
     if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
         node->kind == IR_BREAK || node->kind == IR_GOTO || node->kind == IR_LABEL ||

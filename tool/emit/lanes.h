@@ -54,6 +54,10 @@ void lane_classify(lifter *l);
 /** Is it a variable of the iteration, or of the function being written? */
 bool lane_is_own(const lifter *l, const ir_variable *variable);
 bool lane_is_uniform(const lifter *l, const ir_node *node);
+/** No call, no assignment in it. */
+bool lane_is_plain(const ir_node *node);
+/** Is a lifted variable mentioned other than for one of its elements? */
+bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
 bool lane_mentions_lifted(const lifter *l, const ir_node *node);
 /** The lifted variable whose element or value this is, or NULL. */
 const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);

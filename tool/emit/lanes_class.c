@@ -70,6 +70,28 @@ const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node) {
     }
 }
 
+bool lane_is_plain(const ir_node *node) {
+    if (node->kind == IR_CALL || node->kind == IR_ASSIGN || node->kind == IR_OPAQUE ||
+        node->kind == IR_STRING || node->kind == IR_INITIALIZERS ||
+        (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!lane_is_plain(node->children[i]))
+            return false;
+    return true;
+}
+
+bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
+    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+        return false;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_has_whole_lifted(l, node->children[i]))
+            return true;
+    return false;
+}
+
 /** What becomes of a variable of that type, at first. */
 static lane_class first_class(lifter *l, const ir_variable *variable) {
     const ir_type *type = variable->type;

@@ -39,28 +39,18 @@ const char *lane_rename(const ir_node *node, void *context) {
 }
 
 const char *lane_scalar(lifter *l, const ir_node *node) {
+    if (lane_has_whole_lifted(l, node))
+        lane_problem(l, "an array of the iteration is used as a pointer");
     const char *text = text_operand(l->loop->arena, node, lane_rename, l);
     if (!text)
         lane_problem(l, "an expression cannot be spelled");
     return text ? text : "0";
 }
 
-/** No call, no assignment in it. */
-static bool is_plain(const ir_node *node) {
-    if (node->kind == IR_CALL || node->kind == IR_ASSIGN || node->kind == IR_OPAQUE ||
-        node->kind == IR_STRING || node->kind == IR_INITIALIZERS ||
-        (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT))
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_plain(node->children[i]))
-            return false;
-    return true;
-}
-
 /** An operand that is read from memory, or an integer, as a double. */
 static lifted leaf(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
-    if (!is_plain(node))
+    if (!lane_is_plain(node))
         return refuse(l, "an operand has an effect of its own");
     if (lane_mentions_lifted(l, node))
         return refuse(l, "a subscript or an integer depends on a double of the iteration");

@@ -88,6 +88,8 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
 
 /** A statement of each lane, the user's own with the lane's variables. */
 static const char *lane_text(lifter *l, const ir_node *value) {
+    if (!lane_is_plain(value))
+        lane_problem(l, "an operand has an effect of its own");
     if (lane_mentions_lifted(l, value))
         lane_problem(l, "a subscript or an integer depends on a double of the iteration");
     return lane_scalar(l, value);
@@ -301,6 +303,8 @@ static const char *assignment_of(lifter *l, const ir_node *node) {
         lane_problem(l, "a statement has no form for vectors");
         return "(void)0";
     }
+    if (node->kind == IR_ASSIGN && !lane_is_plain(node->children[1]))
+        lane_problem(l, "an operand has an effect of its own");
     if (node->kind == IR_ASSIGN && lane_mentions_lifted(l, node->children[1]))
         lane_problem(l, "a subscript or an integer depends on a double of the iteration");
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
