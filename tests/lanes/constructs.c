@@ -111,6 +111,19 @@ static void lifted_selection(int n, const struct element *restrict e, const doub
     }
 }
 
+static void lifted_comparisons_kept(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        const double u = p[i][1], v = p[i][2];
+        const int less = u < v || !(u == u), both = u > 0.0 && v > 0.5;
+        const double inverse = less ? 1 / v : both ? u : -0.0;
+        b[i] += inverse + less - 2u * both;
+        if (less)
+            b[e[t].node[1]] += u;
+    }
+}
+
 /* ---- control ---- */
 
 static void lifted_uniform_conditions(int n, int flags, const struct element *restrict e,
@@ -333,6 +346,7 @@ int main(void) {
             EACH(lifted_zeros(n, element, P, single), single);
             EACH(lifted_roots(n, element, P, single), single);
             EACH(lifted_selection(n, element, P, single), single);
+            EACH(lifted_comparisons_kept(n, element, P, single), single);
             EACH(lifted_uniform_conditions(n, round, element, P, block), block);
             EACH(lifted_condition_around_updates(n, element, P, single), single);
             EACH(lifted_functions(n, element, P, force, block), block);

@@ -15,6 +15,7 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer of each lane: an array of them */
+    LANE_MASK,    /* a constant integer that is a comparison of doubles: a mask, -1 for 1 */
     LANE_LIFTED   /* a double, or an array of them, of each lane: vectors */
 } lane_class;
 
@@ -56,6 +57,8 @@ bool lane_is_own(const lifter *l, const ir_variable *variable);
 bool lane_is_uniform(const lifter *l, const ir_node *node);
 /** No call, no assignment in it. */
 bool lane_is_plain(const ir_node *node);
+/** Is it 1 or 0: a comparison, or several with && || and !? */
+bool lane_is_truth(const ir_node *node);
 /** Is a lifted variable mentioned other than for one of its elements? */
 bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
 bool lane_mentions_lifted(const lifter *l, const ir_node *node);
@@ -67,6 +70,8 @@ bool lane_is_double(const ir_type *type);
 lifted lane_expression(lifter *l, const ir_node *node);
 /** The same as a vector, also where all lanes are the same. */
 const char *lane_vector(lifter *l, const ir_node *node);
+/** Which lanes a condition on doubles holds for. */
+const char *lane_mask(lifter *l, const ir_node *node);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
 /** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */

@@ -107,6 +107,20 @@ static lane_class first_class(lifter *l, const ir_variable *variable) {
     return LANE_UNIFORM;
 }
 
+bool lane_is_truth(const ir_node *node) {
+    return (node->kind == IR_UNARY && node->op == IR_OP_NOT) ||
+           (node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_OR);
+}
+
+static bool find_mask(ir_node *node, void *context) {
+    lifter *l = context;
+    if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
+        node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
+        lane_is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
+        l->class_of[node->variable->id] = LANE_MASK;
+    return true;
+}
+
 typedef struct spreading {
     lifter *l;
     bool has_changed;
@@ -159,6 +173,7 @@ void lane_classify(lifter *l) {
     listing list = {l, ARENA_ARRAY(l->loop->arena, bool, l->loop->unit->variable_count + 1)};
     spreading s = {.l = l, .has_changed = true};
     ir_walk((ir_node *)l->scope, list_node, &list);
+    ir_walk((ir_node *)l->scope, find_mask, l);
     while (s.has_changed) {
         s.has_changed = false;
         ir_walk((ir_node *)l->scope, spread_node, &s);

@@ -33,6 +33,8 @@ const char *lane_rename(const ir_node *node, void *context) {
         return l->loop->arrays[array].local;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VARYING)
         return arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable));
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
+        return arena_format(a, "((int)-%s[redcc__l])", origin_variable(a, node->variable));
     if (!lane_is_double(node->type) || !lane_lifted_root(l, node))
         return NULL;
     return arena_format(a, "%s[redcc__l]", lifted_place(l, node));
@@ -110,14 +112,15 @@ static lifted arithmetic(lifter *l, const ir_node *node) {
                     left.is_vector || right.is_vector};
 }
 
-/** Which lanes a comparison of doubles holds for; NULL, with a problem: it is none. */
-static const char *mask_of(lifter *l, const ir_node *node) {
+const char *lane_mask(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
+        return origin_variable(a, node->variable);
     if (node->kind == IR_UNARY && node->op == IR_OP_NOT)
-        return arena_format(a, "(~%s)", mask_of(l, node->children[0]));
+        return arena_format(a, "(~%s)", lane_mask(l, node->children[0]));
     if (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR))
-        return arena_format(a, "(%s %s %s)", mask_of(l, node->children[0]),
-                            node->op == IR_OP_AND ? "&" : "|", mask_of(l, node->children[1]));
+        return arena_format(a, "(%s %s %s)", lane_mask(l, node->children[0]),
+                            node->op == IR_OP_AND ? "&" : "|", lane_mask(l, node->children[1]));
     const bool is_comparison =
         node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT_EQUAL;
     if (is_comparison &&
@@ -162,7 +165,7 @@ static lifted conditional(lifter *l, const ir_node *node) {
     }
     if (!is_safe(l, condition) || !is_safe(l, node->children[1]) || !is_safe(l, node->children[2]))
         return refuse(l, "a part of a conditional expression may not be evaluated in each lane");
-    return (lifted){arena_format(a, "redcc_select(%s, %s, %s)", mask_of(l, condition),
+    return (lifted){arena_format(a, "redcc_select(%s, %s, %s)", lane_mask(l, condition),
                                  lane_vector(l, node->children[1]),
                                  lane_vector(l, node->children[2])),
                     true};

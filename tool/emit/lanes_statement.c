@@ -102,6 +102,9 @@ static void declare_own(lifter *l, const ir_variable *variable, const ir_node *v
     case LANE_LIFTED:
         declare_lifted(l, variable, value);
         break;
+    case LANE_MASK:
+        writer_line(l->out, "redcc_mask %s = %s;", name, lane_mask(l, value));
+        break;
     case LANE_VARYING:
         writer_line(l->out, "%s %s[redcc_width];", lane_type(l, variable->type), name);
         if (value)
