@@ -27,7 +27,7 @@
 #define redcc_width REDCC_WIDTH_AUTO
 #endif
 
-typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width), __may_alias__));
+typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));
 __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * redcc_width)));
 
 /** Is each operation rounded by itself, in vectors as in scalars? */
