@@ -69,6 +69,13 @@ static void set_pin_speeds(collisions *c, double time, double h) {
     }
 }
 
+static int any_keyframes(const scene *s) {
+    for (int n = 0; n < s->collider_count; n++)
+        if (motion_has_keys(&s->colliders[n]))
+            return 1;
+    return 0;
+}
+
 static int allocate(collisions *c) {
     const size_t n = (size_t)c->vertex_count + 1;
     const size_t pins = (size_t)c->scene->pin_count + 1;
@@ -85,6 +92,12 @@ static int allocate(collisions *c) {
         return -1;
     if (c->scene->collider_count == 0)
         return 0;
+    if (any_keyframes(c->scene)) {
+        c->motion = calloc(colliders, sizeof *c->motion);
+        c->carried = calloc(n, sizeof *c->carried);
+        if (!c->motion || !c->carried)
+            return -1;
+    }
     c->before = calloc(n, sizeof *c->before);
     c->now = calloc(n, sizeof *c->now);
     return c->before && c->now ? 0 : -1;
@@ -120,6 +133,8 @@ void collisions_free(collisions *c) {
     free(c->pin_speed);
     free(c->there);
     free(c->near_list);
+    free(c->motion);
+    free(c->carried);
     free(c->others.watched);
     free(c->before);
     free(c->now);
@@ -127,22 +142,46 @@ void collisions_free(collisions *c) {
     *c = (collisions){0};
 }
 
-/* Would a vertex at x with velocity v come too near to the collider in the next h seconds? */
-static int would_touch(const collider *k, double time, double h, const double x[3],
-                       const double v[3], approach *found) {
-    double p[3], u[3];
-    for (int a = 0; a < 3; a++) {
-        p[a] = x[a] - k->position[a] - time * k->velocity[a];
-        u[a] = h * (v[a] - k->velocity[a]);
+/* A vertex that slides over a turning body ends the step at another place of it: the plane to stay
+ * outside of is the one there, at the end p + u, unless the way leads around or through the body.
+ * 1; 0: it ends outside. */
+static int look_at_end(const collider *k, const body_motion *m, const double p[3],
+                       const double u[3], const double v[3], approach *found) {
+    approach end;
+    double at[3], past[3];
+    vector_add_scaled(p, 1, u, at);
+    end.beyond = k->gap - shape_distance(k, at, end.normal);
+    if (vector_dot(end.normal, found->normal) < 0.5) {
+        motion_carry(k, m, p, found->normal, found->carried);
+        return 1;
     }
-    return shape_approach(k, p, u, found);
+    motion_carry(k, m, at, end.normal, end.carried);
+    vector_subtract(end.carried, v, past);
+    end.room = m->h * vector_dot(end.normal, past) - end.beyond;
+    *found = end;
+    return end.beyond > -(1e-3 * k->gap + 1e-9);
+}
+
+/* Would a vertex at x with velocity v come too near to the collider in the next h seconds? */
+static int would_touch(const collisions *c, int number, double time, double h, const double x[3],
+                       const double v[3], approach *found) {
+    const collider *k = &c->scene->colliders[number];
+    const body_motion *motion = c->motion ? &c->motion[number] : NULL;
+    double p[3], u[3];
+    motion_enter(k, motion, time, h, x, v, p, u);
+    if (!shape_approach(k, p, u, found))
+        return 0;
+    if (motion_has_keys(k) && motion->turns)
+        return look_at_end(k, motion, p, u, v, found);
+    motion_carry(k, motion, p, found->normal, found->carried);
+    return 1;
 }
 
 double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
                               double h) {
     const double most = k->gap * (h / c->scene->step);
     const double push = -found->room > most ? most : -found->room;
-    return vector_dot(found->normal, k->velocity) + push / h;
+    return vector_dot(found->normal, found->carried) + push / h;
 }
 
 static contact *find_contact(vertex_contacts *of, int collider_index) {
@@ -152,10 +191,13 @@ static contact *find_contact(vertex_contacts *of, int collider_index) {
     return NULL;
 }
 
-static void add_contact(const collisions *c, vertex_contacts *of, const contact *before,
+static void add_contact(const collisions *c, int vertex, const contact *before,
                         const approach *found, int index, const collider *k, double h) {
+    vertex_contacts *of = &c->now[vertex];
     if (of->count == CONTACTS_PER_VERTEX)
         return;
+    for (int a = 0; c->carried && a < 3; a++)
+        c->carried[vertex][of->count][a] = found->carried[a];
     contact *added = &of->list[of->count++];
     *added = before ? *before : (contact){.collider = index};
     for (int a = 0; a < 3; a++)
@@ -164,11 +206,11 @@ static void add_contact(const collisions *c, vertex_contacts *of, const contact 
 }
 
 /* A_ii += c (I - n n'), b_i -= c (I - n n') (v - v_collider). */
-static void add_friction(const contact *touch, const collider *k, double h, const double v[3],
-                         double diagonal[3][3], double b[3]) {
-    const double factor = h * k->friction * touch->force / touch->slip_speed;
+static void add_friction(const contact *touch, double friction, const double carried[3], double h,
+                         const double v[3], double diagonal[3][3], double b[3]) {
+    const double factor = h * friction * touch->force / touch->slip_speed;
     double slip[3];
-    vector_subtract(v, k->velocity, slip);
+    vector_subtract(v, carried, slip);
     const double away = vector_dot(slip, touch->normal);
     for (int r = 0; r < 3; r++) {
         b[r] -= factor * (slip[r] - away * touch->normal[r]);
@@ -208,9 +250,9 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
             const contact *before = find_contact(&c->before[i], n);
             approach found;
             if ((before && before->pulls >= patience) ||
-                !would_touch(k, time, h, x[i], expected, &found))
+                !would_touch(c, n, time, h, x[i], expected, &found))
                 continue;
-            add_contact(c, &c->now[i], before, &found, n, k, h);
+            add_contact(c, i, before, &found, n, k, h);
         }
     }
 }
@@ -226,16 +268,17 @@ void collisions_add_friction(collisions *c, double h, const double (*v)[3], line
             const contact *before = find_contact(&c->before[i], number);
             if (!before || before->sticks || !(before->force > 0))
                 continue;
-            add_friction(before, &c->scene->colliders[number], h, v[i],
-                         system->A.value[system->A.row_start[i]], system->b[i]);
+            add_friction(before, c->scene->colliders[number].friction, collisions_carried(c, i, n),
+                         h, v[i], system->A.value[system->A.row_start[i]], system->b[i]);
             visits++;
         }
     c->friction_visits += visits;
 }
 
 /* Normals first: they win over the tangents of a contact that sticks. */
-static int demands(const collisions *c, const vertex_contacts *of, const double v[3], double d[][3],
+static int demands(const collisions *c, int vertex, const double v[3], double d[][3],
                    double *change) {
+    const vertex_contacts *of = &c->now[vertex];
     int count = 0;
     for (int n = 0; n < of->count; n++, count++) {
         for (int a = 0; a < 3; a++)
@@ -243,7 +286,6 @@ static int demands(const collisions *c, const vertex_contacts *of, const double 
         change[count] = of->list[n].speed - vector_dot(of->list[n].normal, v);
     }
     for (int n = 0; n < of->count; n++) {
-        const collider *k = &c->scene->colliders[of->list[n].collider];
         if (!of->list[n].sticks)
             continue;
         /* All three axes: what lies along the normals is known already and is left out. */
@@ -251,7 +293,8 @@ static int demands(const collisions *c, const vertex_contacts *of, const double 
             for (int a = 0; a < 3; a++)
                 d[count][a] =
                     (a == axis ? 1 : 0) - of->list[n].normal[axis] * of->list[n].normal[a];
-            change[count] = vector_dot(d[count], k->velocity) - vector_dot(d[count], v);
+            change[count] =
+                vector_dot(d[count], collisions_carried(c, vertex, n)) - vector_dot(d[count], v);
             if (!(vector_dot(d[count], d[count]) > 0.1))
                 count--;
         }
@@ -281,7 +324,7 @@ int collisions_constrain(const collisions *c, const double (*v)[3], constraints 
             vector_subtract(c->pin_speed[c->pin_of[i]], v[i], change);
             count = 3;
         } else if (contacts) {
-            count = demands(c, &c->now[i], v[i], d, change);
+            count = demands(c, i, v[i], d, change);
         }
         if (count > 0)
             constraint_give(given, i, count, (const double(*)[3])d, change);
@@ -311,9 +354,9 @@ int collisions_add_missed(collisions *c, double time, double h, const double (*x
             const collider *k = &c->scene->colliders[n];
             approach found;
             if (c->now[i].count == CONTACTS_PER_VERTEX || find_contact(&c->now[i], n) ||
-                !would_touch(k, time, h, x[i], after, &found) || !(found.beyond > 0))
+                !would_touch(c, n, time, h, x[i], after, &found) || !(found.beyond > 0))
                 continue;
-            add_contact(c, &c->now[i], NULL, &found, n, k, h);
+            add_contact(c, i, NULL, &found, n, k, h);
             added++;
         }
     }
@@ -328,7 +371,7 @@ static double keep_out(const collisions *c, int i, double time, double h, const 
         const int n = c->near_list[m];
         const collider *k = &c->scene->colliders[n];
         approach found;
-        if (find_contact(&c->now[i], n) || !would_touch(k, time, h, x, v, &found) ||
+        if (find_contact(&c->now[i], n) || !would_touch(c, n, time, h, x, v, &found) ||
             !(found.beyond > 0))
             continue;
         const double lacking =
@@ -374,12 +417,12 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
 }
 
 /* What the constraint's force (N) says about the contact: does it pull, does it stick? */
-static void judge(contact *touch, const collider *k, double stick_speed, double h, double mass,
-                  const double v[3], const double force[3]) {
+static void judge(contact *touch, const collider *k, const double carried[3], double stick_speed,
+                  double h, double mass, const double v[3], const double force[3]) {
     double along[3], slip[3];
     touch->force = vector_dot(touch->normal, force);
     vector_add_scaled(force, -touch->force, touch->normal, along);
-    vector_subtract(v, k->velocity, slip);
+    vector_subtract(v, carried, slip);
     vector_add_scaled(slip, -vector_dot(slip, touch->normal), touch->normal, slip);
     const double sideways = vector_length(along);
     const double most = touch->force > 0 ? k->friction * touch->force : 0;
@@ -409,8 +452,8 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
         const double force[3] = {-residual[i][0] / h, -residual[i][1] / h, -residual[i][2] / h};
         for (int n = 0; n < c->now[i].count; n++) {
             contact *touch = &c->now[i].list[n];
-            judge(touch, &c->scene->colliders[touch->collider], c->stick_speed, h, mass[i], v[i],
-                  force);
+            judge(touch, &c->scene->colliders[touch->collider], collisions_carried(c, i, n),
+                  c->stick_speed, h, mass[i], v[i], force);
         }
     }
     vertex_contacts *spare = c->before;

@@ -15,6 +15,7 @@
 #include "constraint.h"
 #include "impulse.h"
 #include "mesh.h"
+#include "motion.h"
 #include "scene.h"
 #include "shape.h"
 #include "system.h"
@@ -71,6 +72,8 @@ typedef struct collisions {
     unsigned char *there;   /* [colliders] it exists at present */
     int *near_list;         /* [any_near] those that may touch the cloth in the step being taken,
                                ascending */
+    body_motion *motion;    /* [colliders] in the step being taken, of those in near_list that have
+                               keyframes; NULL: none has */
     int any_near;
     int any_there; /* how many exist at present */
     out_of_reach others;
@@ -79,13 +82,22 @@ typedef struct collisions {
     long friction_visits;        /* contacts with friction, in all */
     double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
     vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
-    vertex_contacts *now;        /* [vertices] of the step being taken */
+    vertex_contacts *now;        /* [vertices] of the step being taken, */
+    double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, and of the colliders' matter
+                                                  there; NULL: none has keyframes */
     met_triangles met;
 } collisions;
 
 /** Which pin holds the vertex; -1: none does. */
 static inline int collisions_pin_of(const collisions *c, int vertex) {
     return c->pin_of ? c->pin_of[vertex] : -1;
+}
+
+/** The velocity of the collider's matter at contact n of those that the vertex has in the step
+ * being taken, [3] m/s. */
+static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
+    return c->carried ? c->carried[vertex][n]
+                      : c->scene->colliders[c->now[vertex].list[n].collider].velocity;
 }
 
 /** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held

@@ -6,11 +6,12 @@
 #include "vector.h"
 
 /* Friction -f (v - u) does at most f u.u / 4 to what it acts on. */
-static double friction_work(const contact *touch, const collider *k, double h) {
+static double friction_work(const contact *touch, double friction, const double carried[3],
+                            double h) {
     if (touch->sticks || !(touch->force > 0))
         return 0;
-    const double factor = h * k->friction * touch->force / touch->slip_speed;
-    return factor * vector_dot(k->velocity, k->velocity) / 4;
+    const double factor = h * friction * touch->force / touch->slip_speed;
+    return factor * vector_dot(carried, carried) / 4;
 }
 
 /* Do nothing but colliders at rest hold the vertex, and push it nowhere? Pushing something out that
@@ -19,8 +20,7 @@ static int is_held_at_rest(const collisions *c, int vertex) {
     if (collisions_pin_of(c, vertex) >= 0)
         return 0;
     for (int n = 0; n < c->now[vertex].count; n++) {
-        const contact *touch = &c->now[vertex].list[n];
-        if (touch->speed > 0 || vector_length(c->scene->colliders[touch->collider].velocity) > 0)
+        if (c->now[vertex].list[n].speed > 0 || vector_length(collisions_carried(c, vertex, n)) > 0)
             return 0;
     }
     return 1;
@@ -42,7 +42,8 @@ double collisions_work(const collisions *c, const constraints *given, double h, 
             }
             for (int n = 0; contacts && n < c->now[i].count; n++) {
                 const contact *touch = &c->now[i].list[n];
-                moving[chunk] += friction_work(touch, &c->scene->colliders[touch->collider], h);
+                moving[chunk] += friction_work(touch, c->scene->colliders[touch->collider].friction,
+                                               collisions_carried(c, i, n), h);
             }
         }
     const double from_resting = chunk_sum_all(count, resting);
@@ -55,8 +56,7 @@ static double depth_of(const collisions *c, int vertex, double time, const doubl
     for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {
         const collider *k = &c->scene->colliders[c->near_list[m]];
         double p[3], normal[3];
-        for (int a = 0; a < 3; a++)
-            p[a] = x[a] - k->position[a] - time * k->velocity[a];
+        motion_to_body(k, time, x, p);
         const double depth = -shape_distance(k, p, normal);
         if (depth > deepest)
             deepest = depth;

@@ -39,8 +39,7 @@ static cloth_ball ball_around(const collisions *c, double h, const double (*x)[3
 /* How far the cloth's centre is from the collider, m. */
 static double distance_to(const collider *k, const double center[3], double time) {
     double p[3], normal[3];
-    for (int a = 0; a < 3; a++)
-        p[a] = center[a] - k->position[a] - time * k->velocity[a];
+    motion_to_body(k, time, center, p);
     return shape_distance(k, p, normal);
 }
 
@@ -51,6 +50,14 @@ static double reach_of(const cloth_ball *ball) {
 
 static double own_reach(const collider *k, double h) {
     return 1.01 * (h * vector_length(k->velocity) + 2 * k->gap + 1e-9);
+}
+
+/* The same of one with keyframes: all of it that the cloth may meet moves by no more than this. */
+static double own_reach_keyed(const collider *k, const body_motion *m, const cloth_ball *ball) {
+    double from[3];
+    vector_subtract(ball->center, m->begin.origin, from);
+    const double reach = vector_length(from) + ball->radius + ball->way;
+    return 1.01 * (motion_way(m, reach) + 2 * k->gap + 1e-9);
 }
 
 /* May one that is not watched touch the cloth by now? A distance changes by no more than the way of
@@ -66,7 +73,8 @@ static int may_be_reached(const out_of_reach *others, const cloth_ball *ball, do
 }
 
 /* Looks at all, and watches those that the cloth might reach by moving as far as it is large. The
- * distance to a mesh that is not closed may jump: meshes are watched always. */
+ * distance to a mesh that is not closed may jump, and keyframes begin at any time: such are watched
+ * always. */
 static void look_at_all(collisions *c, const cloth_ball *ball, double time, double h) {
     out_of_reach *others = &c->others;
     const double margin = ball->radius + 4 * ball->way;
@@ -79,7 +87,8 @@ static void look_at_all(collisions *c, const cloth_ball *ball, double time, doub
             continue;
         const double clearance = distance_to(k, ball->center, time) - own_reach(k, 0);
         const double speed = vector_length(k->velocity);
-        if (k->kind == COLLIDER_MESH || !(clearance - 1.01 * h * speed > reach_of(ball) + margin)) {
+        if (k->kind == COLLIDER_MESH || motion_has_keys(k) ||
+            !(clearance - 1.01 * h * speed > reach_of(ball) + margin)) {
             others->watched[others->count++] = n;
             continue;
         }
@@ -99,7 +108,14 @@ void collisions_find_near(collisions *c, double time, double h, const double (*x
     for (int m = 0; m < c->others.count; m++) {
         const int n = c->others.watched[m];
         const collider *k = &c->scene->colliders[n];
-        if (!(distance_to(k, ball.center, time) > reach_of(&ball) + own_reach(k, h)))
+        double own;
+        if (motion_has_keys(k)) {
+            motion_in_step(k, time, h, &c->motion[n]);
+            own = own_reach_keyed(k, &c->motion[n], &ball);
+        } else {
+            own = own_reach(k, h);
+        }
+        if (!(distance_to(k, ball.center, time) > reach_of(&ball) + own))
             c->near_list[c->any_near++] = n;
     }
 }

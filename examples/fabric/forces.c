@@ -58,6 +58,14 @@ static void add_drag(simulation *sim, const expansion *at) {
     sim->effects[EFFECT_DRAG].seconds += clock_seconds() - start;
 }
 
+static void add_tangential_drag(simulation *sim, const expansion *at) {
+    const double start = clock_seconds();
+    drag_forces_along(&sim->triangles, sim->scene->tangential_drag, sim->wind, at->h, at->x, at->v,
+                      &sim->system);
+    visit(sim, EFFECT_TANGENTIAL_DRAG);
+    sim->effects[EFFECT_TANGENTIAL_DRAG].seconds += clock_seconds() - start;
+}
+
 void forces_assemble(simulation *sim, const expansion *at) {
     const double start = clock_seconds();
     system_reset(&sim->system, sim->mass, sim->scene->gravity, at->h);
@@ -73,4 +81,6 @@ void forces_assemble(simulation *sim, const expansion *at) {
     }
     if (effect_is_on(sim, EFFECT_DRAG))
         add_drag(sim, at);
+    if (effect_is_on(sim, EFFECT_TANGENTIAL_DRAG))
+        add_tangential_drag(sim, at);
 }

@@ -2,6 +2,7 @@
 /* A mesh's memory, and the edges and hinges that follow from its triangles. */
 #include "mesh.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -17,6 +18,7 @@ typedef struct half_edge {
 } half_edge;
 
 int mesh_allocate(mesh *m, int vertices, int triangles) {
+    assert(vertices >= 0 && triangles >= 0);
     *m = (mesh){.vertex_count = vertices, .triangle_count = triangles};
     m->position = calloc((size_t)vertices, sizeof *m->position);
     m->material = calloc((size_t)vertices, sizeof *m->material);
@@ -71,6 +73,7 @@ static void sort_by_high(half_edge *sides, int count) {
 
 /** One edge from the `count` sides that coincide in it, and its hinge if it has one. */
 static void add_edge(mesh *m, const half_edge *sides, int count) {
+    assert(count >= 1 && sides[0].low < sides[0].high && sides[0].high < m->vertex_count);
     int *edge = m->edge[m->edge_count++];
     edge[0] = sides[0].low;
     edge[1] = sides[0].high;
@@ -110,7 +113,9 @@ int mesh_connect(mesh *m, int *non_manifold, char *error) {
     int status = -1;
     if (sides && start && m->edge && m->hinge) {
         collect_sides(m, sides, start);
+        assert(start[0] == 0 && (size_t)start[m->vertex_count] == side_count);
         join_sides(m, sides, start, non_manifold);
+        assert((size_t)m->edge_count <= side_count && m->hinge_count <= m->edge_count);
         status = 0;
     } else {
         free(m->edge);

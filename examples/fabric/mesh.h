@@ -11,6 +11,7 @@ typedef struct mesh {
     double (*position)[3]; /* [vertex_count] m, where the cloth starts */
     double (*material)[2]; /* [vertex_count] m, the flat cloth's own coordinates (rest shape) */
     int rest_in_space;     /* the rest shape of each triangle is that of its positions instead */
+    int bent_at_rest;      /* and the angles at its hinges are at rest as well; else 0 is */
     int *number;           /* [vertex_count] of each vertex before mesh_reorder; NULL: not kept */
     int (*triangle)[3]; /* [triangle_count] vertices, counter-clockwise in material coordinates */
     int (*edge)[2];     /* [edge_count] vertices, first < second */

@@ -4,6 +4,7 @@
  * and mesh_dissection.c. */
 #include "mesh.h"
 
+#include <assert.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,6 +91,7 @@ int mesh_graph_make(mesh_graph *g, const mesh *m) {
             g->neighbour[--g->start[v]] = m->triangle[t][(k + 1) % 3];
             g->neighbour[--g->start[v]] = m->triangle[t][(k + 2) % 3];
         }
+    assert(g->start[0] == 0 && g->start[m->vertex_count] == 6 * m->triangle_count);
     return 0;
 }
 
@@ -132,6 +134,7 @@ static int cuthill_mckee(const mesh_graph *g, search *s, int *order, int root) {
             s->level[w] = s->level[v] + 1;
             order[reached++] = w;
         }
+        assert(reached <= g->vertex_count);
         sort_by_degree(g, order + first, reached - first);
     }
     return reached;
@@ -160,6 +163,7 @@ static int sorted_order(const mesh *m, int *new_of_old) {
         for (int v = 0; v < m->vertex_count; v++)
             if (s.mark[v] == 0)
                 done += order_part(&g, &s, s.order + done, v);
+        assert(done == m->vertex_count); /* each vertex is in one part */
         for (int i = 0; i < m->vertex_count; i++)
             new_of_old[s.order[i]] = m->vertex_count - 1 - i; /* reversed: less fill, George 1971 */
         status = 0;

@@ -59,6 +59,9 @@ static double outside_work(const monitored_step *step, const scene *s) {
         work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
     if (s->drag > 0 && vector_length(step->wind) > 0)
         work += drag_work(step->triangles, s->drag, step->wind, step->h, step->x, step->v_next);
+    if (s->tangential_drag > 0 && vector_length(step->wind) > 0)
+        work += drag_work_along(step->triangles, s->tangential_drag, step->wind, step->h, step->x,
+                                step->v_next);
     return work + step->push_work +
            collisions_work(step->collisions, step->given, step->h, step->stage_h, step->v_next,
                            step->residual);
@@ -98,8 +101,9 @@ static monitor_verdict complain(monitor *m, monitor_verdict verdict, double valu
 
 /* A step that cannot be halved any more is taken as it is, and what is wrong with it is noted. */
 static int tolerates(monitor *m, const monitored_step *step, monitor_verdict verdict) {
-    m->tolerated[verdict] = step->shortest;
-    return step->shortest;
+    const int is_contact = verdict == STEP_PASSING || verdict == STEP_PENETRATION;
+    m->tolerated[verdict] = step->shortest || (is_contact && step->futile);
+    return m->tolerated[verdict];
 }
 
 /* Whether the step keeps to the scene's limits. */
@@ -138,7 +142,16 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
         return complain(m, STEP_PASSING, step->passing, 0);
     return STEP_GOOD;
 }
+
+int monitor_futile_parts(const monitor *m) {
+    enum { steps_let_pass = 32, most_doublings = 20 };
+    const long doublings = m->in_vain / steps_let_pass;
+    return 1 << (doublings < most_doublings ? doublings : most_doublings);
+}
+
 void monitor_accept(monitor *m) {
+    const int passed = m->tolerated[STEP_PASSING] || m->tolerated[STEP_PENETRATION];
+    m->in_vain = passed ? m->in_vain + 1 : 0;
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         m->let_pass[k] += m->tolerated[k];
     m->strain = m->next_strain;

@@ -51,7 +51,8 @@ typedef struct monitored_step {
     int passing;  /* pairs of the cloth that pass through each other in the step */
     int watched;  /* else only `finite`, `status` and `passing` are looked at */
     int finite;   /* all of x_next and v_next */
-    int shortest; /* the step cannot be halved any more */
+    int shortest; /* the step cannot be halved any more, */
+    int futile;   /* or shorter ones have not kept cloth and bodies apart (monitor_futile_parts) */
 } monitored_step;
 
 typedef struct monitor {
@@ -63,6 +64,7 @@ typedef struct monitor {
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* what was too much, and what would not have been */
     int tolerated[STEP_VERDICT_COUNT]; /* what it let pass because the step was the shortest */
+    long in_vain;                      /* steps accepted in a row in which something passed */
     /* of all steps accepted */
     long let_pass[STEP_VERDICT_COUNT];
     double greatest_strain, deepest; /* m */
@@ -75,8 +77,17 @@ typedef struct monitor {
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
 /** Judges a step. At the shortest length all but energy and infinities passes, since there is
- * nothing better to be had: that is counted. */
+ * nothing better to be had, and in a futile one what goes through or into a body: that is
+ * counted. */
 monitor_verdict monitor_judge(monitor *m, const monitored_step *step);
+
+/**
+ * Steps of how many of the least parts of a scene's step need not be halved for what passes or
+ * goes into a body: 1 at first, and twice as many each time 32 steps in a row were let pass. What
+ * two bodies squeeze passes however short the steps are; to go on in the shortest ones would cost
+ * a thousand times as much and end no better.
+ */
+int monitor_futile_parts(const monitor *m);
 
 /** The step judged last becomes the state to compare with. */
 void monitor_accept(monitor *m);

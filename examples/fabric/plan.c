@@ -72,7 +72,8 @@ void plan_make(simulation *sim) {
     set_effect(sim, EFFECT_STRAIN_LIMIT, "strain limit", s->strain_limit > 0, triangles);
     set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
     set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
-    set_effect(sim, EFFECT_WIND, "wind", s->drag > 0 && vector_length(s->wind) > 0, triangles);
+    set_effect(sim, EFFECT_TANGENTIAL_DRAG, "tangential drag", s->tangential_drag > 0, triangles);
+    set_effect(sim, EFFECT_WIND, "wind", scene_has_wind(s), triangles);
     set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
     set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
     set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);

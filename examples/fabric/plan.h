@@ -18,6 +18,7 @@ enum {
     EFFECT_STRAIN_LIMIT,
     EFFECT_GRAVITY,
     EFFECT_DRAG,
+    EFFECT_TANGENTIAL_DRAG,
     EFFECT_WIND, /* its seconds are within drag's */
     EFFECT_PINS,
     EFFECT_CONTACT,

@@ -27,7 +27,7 @@ static int is_driven(const simulation *sim) {
             !(s->pins[p].move_until > 0 && time >= s->pins[p].move_until))
             return 1;
     for (int n = 0; n < s->collider_count; n++)
-        if (sim->collisions.there[n] && vector_length(s->colliders[n].velocity) > 0)
+        if (sim->collisions.there[n] && time < motion_end(&s->colliders[n]))
             return 1;
     return 0;
 }

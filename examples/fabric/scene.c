@@ -98,6 +98,20 @@ static int check_pins(const scene_source *from, const scene *s) {
     return 0;
 }
 
+static int check_motions(const scene_source *from, const scene *s) {
+    char path[PATH_SIZE];
+    for (int n = 0; n < s->collider_count; n++)
+        for (int k = 1; k < s->colliders[n].keyframe_count; k++)
+            if (!(s->colliders[n].keyframes[k].time > s->colliders[n].keyframes[k - 1].time)) {
+                snprintf(path, sizeof path, "colliders.%d.motion.%d.time", n, k);
+                return scene_complain(from, line_of(from, path),
+                                      "'%s' is %g, expected a time after the one before, %g", path,
+                                      s->colliders[n].keyframes[k].time,
+                                      s->colliders[n].keyframes[k - 1].time);
+            }
+    return 0;
+}
+
 /** What no single key's range can say, of a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
     if (s->sheet_from == SHEET_GENERATED && s->boundary >= s->vertices)
@@ -108,7 +122,9 @@ static int check_whole(const scene_source *from, scene *s) {
         return scene_complain(from, line_of(from, "material.strain_limit"),
                               "'material.strain_limit' limits a stretch that 'material.stretch' "
                               "sets to 0, expected more");
-    return read_sheet(from, s) == 0 && check_pins(from, s) == 0 ? read_surfaces(from, s) : -1;
+    if (read_sheet(from, s) != 0 || check_pins(from, s) != 0 || check_motions(from, s) != 0)
+        return -1;
+    return read_surfaces(from, s);
 }
 
 /** Forgets what was read from files, to be read anew. */
@@ -198,6 +214,8 @@ void scene_free(scene *s) {
     for (int k = 0; k < s->pin_count; k++)
         free(s->pins[k].vertices);
     free(s->pins);
+    for (int n = 0; n < s->collider_count; n++)
+        free(s->colliders[n].keyframes);
     free(s->colliders);
     *s = (scene){0};
 }

@@ -17,6 +17,13 @@ typedef enum collider_kind {
 
 enum { SCENE_FILE_SIZE = 1024 };
 
+/** Where a collider is at a time (see motion.h). */
+typedef struct keyframe {
+    double time;    /* s, ascending */
+    double move[3]; /* m, from the collider's position, */
+    double angle;   /* degrees, about its turn_axis */
+} keyframe;
+
 typedef struct collider {
     collider_kind kind;
     double position[3]; /* m, centre (a point of the plane) at time 0 */
@@ -28,6 +35,9 @@ typedef struct collider {
     char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
     struct surface *surface;    /* mesh: read from the file; freed by scene_free */
     double from, until;         /* s, it is there from then until then; until 0: for good */
+    double turn_axis[3];        /* unit, which it turns about by its keyframes: */
+    int keyframe_count;         /* none: it moves by its velocity alone */
+    keyframe *keyframes;        /* [keyframe_count]; the scene's */
 } collider;
 
 /** What tells which vertices a pin holds. */
@@ -61,6 +71,9 @@ typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
 /** and what the rest shape of one from a file is. */
 typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 
+/** Where bending is none: where the cloth is flat, or where it starts. */
+typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
+
 typedef struct scene {
     char name[64];
     /* mesh */
@@ -68,6 +81,7 @@ typedef struct scene {
     char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
     double scale;               /* m, of the file's unit */
     int rest;                   /* sheet_rest */
+    int rest_angles;            /* sheet_angles */
     struct mesh *sheet;         /* as the file has it; freed by scene_free */
     int vertices, boundary;     /* from a file: as many as it has, and 0 */
     double side;                /* m; from a file: the square root of its area */
@@ -84,6 +98,7 @@ typedef struct scene {
     /* surroundings */
     double gravity[3];            /* m/s^2 */
     double drag;                  /* kg/(m^2 s): force per area and relative velocity */
+    double tangential_drag;       /* kg/(m^2 s): the same along the cloth */
     double wind[3];               /* m/s */
     double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
     int pin_count;
@@ -119,6 +134,12 @@ void scene_free(scene *s);
  *  new_of_old: as for mesh_reorder, [s->vertices] or NULL. 0, or -1 with a message in error[256].
  */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+
+/** Does moving air act on the cloth at some time? */
+static inline int scene_has_wind(const scene *s) {
+    return (s->drag > 0 || s->tangential_drag > 0) &&
+           (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
+}
 
 /** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
 int scene_write(const scene *s, const char *path);

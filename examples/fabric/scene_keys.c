@@ -54,6 +54,7 @@ static const char *const precisions[] = {"double", "float", "mixed", NULL};
 #define GENERATED (1u << SHEET_GENERATED)
 #define FROM_FILE (1u << SHEET_FILE)
 static const char *const rests[] = {"positions", "texture", NULL};
+static const char *const angles[] = {"flat", "mesh", NULL};
 static const scene_key mesh_keys[] = {
     KIND_BY_KEYS(scene, sheet_from),
     {"vertices", VALUE_WHOLE, offsetof(scene, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED, NULL,
@@ -64,6 +65,8 @@ static const scene_key mesh_keys[] = {
     {"file", VALUE_FILE, offsetof(scene, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
     {"scale", VALUE_NUMBER, offsetof(scene, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL, NULL},
     {"rest", VALUE_CHOICE, offsetof(scene, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
+    {"rest_angles", VALUE_CHOICE, offsetof(scene, rest_angles), 0, 1, ANY, FROM_FILE, angles, NULL,
+     NULL},
     {"seed", VALUE_SEED, offsetof(scene, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL, NULL},
     CHOICE(scene, order, 0, orders),
     VECTOR(scene, origin, 0, 3),
@@ -82,6 +85,7 @@ static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
 
 static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
                                               NUMBER(scene, drag, 0, NOT_NEGATIVE),
+                                              NUMBER(scene, tangential_drag, 0, NOT_NEGATIVE),
                                               VECTOR(scene, wind, 0, 3),
                                               NUMBER(scene, wind_from, 0, NOT_NEGATIVE),
                                               NUMBER(scene, wind_until, 0, NOT_NEGATIVE),
@@ -138,6 +142,13 @@ static const scene_key pin_keys[] = {KIND_BY_KEYS(pin, by),
                                      NUMBER(pin, until, 0, NOT_NEGATIVE),
                                      END};
 
+static const scene_key keyframe_keys[] = {NUMBER(keyframe, time, 1, NOT_NEGATIVE),
+                                          VECTOR(keyframe, move, 0, 3),
+                                          NUMBER(keyframe, angle, 0, ANY), END};
+static const keyframe keyframe_defaults;
+static const scene_list keyframe_list = {offsetof(collider, keyframe_count), sizeof(keyframe),
+                                         &keyframe_defaults, NULL};
+
 #define OF(kind) (1u << COLLIDER_##kind)
 static const scene_key collider_keys[] = {
     CHOICE(collider, kind, 1, kinds),
@@ -156,12 +167,17 @@ static const scene_key collider_keys[] = {
     NUMBER(collider, gap, 0, NOT_NEGATIVE),
     NUMBER(collider, from, 0, NOT_NEGATIVE),
     NUMBER(collider, until, 0, NOT_NEGATIVE),
+    DIRECTION(collider, turn_axis, 0),
+    {"motion", VALUE_LIST, offsetof(collider, keyframes), 0, 1, ANY, 0, NULL, keyframe_keys,
+     &keyframe_list},
     END};
 
 static const pin pin_defaults;
-static const collider collider_defaults = {.friction = 0.3, .gap = 0.005};
+static const collider collider_defaults = {
+    .friction = 0.3, .gap = 0.005, .turn_axis = {0.0, 0.0, 1.0}};
 static void release_collider(void *item) {
     surface_free(((collider *)item)->surface);
+    free(((collider *)item)->keyframes);
 }
 
 static void release_pin(void *item) {

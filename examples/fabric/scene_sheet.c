@@ -48,5 +48,6 @@ int scene_sheet_copy(const scene *s, mesh *m) {
             m->material[v][a] = s->scale * from->material[v][a];
     }
     choose_rest(m, s->rest);
+    m->bent_at_rest = s->rest_angles == ANGLES_OF_MESH;
     return 0;
 }

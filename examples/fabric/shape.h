@@ -13,6 +13,7 @@ typedef struct approach {
     double normal[3]; /* unit, out of the collider */
     double room;      /* m the point may still go against the normal; < 0: it is to be pushed out */
     double beyond;    /* m its path ends past that; < 0: short of it */
+    double carried[3]; /* m/s, the collider's matter there: for motion.h to fill in */
 } approach;
 
 /**

@@ -69,6 +69,7 @@ monitored_step simulation_monitored(simulation *sim) {
         .status = sim->solver_status,
         .passing = sim->self_collision.left + sim->collisions.met.left,
         .shortest = sim->ticks == 1,
+        .futile = sim->ticks <= monitor_futile_parts(&sim->monitor),
         .watched = effect_is_on(sim, EFFECT_MONITOR),
     };
 }

@@ -68,6 +68,7 @@ static void pass_monitor(archive *a, monitor *m) {
     archive_double(a, &m->reference);
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         archive_long(a, &m->let_pass[k]);
+    archive_long(a, &m->in_vain);
     archive_double(a, &m->greatest_strain);
     archive_double(a, &m->deepest);
 }

@@ -75,6 +75,10 @@ void direct_solver_free(direct_solver *d) {
     free(d);
 }
 
+double direct_solver_work(const direct_solver *d) {
+    return d->common.fl / 2 + 2 * d->common.lnz;
+}
+
 /* Entry (r, c) of S_i A_ij S_j + s (I - S_i), the last on the diagonal only. */
 static double entry(const block_matrix *A, const constraints *given, int i, int k, int r, int c) {
     const int j = A->column[k];
@@ -149,6 +153,11 @@ direct_solver *direct_solver_new(const block_matrix *A, char *error) {
 
 void direct_solver_free(direct_solver *d) {
     (void)d;
+}
+
+double direct_solver_work(const direct_solver *d) {
+    (void)d;
+    return 0;
 }
 
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,

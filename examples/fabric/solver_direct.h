@@ -15,6 +15,10 @@ int direct_solver_available(void);
 direct_solver *direct_solver_new(const block_matrix *A, char *error);
 void direct_solver_free(direct_solver *d);
 
+/** The multiplications that one solution takes: of the factorisation and of the two triangular
+ *  systems. Of the layout alone: the same on every machine. */
+double direct_solver_work(const direct_solver *d);
+
 /** As solver_solve, which calls it, to rounding; counts a factorisation as one iteration.
  *  SOLVER_BREAKDOWN: A is not positive definite. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_factor.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,7 @@ static const double first_shift = 0.05;
 static const double relaxation = 1.3;
 
 int factored_init(factored *f, const block_matrix *A, preconditioner_kind kind) {
+    assert(A->row_count >= 0 && A->block_count >= A->row_count);
     const size_t rows = (size_t)A->row_count + 1, blocks = (size_t)A->block_count + 1;
     const int with_factor = kind == PRECONDITIONER_INCOMPLETE_CHOLESKY;
     *f = (factored){0};
@@ -128,12 +130,15 @@ static int reduced_root(factored *f, const block_matrix *A, int i) {
 /* Takes G' G of row i, G its blocks divided by its root, off the blocks of later rows. */
 static void eliminate(factored *f, const block_matrix *A, int i) {
     const int first = A->row_start[i] + 1, end = A->row_start[i + 1];
+    assert(first <= end &&
+           A->column[first - 1] == i); /* the diagonal is the first block of a row */
     for (int k = first; k < end; k++) {
         double g[3][3];
         matrix3_multiply((const double(*)[3])f->root[i], (const double(*)[3])f->factor[k], g);
         memcpy(f->factor[k], g, sizeof g);
     }
     for (int k = first; k < end; k++) {
+        assert(A->column[k] > i && A->column[k] < A->row_count);
         const int row = A->column[k], row_end = A->row_start[row + 1];
         int at = A->row_start[row];
         for (int m = k; m < end; m++) {
@@ -148,6 +153,7 @@ static void eliminate(factored *f, const block_matrix *A, int i) {
 
 /* R from the filtered blocks in `upper`, diagonal blocks counted 1 + shift times. 0, or -1. */
 static int factorise(factored *f, const block_matrix *A) {
+    assert(f->factor && f->shift > 0);
     memcpy(f->factor, f->upper, sizeof *f->factor * (size_t)A->block_count);
     for (int i = 0; i < A->row_count; i++)
         for (int r = 0; r < 3; r++)

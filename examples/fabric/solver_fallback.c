@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_fallback.h"
 
+#include <stddef.h>
+
 #include "solver_direct.h"
 
-enum { solved_directly_at_once = 50 };
+enum { solved_directly_at_once = 50, many_iterations = 1000 };
 
 static solver_status solve_directly(solver_fallback *f, solver *s, const linear_system *system,
                                     const constraints *c, double (*dv)[3], long *iterations) {
@@ -21,6 +23,29 @@ static solver_status solve_directly(solver_fallback *f, solver *s, const linear_
     return status;
 }
 
+/* Multiplications of an iteration: every stored block but the diagonal's twice in the product, and
+ * about as many in the preconditioner. */
+static double work_of_iteration(const block_matrix *A) {
+    return 2 * 9 * 2.0 * (double)A->block_count;
+}
+
+/* After a system that took so many iterations: is the direct solution less work by far? */
+static void consider(solver_fallback *f, const linear_system *system, long iterations) {
+    char error[256];
+    if (iterations < many_iterations || f->dearer || f->failed || !direct_solver_available())
+        return;
+    if (!f->direct)
+        f->direct = direct_solver_new(&system->A, error);
+    f->dearer = !f->direct || !(4 * direct_solver_work(f->direct) <
+                                (double)iterations * work_of_iteration(&system->A));
+    if (!f->dearer) {
+        f->next = solved_directly_at_once;
+        return;
+    }
+    direct_solver_free(f->direct);
+    f->direct = NULL;
+}
+
 solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_system *system,
                                     const constraints *c, const solver_limits *limits,
                                     double (*dv)[3], long *iterations) {
@@ -28,7 +53,10 @@ solver_status solver_fallback_solve(solver_fallback *f, solver *s, const linear_
         f->next--;
         return solve_directly(f, s, system, c, dv, iterations);
     }
+    const long before = *iterations;
     const solver_status status = solver_solve(s, system, c, limits, dv, iterations);
+    if (status == SOLVER_CONVERGED && !s->direct)
+        consider(f, system, *iterations - before);
     if (status != SOLVER_TOO_MANY_ITERATIONS || s->direct)
         return status;
     const solver_status directly = solve_directly(f, s, system, c, dv, iterations);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "solver_packed.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,7 @@ struct packed_solver {
 };
 
 static int allocate_float(packed_solver *p) {
+    assert(p->options.precision != PRECISION_DOUBLE);
     const size_t rows = (size_t)p->A->row_count + 1, blocks = (size_t)p->A->block_count + 1;
     p->diagonal = calloc(rows, sizeof *p->diagonal);
     p->upper = calloc(blocks, sizeof *p->upper);
@@ -136,6 +138,7 @@ static solver_status refine(packed_solver *p, solver *s, const linear_system *sy
                             const constraints *c, double goal, long most, double (*dv)[3],
                             long *iterations) {
     const long start = *iterations;
+    assert(p->options.precision == PRECISION_MIXED && goal >= 0);
     double square = transform(p, (const double(*)[3])s->residual);
     for (int n = 0; n < most_refinements; n++) {
         const double gained = float_gain * float_gain * square;

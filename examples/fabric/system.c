@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "system.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,10 +62,12 @@ static int find_columns(int rows, int list_count, const element_list *lists, int
     for (int i = 0; i < rows; i++) {
         wide[first[i]] = i;
         const int count = sort_unique(&wide[first[i]], next[i] - first[i]);
+        assert(count >= 1 && wide[first[i]] == i && kept <= first[i]);
         memmove(&wide[kept], &wide[first[i]], sizeof *wide * (size_t)count);
         row_start[i] = kept;
         kept += count;
     }
+    assert(kept >= rows && kept <= total);
     row_start[rows] = kept;
     int *narrow = realloc(wide, sizeof *wide * ((size_t)kept + 1));
     *column = narrow ? narrow : wide;

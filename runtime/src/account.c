@@ -78,7 +78,7 @@ static double part_done(const struct execution *execution) {
     if (execution->reason != REASON_DEADLINE || inspection->route == ROUTE_SERIAL)
         return 0;
     const double swept = redcc_sweep_done(inspection);
-    return execution->advice.way == WAY_GRAPH ? swept / 4 : swept;
+    return execution->advice.way == WAY_GRAPH ? swept / 3 : swept;
 }
 
 static void account_refused(struct execution *execution, double now) {

@@ -65,21 +65,37 @@ static enum stage begin_inspection(struct execution *execution) {
 
 /* ---- sample ---------------------------------------------------------------------------------- */
 
-/* The sample and the log: the program tells iterations as long as some are handed out. */
-static enum progress tell(struct thread_state *thread, redcc_worker *worker,
-                          void (*start)(const struct inspection *, struct inspector *),
-                          bool (*hand_out)(const struct inspection *, struct inspector *,
-                                           redcc_worker *)) {
+static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
     const struct inspection *inspection = &thread->execution->inspection;
     if (thread->telling)
         redcc_flush(worker);
     else
-        start(inspection, &thread->inspector);
-    return hand_out(inspection, &thread->inspector, worker) ? PROGRESS_TELL : PROGRESS_MEET;
+        redcc_sample_start(inspection, &thread->inspector);
+    return redcc_sample_hand_out(inspection, &thread->inspector, worker) ? PROGRESS_TELL
+                                                                         : PROGRESS_MEET;
 }
 
-static enum progress sample(struct thread_state *thread, redcc_worker *worker) {
-    return tell(thread, worker, redcc_sample_start, redcc_sample_hand_out);
+/* The access graph cannot be had: owners by address will do, or what is chosen without it. */
+static enum stage fall_back(struct execution *execution) {
+    const struct method *named = execution->call.method;
+    if (named && named->in_levels)
+        return refuse(execution, REASON_LEVELS);
+    redcc_divide_end(&execution->inspection.divide);
+    execution->inspection.no_graph = true;
+    execution->inspection.route = ROUTE_OWNERS;
+    redcc_tell_no_graph(&execution->advice);
+    return STAGE_SWEEP;
+}
+
+static enum stage begin_log(struct execution *execution, bool is_exact) {
+    switch (redcc_log_begin(&execution->inspection, is_exact)) {
+    case DIVIDE_DONE:
+        return STAGE_SWEEP;
+    case DIVIDE_NO_MEMORY:
+        return refuse(execution, REASON_NO_MEMORY);
+    default:
+        return fall_back(execution);
+    }
 }
 
 /* To a sweep with groups that do not overlap, as far as is known, newly cut; or, as auto sees by
@@ -91,7 +107,9 @@ static enum stage cut(struct execution *execution) {
         return refuse(execution, REASON_NO_MEMORY);
     inspection->route =
         redcc_advise_sampled(&execution->state->chooser, &execution->advice, inspection, &estimate);
-    return inspection->route == ROUTE_SERIAL ? refuse(execution, REASON_UNATTRACTIVE) : STAGE_SWEEP;
+    if (inspection->route == ROUTE_SERIAL)
+        return refuse(execution, REASON_UNATTRACTIVE);
+    return redcc_is_logged(inspection) ? begin_log(execution, false) : STAGE_SWEEP;
 }
 
 static enum stage after_sample(struct execution *execution) {
@@ -123,7 +141,7 @@ static enum progress sweep(struct thread_state *thread, redcc_worker *worker) {
     }
     if (redcc_sweep_hand_out(inspection, inspector, worker))
         return PROGRESS_TELL;
-    if (!inspector->failed)
+    if (!inspector->failed && !redcc_is_logged(inspection))
         redcc_sweep_count(&inspector->sweep, inspector->executed);
     return PROGRESS_MEET;
 }
@@ -136,14 +154,6 @@ static enum reason objection(const struct inspection *inspection, const struct m
         !redcc_copies_possible(&inspection->partition, inspection->touched))
         return REASON_NO_COPIES;
     return REASON_NONE;
-}
-
-static enum route route_of(const struct method *method) {
-    if (method->in_levels)
-        return ROUTE_LEVELS;
-    if (method->by_graph)
-        return ROUTE_GRAPH;
-    return method->copies == COPY_NONE ? ROUTE_OWNERS : ROUTE_COPIES;
 }
 
 static void summarise(struct inspection *inspection) {
@@ -174,8 +184,6 @@ static enum stage begin_plan(struct execution *execution, const struct method *m
     return execution->run.plan ? STAGE_PLAN : refuse(execution, REASON_NO_MEMORY);
 }
 
-static enum stage begin_log(struct execution *execution, const struct method *method);
-
 /* All iterations are told: by the method named, or by what auto sees now. */
 static enum stage choose_method(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
@@ -185,14 +193,29 @@ static enum stage choose_method(struct execution *execution) {
     }
     const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
     const struct method *method =
-        redcc_advise_swept(&execution->state->chooser, &execution->advice, inspection, reusable);
+        redcc_advise_swept(&execution->state->chooser, inspection, reusable);
     if (!method)
         return refuse(execution, REASON_UNATTRACTIVE);
     const enum reason reason = objection(inspection, method);
     if (reason != REASON_NONE)
         return refuse(execution, reason);
-    inspection->route = route_of(method);
-    return method->by_graph ? begin_log(execution, method) : begin_plan(execution, method);
+    return begin_plan(execution, method);
+}
+
+/* All touches are kept. */
+static enum stage after_log(struct execution *execution) {
+    struct inspection *inspection = &execution->inspection;
+    switch (redcc_log_finish(inspection)) {
+    case DIVIDE_BEYOND:
+        return begin_log(execution, true);
+    case DIVIDE_DONE:
+        break;
+    default:
+        return fall_back(execution);
+    }
+    const bool reusable = redcc_is_reusable(&execution->call.request, inspection->sources);
+    execution->method = redcc_advise_logged(&execution->state->chooser, inspection, reusable);
+    return execution->method ? STAGE_PARTITION : refuse(execution, REASON_UNATTRACTIVE);
 }
 
 static enum stage after_sweep(struct execution *execution) {
@@ -208,57 +231,7 @@ static enum stage after_sweep(struct execution *execution) {
     case MERGE_NOTHING:
         break;
     }
-    return choose_method(execution);
-}
-
-/* ---- log ------------------------------------------------------------------------------------- */
-
-/* The access graph cannot be had: owners by address will do, or what is chosen without it. */
-static enum stage fall_back(struct execution *execution) {
-    const struct method *named = execution->call.method;
-    if (named && named->in_levels)
-        return refuse(execution, REASON_LEVELS);
-    execution->inspection.route = ROUTE_OWNERS;
-    if (named)
-        return begin_plan(execution, named->steals ? &redcc_method_localwrite_steal
-                                                   : &redcc_method_localwrite);
-    redcc_tell_no_graph(&execution->advice);
-    return choose_method(execution);
-}
-
-static enum stage begin_log(struct execution *execution, const struct method *method) {
-    execution->method = method;
-    if (redcc_inspection_is_late(&execution->inspection))
-        return refuse(execution, REASON_DEADLINE);
-    switch (redcc_log_begin(&execution->inspection, method->in_levels)) {
-    case DIVIDE_NO_MEMORY:
-        return refuse(execution, REASON_NO_MEMORY);
-    case DIVIDE_UNSUITABLE:
-        return fall_back(execution);
-    case DIVIDE_DONE:
-        break;
-    }
-    return STAGE_LOG;
-}
-
-static enum progress log_touches(struct thread_state *thread, redcc_worker *worker) {
-    return tell(thread, worker, redcc_log_start, redcc_log_hand_out);
-}
-
-static enum stage after_log(struct execution *execution) {
-    if (redcc_inspection_is_late(&execution->inspection)) /* then not all is told */
-        return refuse(execution, REASON_DEADLINE);
-    switch (redcc_log_finish(&execution->inspection)) {
-    case DIVIDE_NO_MEMORY:
-        return refuse(execution, REASON_NO_MEMORY);
-    case DIVIDE_UNSUITABLE:
-        return fall_back(execution);
-    case DIVIDE_DONE:
-        break;
-    }
-    execution->method =
-        redcc_advise_logged(&execution->state->chooser, &execution->inspection, execution->method);
-    return STAGE_PARTITION;
+    return redcc_is_logged(inspection) ? after_log(execution) : choose_method(execution);
 }
 
 /* ---- partition ------------------------------------------------------------------------------- */
@@ -354,7 +327,6 @@ static const struct stage_entry {
     [STAGE_VERIFY] = {verify, begin_inspection, STAGE_RUN},
     [STAGE_SAMPLE] = {sample, after_sample, STAGE_OVER},
     [STAGE_SWEEP] = {sweep, after_sweep, STAGE_OVER},
-    [STAGE_LOG] = {log_touches, after_log, STAGE_OVER},
     [STAGE_PARTITION] = {partition, after_partition, STAGE_OVER},
     [STAGE_JOIN] = {join, after_partition, STAGE_OVER},
     [STAGE_PLAN] = {prepare, after_prepare, STAGE_OVER},
@@ -403,15 +375,10 @@ void redcc_flush(redcc_worker *worker) {
     struct thread_state *thread = worker->execution;
     struct inspection *inspection = &thread->execution->inspection;
     struct inspector *inspector = &thread->inspector;
-    if (thread->stage == STAGE_SWEEP) {
-        redcc_sweep_take_window(&inspector->sweep, worker->alike, worker->inside);
-        redcc_sweep_take(&inspector->sweep, inspector->entries, worker->entry);
-    } else if (thread->stage == STAGE_SAMPLE) {
+    if (thread->stage == STAGE_SWEEP)
+        redcc_sweep_flush(inspection, inspector, worker);
+    else
         redcc_sample_take(inspection, inspector, worker->entry);
-    } else {
-        redcc_told_take(&inspection->divide.told[thread->thread], inspector->entries,
-                        worker->entry);
-    }
     worker->alike = 0;
     worker->inside = 0;
     worker->entry = inspector->entries;

@@ -32,7 +32,6 @@ enum stage {
     STAGE_VERIFY,
     STAGE_SAMPLE,
     STAGE_SWEEP,
-    STAGE_LOG,
     STAGE_PARTITION,
     STAGE_JOIN,
     STAGE_PLAN,

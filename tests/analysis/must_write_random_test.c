@@ -14,8 +14,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/must_write.h"
-#include "ir/ir_text.h"
+#include "analysis/memory/must_write/must_write.h"
+#include "ir_reader/ir_read.h"
 
 enum { PROGRAMS = 4000, EXECUTIONS = 40, ELEMENTS = 4, MOST_STEPS = 4000, MOST_DEPTH = 3 };
 

@@ -9,8 +9,8 @@
 
 #include <string.h>
 
-#include "analysis/must_write.h"
-#include "ir/ir_text.h"
+#include "analysis/memory/must_write/must_write.h"
+#include "ir_reader/ir_read.h"
 #include "support/source.h"
 
 static arena *memory;

@@ -10,10 +10,10 @@
 
 #include <cmocka.h>
 
-#include "analysis/counted.h"
-#include "analysis/library.h"
+#include "analysis/base/counted.h"
+#include "analysis/memory/library.h"
 #include "expectation.h"
-#include "ir/ir_text.h"
+#include "ir_reader/ir_read.h"
 
 static ir_unit *read_unit(arena *a, const char *text) {
     const char *message = NULL;
@@ -66,7 +66,8 @@ static const verdict_case cases[] = {
     {"store read again",
      "(= @210-220 (index e t) 1.0) (+= @230-240 (index h (index s t)) (index e t))",
      "transform h(+) e(kept)"},
-    {"store read before", "(+= @210-220 (index h (index s t)) (index e t)) (= @230-240 (index e t) 1.0)",
+    {"store read before",
+     "(+= @210-220 (index h (index s t)) (index e t)) (= @230-240 (index e t) 1.0)",
      "refuse other-store"},
     {"call", "(+= @210-220 (index h (index s t)) (call unknown 1.0))", "refuse impure-call"},
     {"return", "(+= @210-220 (index h (index s t)) 1.0) (return @230-240)", "refuse return"},
@@ -191,13 +192,14 @@ static void loop_headers(void **state) {
 static void library_finds_all_of_its_kind(void **state) {
     (void)state;
     static const char *const known[] = {
-        "sqrt",  "sqrtf", "sqrtl", "__builtin_fabs", "abs",   "labs",           "llabs",          "trunc",
-        "fmin",  "atan2", "erf",   "hypot",          "pow",   "__builtin_clz",  "__builtin_ctzll",
+        "sqrt",  "sqrtf", "sqrtl", "__builtin_fabs", "abs",
+        "labs",  "llabs", "trunc", "fmin",           "atan2",
+        "erf",   "hypot", "pow",   "__builtin_clz",  "__builtin_ctzll",
         "log1p", "cabsf", "fmaxl", "__builtin_inff", "cosh"};
-    static const char *const others[] = {"frexp", "modf",   "lgamma", "rand",  "sincos", "f",
-                                         "l",     "",       "absurd", "mall",  "__builtin_", "clz",
-                                         "absf",  "labsl",  "parity", "exp10", "expectf",    "isnan",
-                                         "inf",   "llabsf", "clzf",   "popcountll"};
+    static const char *const others[] = {
+        "frexp",   "modf",  "lgamma",     "rand",   "sincos", "f",         "l",      "",
+        "absurd",  "mall",  "__builtin_", "clz",    "absf",   "labsl",     "parity", "exp10",
+        "expectf", "isnan", "inf",        "llabsf", "clzf",   "popcountll"};
     const ir_unit unit = {0};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
         if (!library_find(&unit, &(ir_function){.name = known[i]}))

@@ -93,14 +93,15 @@ static void test_unknown_keys(void **unused) {
     (void)unused;
     check_wrong(12, "  gravty: [0, 0, -9.81]",
                 ":12: unknown key 'gravty' in 'surroundings', expected one of 'gravity', 'drag', "
-                "'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?");
+                "'tangential_drag', 'wind', 'wind_from', 'wind_until'; did you mean 'gravity'?");
     check_wrong(1, "title: test",
                 ":1: unknown key 'title', expected one of 'name', 'mesh', 'material', "
                 "'surroundings', 'pins', 'colliders', 'self_collision', 'time', "
                 "'solution', 'monitor'; did you mean 'time'?");
     check_wrong(17, "    half_edges: [1, 1, 1]",
                 ":17: unknown key 'half_edges' in 'colliders.0', expected one of 'kind', "
-                "'position', 'velocity', 'radius', 'friction', 'gap', 'from', 'until'");
+                "'position', 'velocity', 'radius', 'friction', 'gap', 'from', 'until', "
+                "'turn_axis', 'motion'");
     check_wrong(8, "  density: 500", ":8: key 'density' stands here twice");
 }
 

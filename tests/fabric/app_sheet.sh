@@ -28,6 +28,20 @@ mkdir -p elsewhere && cp sheet.obj elsewhere && sheet sheet.obj >elsewhere/sheet
 run elsewhere/sheet.yaml -o fromelsewhere # a relative name starts from the scene's folder
 equal generated fromelsewhere
 
+# A roof of two triangles, bent by a right angle: at rest where the scene says so.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\n' >roof.obj
+roof() {
+  printf 'name: roof\nmesh: {file: roof.obj%s}\nmaterial: {density: 1, stretch: 10, shear: 2, bend: 1}\n' "$1"
+  printf 'time: {step: 0.01, steps: 1}\n'
+}
+roof '' >flat.yaml
+roof ', rest_angles: mesh' >bent.yaml
+expect 0 "" "$program" run flat.yaml --steps 0 --progress none -o roof
+for shape in flat bent; do expect 0 "" "$program" run $shape.yaml --steps 5 --progress none -o $shape; done
+equal roof bent
+expect 1 "numbers differ" "$program" compare roof/final.state flat/final.state
+expect 1 "expected one of 'flat', 'mesh'" "$program" plan bent.yaml --set mesh.rest_angles=round
+
 # Floats, through every format: the same bits.
 expect 0 "" "$program" run patch --steps 0 --frames 1 --progress none -o start --set mesh.order=generated \
   --set 'mesh.origin=[0, 0, 0]'

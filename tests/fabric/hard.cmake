@@ -3,12 +3,14 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects demand decisions self piles rules resume)
+foreach(name motion contact shape effects demand decisions self piles rules resume bodies)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
 endforeach()
 
+add_test(NAME fabric.hard.piles_long COMMAND test_fabric_hard_piles long)
+set_tests_properties(fabric.hard.piles_long PROPERTIES LABELS slow)
 target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fabric/output/memory.c)
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
                            SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
@@ -21,7 +23,7 @@ if(REDCC_SANITIZE)
   set(scenes 12)
 endif()
 add_test(NAME fabric.hard.random_scenes COMMAND random_scenes ${scenes})
-add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes 4 1 driven)
+add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes 28 1 driven)
 # A stiff sheet in steps of 29 s: a plane at rest seemed to have put in what the solution gained.
 add_test(NAME fabric.hard.random_scenes_230 COMMAND random_scenes 3 229)
 

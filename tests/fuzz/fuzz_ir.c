@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "analysis/analysis.h"
-#include "ir/ir_text.h"
+#include "ir_reader/ir_read.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

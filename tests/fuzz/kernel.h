@@ -95,11 +95,12 @@ typedef struct kernel {
     int size;     /* elements of every array */
     int elements; /* a power of two: subscripts lie below */
     int trips;
-    bool is_wide;   /* programs of even seeds: wide.c, more storages, more than one loop */
-    bool has_rows;  /* programs of seeds divisible by 5: rows.c */
-    bool has_spans; /* programs of seeds divisible by 3: spans.c */
-    bool is_masked; /* subscripts from memory are masked at their use */
-    bool is_damped; /* floating values are bounded at their use */
+    bool is_wide;     /* programs of even seeds: wide.c, more storages, more than one loop */
+    bool has_rows;    /* programs of seeds divisible by 5: rows.c */
+    bool has_spans;   /* programs of seeds divisible by 3: spans.c */
+    bool has_helpers; /* programs of seeds divisible by 7: helpers.c */
+    bool is_masked;   /* subscripts from memory are masked at their use */
+    bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
     const char *trip; /* the bound, as the kernel spells it */
     const char *trip_type;
@@ -155,7 +156,7 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c */
+/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -170,6 +171,7 @@ void wide_statement(kernel *k);
 void wide_bait(kernel *k);
 void rows_behind_pointers(kernel *k);
 void loop_along_a_row(kernel *k);
+void call_of_helper(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

@@ -306,6 +306,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_helpers && chance(k, 30)) {
+        call_of_helper(k);
+        end_statement(k, begin);
+        return;
+    }
     int which = below(k, 108), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;

@@ -241,7 +241,8 @@ static void what_is_told_is_kept(void **unused) {
     assert_int_equal(units.count, 10 + 99);
     for (uint64_t offset = 0; offset < 700; offset++)
         assert_int_equal(redcc_units_in(&units.of[1], offset), offset / 7);
-    assert_true(redcc_told_begin(&told, &units, &partition, 0, 0, 0, 1000));
+    struct range seen[] = {redcc_nowhere, redcc_nowhere};
+    assert_true(redcc_told_begin(&told, &units, &partition, seen, 0, (const size_t[]){0, 0}, 1000));
     const redcc_entry end = {0, REDCC_END_OF_ITERATION, 0};
     const redcc_entry entries[] = {
         {b + 24, 0, 24}, {a + 13, 1, 2},  {b, 0, 0}, {b + 40, 0, 1}, end, end,
@@ -257,10 +258,13 @@ static void what_is_told_is_kept(void **unused) {
     assert_int_equal(told.further.count, 4);
     assert_memory_equal(told.leading.item, leading, sizeof leading);
     assert_memory_equal(told.further.item, further, sizeof further);
-    assert_false(told.too_much);
+    assert_true(seen[0].first == (uintptr_t)(b + 20) && seen[0].end == (uintptr_t)(b + 50));
+    assert_true(seen[1].first == (uintptr_t)(a + 13) && seen[1].end == (uintptr_t)(a + 700));
+    assert_false(told.too_much || told.beyond);
     const redcc_entry beyond = {b + 239, 0, 2};
     redcc_told_take(&told, &beyond, &beyond + 1);
-    assert_true(told.too_much);
+    assert_true(told.beyond);
+    assert_true(seen[0].end == (uintptr_t)b + 241);
     redcc_told_end(&told);
     redcc_units_end(&units);
     redcc_partition_end(&partition);

@@ -55,9 +55,11 @@ static struct touches random_touches(int trip, int units, int most, unsigned lon
 /* As `threads` threads tell them. */
 static void tell(const struct touches *it, int threads, const struct units *units,
                  const struct partition *partition, struct told *told, const char *b) {
+    static struct range seen;
     for (int thread = 0; thread < threads; thread++) {
         const redcc_int begin = redcc_share(it->trip, threads, thread);
-        assert_true(redcc_told_begin(&told[thread], units, partition, begin, 0, 0, 1 << 20));
+        assert_true(redcc_told_begin(&told[thread], units, partition, &seen, begin,
+                                     (const size_t[]){0, 0}, 1 << 20));
         for (redcc_int t = begin; t < redcc_share(it->trip, threads, thread + 1); t++) {
             redcc_entry entry[MOST_TOUCHES + 1] = {{0, 0, 0}};
             for (int k = 0; k < it->count[t]; k++)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "frontend/frontend.h"
-#include "ir/ir_text.h"
+#include "ir_reader/ir_read.h"
 
 static int fail(const char *what) {
     fprintf(stderr, "dump_ir: %s\n", what);

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "ir/ir_text.h"
+#include "ir_reader/ir_read.h"
 
 static inline ir_unit *read_ir(arena *a, const char *text) {
     const char *message = NULL;

@@ -17,7 +17,7 @@ static frontend_result parse_with(arena *a, const char *text, unsigned flag_coun
     return result;
 }
 
-static ir_unit *parse(arena *a, const char *text) {
+static const ir_unit *parse(arena *a, const char *text) {
     frontend_result result = parse_with(a, text, 0, NULL);
     if (result.unit->error_count > 0)
         fail_msg("%s", result.diagnostics[0].text);
@@ -175,11 +175,11 @@ static void test_openmp_pragma_hides_nothing(void **state) {
     (void)state;
     arena *a = arena_new();
     const char *const flags[] = {"-fopenmp"};
-    ir_unit *unit = parse_with(a,
-                               "void f(int n) {\n#pragma omp parallel for\n"
-                               "for (int i = 0; i < n; i++) n++; }",
-                               1, flags)
-                        .unit;
+    const ir_unit *unit = parse_with(a,
+                                     "void f(int n) {\n#pragma omp parallel for\n"
+                                     "for (int i = 0; i < n; i++) n++; }",
+                                     1, flags)
+                              .unit;
     assert_int_equal(unit->functions[0]->body->children[0]->kind, IR_FOR);
     assert_int_equal(unit->directive_count, 1);
     arena_free(a);
@@ -237,7 +237,7 @@ static void test_errors(void **state) {
 static void test_missing_header_taints_all(void **state) {
     (void)state;
     arena *a = arena_new();
-    ir_unit *unit =
+    const ir_unit *unit =
         parse_with(a, "#include \"no-such.h\"\nint f(int n) { return n; }", 0, NULL).unit;
     assert_int_equal(unit->error_count, 1);
     assert_true(unit->functions[0]->has_errors);
@@ -310,9 +310,9 @@ static const char *nested(arena *a, unsigned depth, const char *open, const char
 static void test_depth(void **state) {
     (void)state;
     arena *a = arena_new();
-    ir_unit *fits = parse(a, nested(a, 900, "(1 + ", "n", ")"));
+    const ir_unit *fits = parse(a, nested(a, 900, "(1 + ", "n", ")"));
     assert_false(fits->functions[0]->has_errors);
-    ir_unit *deep = parse(a, nested(a, 1500, "-(1 + ", "n", ")"));
+    const ir_unit *deep = parse(a, nested(a, 1500, "-(1 + ", "n", ")"));
     assert_true(ir_function_named(deep, "f")->has_errors);
     assert_false(ir_function_named(deep, "g")->has_errors);
     arena_free(a);
@@ -328,7 +328,7 @@ static void test_many_functions(void **state) {
     for (int i = 0; i < COUNT; i++)
         buffer_format(&b, "int v%d; int f%d(int n) { v%d++; return n ? f%d(n - 1) : v%d; }\n", i, i,
                       i, i > 0 ? i - 1 : 0, i / 2);
-    ir_unit *unit = parse(a, b.data);
+    const ir_unit *unit = parse(a, b.data);
     assert_int_equal(unit->function_count, COUNT);
     assert_int_equal(unit->variable_count, 2 * COUNT);
     buffer_free(&b);

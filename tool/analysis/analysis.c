@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* All loops of a unit, with what the user says of them. */
-#include "analysis/analyser.h"
+#include "analysis/analysis.h"
+
+#include "analysis/invariants.h"
 #include "analysis/nest.h"
 
 typedef struct pragma_use {
@@ -71,5 +73,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
             judge_loops(&loops, unit->functions[i]);
     for (unsigned i = 0; i < loops.verdicts.count; i++)
         note_pragmas(&an, &loops.verdicts.items[i]);
-    return (analysis_result){loops.verdicts.count, loops.verdicts.items};
+    const analysis_result result = {loops.verdicts.count, loops.verdicts.items};
+    analysis_assert_result(unit, &result);
+    return result;
 }

@@ -4,9 +4,10 @@
 
 #include <stdlib.h>
 
-#include "analysis/candidate.h"
-#include "analysis/expression.h"
-#include "analysis/variation.h"
+#include "analysis/base/expression.h"
+#include "analysis/loop/candidate.h"
+#include "analysis/loop/variation.h"
+#include "analysis/verdict.h"
 
 /* if (R[k] < v) { ... R[k] = v; ... }: the element that is compared and stored to; or NULL. */
 static const ir_node *stored_if(const ir_node *condition, const ir_node *node) {

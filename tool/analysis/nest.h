@@ -3,7 +3,7 @@
 #ifndef ANALYSIS_NEST_H
 #define ANALYSIS_NEST_H
 
-#include "analysis/analyser.h"
+#include "analysis/loop/judgement.h"
 
 typedef struct loop_search {
     const analyser *an;

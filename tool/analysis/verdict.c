@@ -1,55 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* One loop: the steps of its judgement in turn, and what is said of it. */
-#include "analysis/analyser.h"
-#include "analysis/candidate.h"
-#include "analysis/expression.h"
-#include "analysis/induction.h"
-#include "analysis/live.h"
-#include "analysis/reason.h"
-#include "analysis/scalars.h"
-#include "analysis/variation.h"
+#include "analysis/verdict.h"
 
-/* ---- reasons ----------------------------------------------------------------------------------
- */
+#include <assert.h>
 
-bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name) {
-    if (j->why.id != REASON_NONE)
-        return false;
-    ir_range range = node ? node->range : j->loop->range;
-    if (range.begin >= range.end)
-        range = j->loop->range;
-    j->why = reason_make(j->an->memory, why, name ? name : "?", range);
-    return false;
-}
-
-bool judgement_is_update(const judgement *j, const ir_node *statement) {
-    for (unsigned i = 0; i < j->updates.count; i++)
-        if (j->updates.items[i].statement == statement)
-            return true;
-    return false;
-}
-
-const char *judgement_name(const judgement *j, const ir_node *lvalue) {
-    if (!lvalue)
-        return "?";
-    location where = location_of(j->an->facts, lvalue, j->loop);
-    if (where.base)
-        return expression_text(j->an->memory, where.base);
-    const ir_variable *root = ir_root_variable(lvalue);
-    return root ? root->name : expression_text(j->an->memory, lvalue);
-}
-
-const char *reduction_operator_spelling(reduction_operator op) {
-    static const char *const spellings[] = {
-#define X(NAME, SPELLING) [REDUCTION_##NAME] = SPELLING,
-#include "analysis/operators.def"
-#undef X
-        [REDUCTION_NONE] = NULL};
-    return spellings[op];
-}
-
-/* ---- one loop ---------------------------------------------------------------------------------
- */
+#include "analysis/base/expression.h"
+#include "analysis/base/reason.h"
+#include "analysis/inspector/inspection.h"
+#include "analysis/loop/candidate.h"
+#include "analysis/loop/gate.h"
+#include "analysis/loop/spans.h"
+#include "analysis/loop/variation.h"
+#include "analysis/overlap/sources.h"
+#include "analysis/private/induction.h"
+#include "analysis/private/live.h"
+#include "analysis/private/privates.h"
+#include "analysis/reduction/scalars.h"
+#include "analysis/reduction/updates.h"
 
 /* Are all scalars of the record of this one type, so that its bytes are elements throughout? */
 static bool is_homogeneous(const ir_type *type, const ir_type *element) {
@@ -103,33 +70,6 @@ static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     return record->size;
 }
 
-/* What is made of a base on the way to its elements: b[i], *(b + i), (*b).x. */
-static bool leads_on(const ir_node *parent, const ir_node *node) {
-    const bool is_left = parent->child_count > 0 && parent->children[0] == node;
-    const bool is_pointer = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;
-    if (parent->kind == IR_BINARY)
-        return is_pointer && parent->type->kind == IR_POINTER;
-    return is_left && (parent->kind == IR_INDEX || parent->kind == IR_MEMBER ||
-                       (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE));
-}
-
-bool judgement_has_address_as_value(const ir_node *node, const ir_node *base) {
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (judgement_has_address_as_value(node->children[i], base))
-            return true;
-    if (!ir_is_expression(node) || !node->type || !expression_same(node, base))
-        return false;
-    while (node->parent && ir_is_expression(node->parent) && node->parent->type &&
-           leads_on(node->parent, node))
-        node = node->parent;
-    const ir_node *user = node->parent;
-    const bool is_taken = user->kind == IR_UNARY && user->op == IR_OP_ADDRESS;
-    const bool is_address = node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY;
-    if (is_taken)
-        user = user->parent;
-    return (is_taken || is_address) && user->kind != IR_CALL;
-}
-
 static void finish_arrays(judgement *j, loop_facts *facts) {
     reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
     for (unsigned i = 0; i < j->arrays.count; i++) {
@@ -178,6 +118,7 @@ static void note_irregular_arrays(judgement *j) {
 
 static loop_facts *finish_facts(judgement *j) {
     loop_facts *facts = ARENA_NEW(j->an->memory, loop_facts);
+    assert(ir_is_loop(j->loop) && ir_contains(j->function->body, j->loop));
     facts->loop = j->loop;
     facts->function = j->function;
     facts->counted = j->counted;

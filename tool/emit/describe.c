@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
 #include "emit/loop.h"
+
 #include "emit/origin.h"
 #include "ir/ir_position.h"
+#include <assert.h>
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
     static const char *const names[] = {
 #define X(NAME, SPELLING) [REDUCTION_##NAME] = "REDCC_" #NAME,
-#include "analysis/operators.def"
+#include "analysis/base/operators.def"
 #undef X
         [REDUCTION_NONE] = "REDCC_SUM"};
+    assert(array->op <= REDUCTION_NONE && (array->order_is_kept || array->op != REDUCTION_NONE));
     return names[array->order_is_kept ? REDUCTION_NONE : array->op];
 }
 
@@ -215,6 +218,7 @@ static const char *flags_text(const loop_text *loop) {
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};
+    _Static_assert(sizeof orders / sizeof *orders == EMIT_ORDER_ANY + 1, "all orders");
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
     writer_line(out, "static redcc_loop redcc__loop =");

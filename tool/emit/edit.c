@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/edit.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 #include "emit/origin.h"
 
 void edit_replace(arena *a, edit_list *list, uint32_t begin, uint32_t end, const char *text) {
+    assert(begin <= end && text);
     const edit item = {begin, end, text, list->edits.count};
     VECTOR_PUSH(a, &list->edits, item);
 }
@@ -54,6 +56,7 @@ static bool apply(buffer *out, const char *text, uint32_t begin, uint32_t end, e
         buffer_text(out, item->text);
         copied = item->end;
     }
+    assert(copied <= end);
     keep(out, text, copied, end);
     return true;
 }

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/emit.h"
 
+#include <assert.h>
 #include <string.h>
 
+#include "analysis/invariants.h"
 #include "emit/loop.h"
 #include "ir/ir_position.h"
 
@@ -260,16 +262,36 @@ static void join(arena *a, const ir_unit *unit, bool may_contract, unsigned lane
     buffer_text(&out, origin_unmark(a, head, strlen(head), has_crlf(s), NULL));
     for (unsigned i = 0; i < loops->count; i++) {
         written_loop *loop = &loops->items[i];
+        assert(copied <= loop->replaced.begin && loop->replaced.begin <= loop->replaced.end);
         buffer_append(&out, s->text + copied, loop->replaced.begin - copied);
         loop->begin = (uint32_t)out.length;
         buffer_text(&out, loop->text);
         loop->end = (uint32_t)out.length;
         copied = loop->replaced.end;
     }
+    assert(copied <= s->length);
     buffer_append(&out, s->text + copied, s->length - copied);
     result->text = arena_copy(a, out.data, out.length);
     result->length = out.length;
     buffer_free(&out);
+}
+
+/** In the order of the file, apart from each other, each of a verdict to be written; and the words
+ *  of each lie in its text, in order. */
+static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
+                          const loop_list *loops) {
+    (void)unit, (void)analysis;
+    for (unsigned i = 0; i < loops->count; i++) {
+        const written_loop *piece = &loops->items[i];
+        assert(piece->verdict < analysis->verdict_count);
+        assert(analysis->verdicts[piece->verdict].kind == VERDICT_TRANSFORM);
+        assert(piece->replaced.end <= unit->source->length && piece->text);
+        assert(i == 0 || loops->items[i - 1].replaced.end <= piece->replaced.begin);
+        const size_t length = strlen(piece->text);
+        for (unsigned k = 0; k < piece->origins.items.count; k++)
+            assert(piece->origins.items.items[k].end <= length);
+        (void)length;
+    }
 }
 
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
@@ -283,6 +305,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
         const loop_verdict *verdict = &analysis->verdicts[i];
         if (verdict->kind != VERDICT_TRANSFORM)
             continue;
+        analysis_assert_verdict(unit, verdict);
         if (obstacle)
             obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
         else
@@ -290,6 +313,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     }
     result.loop_count = loops.count;
     result.loops = loops.items;
+    assert_pieces(unit, analysis, &loops);
     if (loops.count > 0)
         join(a, unit, options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis),
              options->lanes, &loops, &result);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
-#include "analysis/exact.h"
-#include "analysis/expression.h"
+#include "analysis/base/exact.h"
+#include "analysis/base/expression.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 

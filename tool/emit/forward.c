@@ -5,10 +5,13 @@
  * only the owner of the element stores it there.
  */
 #include "emit/loop.h"
+
 #include "emit/origin.h"
 #include "emit/syntax.h"
+#include <assert.h>
 
 static unsigned number_of(const loop_facts *facts, const forwarded_store *store) {
+    assert(store >= facts->forwards && store < facts->forwards + facts->forward_count);
     return (unsigned)(store - facts->forwards);
 }
 

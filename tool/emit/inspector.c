@@ -4,6 +4,7 @@
  * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
  * only compares it with what the iterations before have touched.
  */
+#include "analysis/base/row_steps.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/print.h"
@@ -22,14 +23,16 @@ typedef VECTOR(told_row) row_list;
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;        /* addresses are compared, not told; */
-    bool is_either;     /* or the text does for both */
-    bool *update_told;  /* by update */
-    bool *source_told;  /* by the facts' source */
-    bool *is_mentioned; /* by variable: in what was printed */
-    bool is_bare;       /* what is printed now may be evaluated where the program does not */
-    row_list recent;    /* told since the slice last did something else */
-    size_t recent_end;  /* length of the text when the last of them was */
+    bool probes;         /* addresses are compared, not told; */
+    bool is_either;      /* or the text does for both */
+    bool *update_told;   /* by update */
+    bool *source_told;   /* by the facts' source */
+    bool *is_mentioned;  /* by variable: in what was printed */
+    bool is_bare;        /* what is printed now may be evaluated where the program does not */
+    unsigned loop_count; /* around what is printed now, of a function that the loop calls */
+    const source_loop *loops;
+    row_list recent;   /* told since the slice last did something else */
+    size_t recent_end; /* length of the text when the last of them was */
 } inspector;
 
 static bool mentions(const ir_node *node, const ir_variable *variable) {
@@ -149,6 +152,56 @@ static void tell_row(inspector *self, const ir_node *row, bool is_update, unsign
                     number, address, text);
 }
 
+/* ---- loops of functions that are called ---------------------------------------------------- */
+
+static void tell_up_to(inspector *self, const told_row *item, unsigned row,
+                       const ir_variable *counter);
+
+/** The row lies in these loops, each of which begins a block and another inside. */
+static void open_loops(inspector *self, const loop_source *read, bool is_span) {
+    arena *a = self->loop->arena;
+    writer *out = self->printer.out;
+    for (unsigned i = 0; i < read->loop_count; i++) {
+        const source_loop *loop = &read->loops[i];
+        const char *name = source_loop_counter(a, i);
+        const char *type = origin_type(a, loop->counter->type);
+        const char *lower = row_text(self, loop->lower);
+        self->loop_count = i + 1;
+        if (!type)
+            loop_obstacle(self->loop, read->row->range, "the type of a counter has no name");
+        writer_line(out, "{ %s %s = (%s)%s;", type, name, type, lower);
+        writer_line(out, "%s {",
+                    source_loop_header(a, read, i, name, row_text(self, loop->bound),
+                                       is_span && i + 1 == read->loop_count));
+    }
+}
+
+/** Tells what a function that is called reads in its loops: `for` each turn, or at once. */
+static void tell_in_loops(inspector *self, const loop_source *read, unsigned number,
+                          const ir_node *base) {
+    const source_loop *last = &read->loops[read->loop_count - 1];
+    const bool is_span = source_loop_is_span(last, read->row);
+    arena *a = self->loop->arena;
+    writer *out = self->printer.out;
+    self->loops = read->loops;
+    open_loops(self, read, is_span);
+    if (is_span) {
+        const told_row item = {read->row, (int)number, 0, self->is_bare};
+        writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",
+                    row_address_text(self, read->row, last->counter));
+        writer_line(out, "%s = (%s)(%s%s);", source_loop_counter(a, read->loop_count - 1),
+                    origin_type(a, last->counter->type), row_text(self, last->bound),
+                    last->comparison == IR_OP_LESS ? " - 1" : "");
+        tell_up_to(self, &item, 0, last->counter);
+    } else {
+        tell_row(self, read->row, false, number, base);
+    }
+    self->loop_count = 0;
+    for (unsigned i = 0; i < read->loop_count; i++)
+        writer_line(out, "} }");
+    self->recent.count = 0;
+}
+
 static bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
     return update->statement->kind == IR_IF || is_bare(facts, update->statement);
 }
@@ -168,10 +221,14 @@ static void tell_update(inspector *self, const reduction_update *update) {
 
 static void tell_read(inspector *self, const loop_source *read, int number) {
     const told_row item = {read->row, number, 0, false};
-    if (was_just_told(self, item))
+    if (!read->loop_count && was_just_told(self, item))
         return;
     const bool is_fixed = read->base && can_be_read_ahead(self->loop->facts, read->base);
     self->is_bare = source_is_bare(self->loop->facts, read);
+    if (read->loop_count) {
+        tell_in_loops(self, read, (unsigned)number, is_fixed ? read->base : NULL);
+        return;
+    }
     tell_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
     remember(self, item);
 }
@@ -369,6 +426,9 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
 /** The printer's hook for spellings: notes the variables. */
 static const char *note_variable(const ir_node *node, void *context) {
     inspector *self = context;
+    for (unsigned i = 0; node->kind == IR_VARIABLE && i < self->loop_count; i++)
+        if (self->loops[i].counter == node->variable)
+            return source_loop_counter(self->loop->arena, i);
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
     const char *name = forward_read_name(self->loop, node);

@@ -2,6 +2,7 @@
 #include "emit/loop.h"
 #include "emit/origin.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -47,6 +48,7 @@ const char *loop_line_directive(loop_text *loop, uint32_t offset) {
 const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
     const source *text = loop->unit->source;
     const uint32_t begin = text->line_begin[source_position(text, offset).line - 1];
+    assert(begin <= offset && offset <= text->length);
     char *blanks = arena_allocate(loop->arena, offset - begin + 1);
     for (uint32_t i = begin; i < offset; i++)
         blanks[i - begin] = text->text[i] == '\t' ? '\t' : ' ';
@@ -55,6 +57,7 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
 
 const char *loop_iteration_offset(loop_text *loop) {
     const int64_t step = loop->facts->counted.step;
+    assert(step != 0);
     if (step == 1)
         return "redcc__k";
     return arena_format(loop->arena, "%lld * redcc__k", (long long)step);
@@ -154,6 +157,8 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
+    _Static_assert(sizeof promises / sizeof *promises == EMIT_ORDER_ANY + 1, "all orders");
+    assert(loop->options->order <= EMIT_ORDER_ANY);
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
     buffer_text(&out->out, loop_condition(loop));
@@ -232,9 +237,12 @@ bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const em
     }
     block->replaced = (ir_range){begin_with_pragmas(unit, facts->loop),
                                  syntax_statement_end(unit->source, facts->loop)};
+    assert(block->replaced.begin <= facts->loop->range.begin &&
+           facts->loop->range.end <= block->replaced.end);
     write_parallel_form(&loop, &out);
     write_sequential_form(&loop, &out, block->replaced);
     write_timing(&loop, &out, block->replaced);
+    assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(a, &out);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};

@@ -8,7 +8,7 @@
 #ifndef EMIT_LOOP_H
 #define EMIT_LOOP_H
 
-#include "analysis/row_address.h"
+#include "analysis/overlap/row_address.h"
 #include "emit/emit.h"
 #include "emit/text.h"
 #include "support/vector.h"
@@ -193,6 +193,12 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
 /** The same by the macros of loop.h, which do either; sets is_mentioned for each variable, by its
  *  number, that is named. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
+
+/** source_loops.c: in the inspector, the name of the counter number `depth` of a source's loops, */
+const char *source_loop_counter(arena *a, unsigned depth);
+/** and the head of the loop, after which a block follows: `if` where one turn tells all of it. */
+const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
+                               const char *counter, const char *bound, bool is_span);
 
 /** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
  *  at one place only. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/origin.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@ enum { MARK_BEGIN = 1, MARK_END = 2 };
  * meant, or a place in the file; the second how many bytes before or after the mark it is about. */
 static const char format[] = "\x01%c%llx,%lx\x02";
 static const char letters[] = "ndtc"; /* by origin_kind */
+_Static_assert(sizeof letters - 1 == ORIGIN_COPY + 1, "a letter for each kind");
 
 static const char *mark(arena *a, origin_kind kind, const void *meant, size_t length) {
     return arena_format(a, format, letters[kind], (unsigned long long)(uintptr_t)meant,
@@ -48,6 +50,7 @@ const char *origin_spelling(arena *a, const ir_type *type, const char *spelling)
 }
 
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end) {
+    assert(begin <= end);
     buffer_format(out, format, letters[ORIGIN_COPY], (unsigned long long)begin,
                   (unsigned long)(end - begin));
     buffer_append(out, text + begin, end - begin);
@@ -96,6 +99,7 @@ typedef struct unmarking {
 } unmarking;
 
 static void add(unmarking *u, origin item) {
+    assert(item.begin <= item.end);
     if (u->origins)
         VECTOR_PUSH(u->arena, &u->origins->items, item);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/print.h"
 
-#include "analysis/expression.h"
+#include "analysis/base/expression.h"
 #include "emit/origin.h"
 
 static void complain(printer *p, const char *problem) {

@@ -4,7 +4,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "analysis/executed.h"
+#include "analysis/loop/executed.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/syntax.h"

@@ -5,7 +5,9 @@
  * bits wrap around, and give after conversion what the sequential loop has.
  */
 #include "emit/loop.h"
+
 #include "emit/origin.h"
+#include <assert.h>
 
 void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
@@ -22,6 +24,7 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
 }
 
 const char *stepped_value(loop_text *loop, unsigned number) {
+    assert(number < loop->facts->private_count);
     const private_variable *item = &loop->facts->privates[number];
     if (!item->is_stepped)
         return "";

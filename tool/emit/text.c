@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/text.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -30,6 +31,7 @@ void writer_fill(writer *w, bool fills) {
 /** The line from `begin` on is appended to the one before, if both are short. */
 static void join_line(writer *w, size_t begin) {
     char *data = w->out.data;
+    assert(w->fill_begin <= begin);
     size_t text = begin;
     while (data[text] == ' ')
         text++;
@@ -71,6 +73,7 @@ void writer_line(writer *w, const char *format, ...) {
 }
 
 const char *writer_text(arena *a, writer *w) {
+    assert(!w->out.data || w->out.data[w->out.length] == 0);
     const char *text = arena_copy(a, w->out.length > 0 ? w->out.data : "", w->out.length);
     buffer_free(&w->out);
     w->out = (buffer){0};

@@ -4,8 +4,8 @@
  * in the loop, or before it. What they give there does not matter, but they must have a meaning:
  * signed arithmetic wraps around, and addresses are numbers, which may lie outside of every object.
  */
-#include "analysis/counted.h"
-#include "analysis/expression.h"
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
 #include "emit/loop.h"
 
 /* ---- where the program may not come -------------------------------------------------------- */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "frontend/frontend.h"
 
+#include <assert.h>
 #include <malloc.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "frontend/flags.h"
+#include "ir/ir_text.h"
 
 /* clang parses by recursion, about 10 KB a level; only what is used is taken from the system. */
 enum { STACK_SIZE = 256 << 20 };
@@ -313,12 +315,14 @@ static void run(void *data) {
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, name, &t->result);
-        t->result.unit = convert(t->arena, t->source, name, clang, chosen.predefined);
+        ir_unit *unit = convert(t->arena, t->source, name, clang, chosen.predefined);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
-        t->result.unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
-        apply_flags(t->result.unit, &chosen);
+        unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
+        apply_flags(unit, &chosen);
+        assert(ir_check(t->arena, unit) == NULL);
+        t->result.unit = unit;
         clang_disposeTranslationUnit(clang);
     }
     clang_disposeIndex(index);

@@ -141,8 +141,6 @@ struct ir_function {
     bool is_interposable;      /* is_weak, because a shared object exports it: the program may have
                                   another of its name. Not in the text form */
     bool is_hidden;            /* no other object can name it, or put another in its place */
-    bool is_same_in_threads;   /* it reads nothing that is a thread's own: said by who has seen its
-                                  body, in another file. Not in the text form */
     bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */

@@ -2,6 +2,8 @@
 /* Making nodes, finishing functions, substituting arguments for parameters. */
 #include "ir/ir.h"
 
+#include <assert.h>
+
 ir_node *ir_new(arena *a, ir_kind kind, const ir_type *type, unsigned child_count) {
     ir_node *node = ARENA_NEW(a, ir_node);
     node->kind = kind;
@@ -20,6 +22,7 @@ static void number_nodes(ir_node *node, ir_node *parent, unsigned *next_id) {
 }
 
 void ir_finish_function(ir_function *function) {
+    assert(!function->body || function->body->kind == IR_BLOCK);
     function->node_count = 0;
     if (function->body != NULL)
         number_nodes(function->body, NULL, &function->node_count);
@@ -82,8 +85,10 @@ static ir_node *argument_for(const ir_node *node, const ir_function *function,
     if (node->kind != IR_VARIABLE || function == NULL)
         return NULL;
     for (unsigned i = 0; i < function->parameter_count; i++)
-        if (function->parameters[i] == node->variable)
+        if (function->parameters[i] == node->variable) {
+            assert(!arguments[i] || ir_is_expression(arguments[i]));
             return arguments[i];
+        }
     return NULL;
 }
 
@@ -100,6 +105,7 @@ static void look_through_address(ir_node *node) {
 
 ir_node *ir_substitute(arena *a, const ir_node *expression, const ir_function *function,
                        ir_node *const *arguments) {
+    assert(ir_is_expression(expression));
     const ir_node *argument = argument_for(expression, function, arguments);
     if (argument != NULL)
         return copy_argument(a, argument, expression->variable);

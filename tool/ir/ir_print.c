@@ -6,7 +6,6 @@
 #include "ir/ir_printer.h"
 #include "ir/ir_text.h"
 #include "ir/ir_words.h"
-#include "ir/sexp.h"
 
 /* Deeper lines stay at this depth, so that the text grows with the number of nodes only. */
 enum { DEEPEST_INDENTATION = 40 };
@@ -23,7 +22,7 @@ void ir_print_range(const ir_printer *p, ir_range range) {
 }
 
 static void print_quoted(const ir_printer *p, const char *text) {
-    sexp_quote(p->out, text, strlen(text));
+    ir_print_quoted(p->out, text, strlen(text));
 }
 
 /* Is it one atom that cannot be taken for an attribute? */

@@ -4,7 +4,6 @@
 
 #include "ir/ir_printer.h"
 #include "ir/ir_words.h"
-#include "ir/sexp.h"
 
 /* ---- types --------------------------------------------------------------------------------- */
 
@@ -56,7 +55,7 @@ static unsigned open_spelling(const ir_printer *p, const ir_type *type) {
     if (usual != NULL && strcmp(type->spelling, usual) == 0)
         return 0;
     buffer_text(p->out, "named(");
-    sexp_quote(p->out, type->spelling, strlen(type->spelling));
+    ir_print_quoted(p->out, type->spelling, strlen(type->spelling));
     buffer_byte(p->out, ',');
     return 1;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * The IR as text, printed and read back: S-expressions, documented in docs/ir.md. Printing what
- * was read gives the same text. Passes are tested from it without libclang.
+ * The IR as text: S-expressions, documented in docs/ir.md. tests/ir_reader reads them back, so that
+ * the analysis is tested without libclang.
  */
 #ifndef IR_IR_TEXT_H
 #define IR_IR_TEXT_H
@@ -11,10 +11,6 @@
 
 void ir_print(buffer *out, const ir_unit *unit);
 void ir_print_node(buffer *out, const ir_node *node);
-
-/** Reads what ir_print wrote. On bad text returns NULL and puts "line:column: what was expected"
- *  into *message (in the arena). */
-ir_unit *ir_read(arena *a, const char *text, size_t length, const char **message);
 
 /** Checks the rules stated in ir.h (child counts, parents, ids, types present, ranges nested and
  *  inside the file). Returns NULL, or what is wrong, in the arena. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "ir/ir_words.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -137,8 +138,10 @@ static const char *const operators[] = {
     [IR_OP_IMAG] = "__imag",
 };
 enum { OPERATOR_COUNT = sizeof operators / sizeof operators[0] };
+_Static_assert(OPERATOR_COUNT == IR_OP_IMAG + 1, "a spelling for each operator");
 
 const char *ir_operator_spelling(ir_operator op) {
+    assert((unsigned)op < OPERATOR_COUNT);
     return operators[op];
 }
 
@@ -204,8 +207,10 @@ static const ir_kind_word kinds[] = {
     [IR_EMPTY] = {"empty", 0, 0},
 };
 enum { KIND_COUNT = sizeof kinds / sizeof kinds[0] };
+_Static_assert(KIND_COUNT == IR_EMPTY + 1, "a word for each kind");
 
 const ir_kind_word *ir_kind_words(ir_kind kind) {
+    assert((unsigned)kind < KIND_COUNT);
     return &kinds[kind];
 }
 

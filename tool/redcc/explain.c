@@ -14,7 +14,7 @@ static const struct {
     const char *slug;
 } reasons[] = {
 #define X(identifier, id, slug, message) {id, slug},
-#include "analysis/reasons.def"
+#include "analysis/base/reasons.def"
 #undef X
 };
 

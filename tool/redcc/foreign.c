@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "analysis/base/external.h"
+
 /* ---- from file to file ---------------------------------------------------------------------- */
 
 void foreign_write(buffer *out, const exported_functions *functions) {
@@ -18,8 +20,10 @@ void foreign_read(arena *a, foreign_functions *all, const char *file, const char
         const char *name = text + 2;
         const size_t length = strcspn(name, "\n");
         foreign_function **known = (foreign_function **)map_at(all->by_name, name, length);
-        if (!*known)
+        if (!*known) {
             *known = ARENA_NEW(a, foreign_function);
+            VECTOR_PUSH(a, &all->names, arena_copy(a, name, length));
+        }
         (*known)->kind = kind;
         (*known)->file = file;
         (*known)->definitions++;
@@ -29,43 +33,15 @@ void foreign_read(arena *a, foreign_functions *all, const char *file, const char
 
 /* ---- in a file ------------------------------------------------------------------------------ */
 
-/* NULL: nothing that may be used. */
-static const foreign_function *find(const foreign_functions *all, const ir_function *function) {
-    if (!all->by_name || function->body || function->is_static)
-        return NULL;
-    const foreign_function *known = map_get(all->by_name, function->name, strlen(function->name));
-    return known && known->definitions == 1 && known->kind != EXPORTED_NOTHING ? known : NULL;
-}
-
-/* Whatever its declaration here says of attributes, an asm label may make it another function. */
-static const foreign_function *find_usable(const foreign_functions *all,
-                                           const ir_function *function) {
-    return function->has_other_attributes || function->is_renamed ? NULL : find(all, function);
-}
-
-const analysis_options *foreign_apply(arena *a, const foreign_functions *all, ir_unit *unit,
-                                      const analysis_options *options) {
-    VECTOR(const char *) pure = {0};
-    for (unsigned i = 0; i < options->pure_count; i++)
-        VECTOR_PUSH(a, &pure, options->pure[i]);
-    for (unsigned i = 0; i < unit->function_count; i++) {
-        ir_function *function = unit->functions[i];
-        const foreign_function *known = find_usable(all, function);
-        if (!known)
-            continue;
-        function->is_same_in_threads = true;
-        if (known->kind == EXPORTED_CONST)
-            function->is_attribute_const = true;
-        else if (known->kind == EXPORTED_PURE)
-            function->is_attribute_pure = true;
-        else
-            VECTOR_PUSH(a, &pure, function->name);
+const map *foreign_known(arena *a, const foreign_functions *all) {
+    map *known = map_new(a);
+    for (unsigned i = 0; i < all->names.count; i++) {
+        const char *name = all->names.items[i];
+        foreign_function *function = map_get(all->by_name, name, strlen(name));
+        if (function->definitions == 1 && function->kind != EXPORTED_NOTHING)
+            *map_at(known, name, strlen(name)) = &function->kind;
     }
-    analysis_options *result = ARENA_NEW(a, analysis_options);
-    *result = *options;
-    result->pure_count = pure.count;
-    result->pure = pure.items;
-    return result;
+    return known;
 }
 
 /* ---- what a verdict rests on ---------------------------------------------------------------- */
@@ -73,6 +49,7 @@ const analysis_options *foreign_apply(arena *a, const foreign_functions *all, ir
 typedef struct call_search {
     arena *memory;
     const foreign_functions *all;
+    const analysis_options *options;
     bool *is_visited; /* [function_count] */
     ir_range place;   /* of the call in the loop that leads to those in callees */
     VECTOR(foreign_call) found;
@@ -89,8 +66,9 @@ static bool visit(ir_node *node, void *context) {
     const ir_range before = search->place;
     if (before.begin == before.end)
         search->place = node->range;
-    const foreign_function *known = find_usable(search->all, function);
-    if (known) {
+    if (external_kind(search->options, function) != EXPORTED_NOTHING) {
+        const foreign_function *known =
+            map_get(search->all->by_name, function->name, strlen(function->name));
         const foreign_call call = {function->name, known->file, exported_word(known->kind),
                                    search->place};
         VECTOR_PUSH(search->memory, &search->found, call);
@@ -101,13 +79,15 @@ static bool visit(ir_node *node, void *context) {
     return true;
 }
 
-void foreign_note(arena *a, const foreign_functions *all, const ir_unit *unit,
-                  const analysis_result *analysis, loop_verdict *verdicts) {
+void foreign_note(arena *a, const foreign_functions *all, const analysis_options *options,
+                  const ir_unit *unit, const analysis_result *analysis, loop_verdict *verdicts) {
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         if (verdicts[i].kind != VERDICT_TRANSFORM)
             continue;
-        call_search search = {
-            .memory = a, .all = all, .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+        call_search search = {.memory = a,
+                              .all = all,
+                              .options = options,
+                              .is_visited = ARENA_ARRAY(a, bool, unit->function_count + 1)};
         ir_walk((ir_node *)verdicts[i].loop, visit, &search);
         verdicts[i].foreign = search.found.items;
         verdicts[i].foreign_count = search.found.count;

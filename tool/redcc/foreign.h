@@ -7,7 +7,8 @@
 #ifndef FOREIGN_H
 #define FOREIGN_H
 
-#include "analysis/exported.h"
+#include "analysis/analysis.h"
+#include "analysis/memory/exported.h"
 #include "support/buffer.h"
 #include "support/map.h"
 
@@ -19,6 +20,7 @@ typedef struct foreign_function {
 
 typedef struct foreign_functions {
     map *by_name; /* -> foreign_function */
+    VECTOR(const char *) names;
 } foreign_functions;
 
 /** Writes what a file's functions are, a line each, for foreign_read. */
@@ -27,14 +29,12 @@ void foreign_write(buffer *out, const exported_functions *functions);
 /** Adds what foreign_write wrote of `file`; both texts must live as long as the arena. */
 void foreign_read(arena *a, foreign_functions *all, const char *file, const char *text);
 
-/** Tells the unit's declarations what is known of the functions they declare. Returns the options
- *  with it; all in the arena. */
-const analysis_options *foreign_apply(arena *a, const foreign_functions *all, ir_unit *unit,
-                                      const analysis_options *options);
+/** What may be relied on, for analysis_options.external; in the arena. */
+const map *foreign_known(arena *a, const foreign_functions *all);
 
 /** Sets `foreign` of the verdicts whose loops call such functions, by themselves or through others.
  */
-void foreign_note(arena *a, const foreign_functions *all, const ir_unit *unit,
-                  const analysis_result *analysis, loop_verdict *verdicts);
+void foreign_note(arena *a, const foreign_functions *all, const analysis_options *options,
+                  const ir_unit *unit, const analysis_result *analysis, loop_verdict *verdicts);
 
 #endif

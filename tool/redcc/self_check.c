@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "analysis/reason.h"
+#include "analysis/base/reason.h"
 #include "driver/files.h"
 #include "driver/installation.h"
 #include "redcc/bindings.h"

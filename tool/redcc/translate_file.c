@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "analysis/reason.h"
+#include "analysis/base/reason.h"
 #include "frontend/frontend.h"
 #include "ir/ir_position.h"
 #include "ir/ir_text.h"
@@ -86,8 +86,9 @@ static bool show_pragma_errors(arena *a, const ir_unit *unit) {
 
 /* ---- verdicts ------------------------------------------------------------------------------ */
 
-static analysis_options options_of(const options *o) {
-    return (analysis_options){.pure_count = o->pure.count,
+static analysis_options options_of(arena *a, const options *o, const foreign_functions *foreign) {
+    return (analysis_options){.external = foreign ? foreign_known(a, foreign) : NULL,
+                              .pure_count = o->pure.count,
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
                               .report_all = o->all,
@@ -101,12 +102,6 @@ static void show_unknown_pure(const options *o, const source *file, const ir_uni
             fprintf(stderr,
                     "redcc: warning: --pure=%s: no function of this name is declared in %s\n",
                     o->pure.items[i], file->path);
-}
-
-static analysis_result judge(arena *a, ir_unit *unit, const options *o,
-                             const foreign_functions *foreign) {
-    const analysis_options own = options_of(o);
-    return analyse(a, unit, foreign ? foreign_apply(a, foreign, unit, &own) : &own);
 }
 
 /** What is another program for the compiler that it is built by was not judged. */
@@ -134,7 +129,8 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
 
 /** The verdicts as they came out: what could not be written is refused. */
 static analysis_result after_writing(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                                     const emit_result *written, const foreign_functions *foreign) {
+                                     const emit_result *written, const analysis_options *how,
+                                     const foreign_functions *foreign) {
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysis->verdict_count + 1);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         verdicts[i] = analysis->verdicts[i];
@@ -148,7 +144,7 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
             arena_format(a, "its parallel form cannot be written: %s", obstacle->message);
     }
     if (foreign)
-        foreign_note(a, foreign, unit, analysis, verdicts);
+        foreign_note(a, foreign, how, unit, analysis, verdicts);
     return (analysis_result){analysis->verdict_count, verdicts};
 }
 
@@ -240,10 +236,11 @@ static emit_result write_checked(arena *a, const ir_unit *unit, const string_lis
 }
 
 static file_outcome translate(arena *a, const options *o, const source *file,
-                              const string_list *flags, ir_unit *unit,
+                              const string_list *flags, const ir_unit *unit,
                               const foreign_functions *foreign) {
+    const analysis_options asked = options_of(a, o, foreign);
     analysis_result judged =
-        of_both_compilers(a, file, flags, unit, o->knows_compiler, judge(a, unit, o, foreign));
+        of_both_compilers(a, file, flags, unit, o->knows_compiler, analyse(a, unit, &asked));
     const bool is_written = count_verdicts(&judged).transformed > 0;
     const emit_options how = {.order = o->order,
                               .order_is_explicit = o->order_is_given,
@@ -251,7 +248,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                               .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
     const emit_result written =
         write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
-    const analysis_result final = after_writing(a, unit, &judged, &written, foreign);
+    const analysis_result final = after_writing(a, unit, &judged, &written, &asked, foreign);
     const report_input input = report_on(o, unit, &final);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
@@ -327,7 +324,7 @@ void translate_file_exports(arena *a, const options *o, const char *path, buffer
     const frontend_result parsed = parse(a, file, &flags);
     if (has_errors(&parsed))
         return;
-    const analysis_options own = options_of(o);
+    const analysis_options own = options_of(a, o, NULL);
     const exported_functions functions = exported_of_unit(a, parsed.unit, &own);
     foreign_write(out, &functions);
 }

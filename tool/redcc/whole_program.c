@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "analysis/reason.h"
+#include "analysis/base/reason.h"
 #include "redcc/compile_commands.h"
 #include "redcc/foreign.h"
 #include "redcc/joined_report.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result a loop. */
-#include "analysis/reason.h"
+#include "analysis/base/reason.h"
 #include "report/facts.h"
 #include "support/json_text.h"
 

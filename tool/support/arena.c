@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/arena.h"
 
+#include <assert.h>
 #include <stdalign.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -64,7 +65,9 @@ void *arena_allocate(arena *a, size_t size) {
         size <= SIZE_MAX - ALIGNMENT ? (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT : size;
     a->used += padded;
     block *b = block_with_room(a, padded);
+    assert(padded >= size && padded <= b->size - b->used);
     void *memory = b->bytes + b->used;
+    assert((uintptr_t)memory % ALIGNMENT == 0);
     b->used += padded;
     return memory;
 }
@@ -102,6 +105,7 @@ size_t arena_used(const arena *a) {
 }
 
 char *arena_copy(arena *a, const char *text, size_t length) {
+    assert(text || length == 0);
     char *copy = arena_allocate(a, length + 1);
     if (length > 0)
         memcpy(copy, text, length);

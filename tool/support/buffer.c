@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/buffer.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,9 +21,11 @@ static void reserve(buffer *b, size_t more) {
     }
     b->data = data;
     b->capacity = capacity;
+    assert(b->length + more < b->capacity);
 }
 
 void buffer_append(buffer *b, const char *text, size_t length) {
+    assert(text || length == 0);
     reserve(b, length);
     if (length > 0)
         memcpy(b->data + b->length, text, length);

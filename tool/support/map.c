@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/map.h"
 
+#include <assert.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -42,6 +43,7 @@ map *map_new(arena *a) {
 
 /* The key's entry, or the free one where it would go. */
 static entry *find(const map *m, const void *key, size_t length, uint64_t hash) {
+    assert((m->capacity & (m->capacity - 1)) == 0 && m->count < m->capacity);
     size_t i = (size_t)hash & (m->capacity - 1);
     for (;; i = (i + 1) & (m->capacity - 1)) {
         entry *e = &m->entries[i];
@@ -71,6 +73,7 @@ void **map_at(map *m, const void *key, size_t length) {
         *e = (entry){.key = arena_copy(m->arena, key, length), .length = length, .hash = hash};
         m->count++;
     }
+    assert(2 * m->count <= m->capacity + 2);
     return &e->value;
 }
 

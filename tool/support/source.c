@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/source.h"
 
+#include <assert.h>
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
@@ -19,6 +20,7 @@ static uint32_t count_lines(const char *text, size_t length) {
 
 /* Takes over `text`, which lives in the arena. */
 static source *make_source(arena *a, const char *path, const char *text, size_t length) {
+    assert(length <= UINT32_MAX && text[length] == 0);
     source *s = ARENA_NEW(a, source);
     s->path = arena_string(a, path);
     s->text = text;
@@ -29,6 +31,7 @@ static source *make_source(arena *a, const char *path, const char *text, size_t 
     const char *end = text + length;
     for (const char *at = text; at < end && (at = memchr(at, '\n', (size_t)(end - at))); at++)
         begin[++line] = (uint32_t)(at - text) + 1;
+    assert(line + 1 == s->line_count);
     s->line_begin = begin;
     return s;
 }
@@ -87,10 +90,12 @@ position source_position(const source *s, uint32_t offset) {
         else
             high = middle;
     }
+    assert(s->line_begin[low] <= offset);
     return (position){.line = low + 1, .column = offset - s->line_begin[low] + 1};
 }
 
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
+    assert(to <= s->length);
     while (from < to) {
         const char *at = s->text + from;
         const char *end = at + 1;

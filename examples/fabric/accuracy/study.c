@@ -10,6 +10,9 @@
 #include "files.h"
 #include "integrator.h"
 
+/* The reference is refined this often at most. */
+enum { MOST_ROUNDS = 4 };
+
 const char *const integrator_names[] = {"linear-euler", "euler", "bdf2", "midpoint", NULL};
 
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
@@ -52,7 +55,7 @@ int study_reference(study *of) {
         return 0;
     if (measure(&last, &of->cloth, 1, ANY_REJECTIONS, &coarse) != 0)
         return -1;
-    for (int round = 0; round < 3; round++, steps *= 2) {
+    for (int round = 0; round < MOST_ROUNDS; round++, steps *= 2) {
         const scene one = exact(of, INTEGRATOR_MIDPOINT, 2 * steps);
         const scene two = exact(of, INTEGRATOR_BDF2, 4 * steps);
         measured_free(&of->reference);
@@ -78,10 +81,6 @@ double scene_stiffness(const scene *s) {
     return s->stretch / (s->density * gravity * s->side);
 }
 
-int scene_has_wind(const scene *s) {
-    return s->drag > 0 && (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
-}
-
 void study_compare(study *of) {
     for (int k = 0; k < of->row_count; k++) {
         study_row *r = &of->rows[k];
@@ -96,6 +95,25 @@ void study_compare(study *of) {
                 of->rows[m].got.cpu_seconds <= r->got.cpu_seconds)
                 r->front = 0;
     }
+}
+
+int study_trusts_reference(study *of) {
+    double smallest = INFINITY;
+    for (int k = 0; k < of->row_count; k++)
+        smallest = fmin(smallest, of->rows[k].error_rms);
+    if (of->quick || !(of->reference_gap > 0.1 * smallest))
+        return 0;
+    fprintf(stderr,
+            "accuracy: the reference is not to be relied on: its two methods are %.3g m apart, more "
+            "than a tenth of the smallest error, %.3g m.\n"
+            "Errors below %.3g m are left out. Ask for fewer --most-steps, or for a shorter scene.\n",
+            of->reference_gap, smallest, 10 * of->reference_gap);
+    for (int k = 0; k < of->row_count; k++)
+        if (of->rows[k].error_rms < 10 * of->reference_gap) {
+            of->rows[k].error_rms = of->rows[k].error_max = NAN;
+            of->rows[k].front = 0;
+        }
+    return -1;
 }
 
 static void print_number(FILE *file, double value) {

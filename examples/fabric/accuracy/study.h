@@ -49,7 +49,6 @@ extern const char *const integrator_names[]; /* by integrator_kind, NULL after t
 /** Stretch over the weight of a strip as long as the sheet: what its own weight stretches it by,
  *  inverted. No unit. */
 double scene_stiffness(const scene *s);
-int scene_has_wind(const scene *s);
 
 /** Runs the scene and files the result. 0, or -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
@@ -59,6 +58,12 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
 int study_reference(study *of);
 /** Fills errors of all rows against the reference, and the front. */
 void study_compare(study *of);
+/**
+ * 0 where the reference's own doubt is at most a tenth of the smallest error of the rows; else -1,
+ * after a message and after errors that are not above ten times the doubt were taken out of the
+ * rows. Always 0 in a quick study.
+ */
+int study_trusts_reference(study *of);
 /** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
 int study_write(study *of, const char *name);
 void study_free(study *of);

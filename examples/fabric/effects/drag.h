@@ -2,7 +2,9 @@
 /**
  * Air drag and wind. At each vertex of a triangle with unit normal n and (current) area a
  *     f = -drag (a / 3) (n . (v - wind)) n      drag kg/(m^2 s)
- * so that df/dv couples no two vertices: it is exact on A's diagonal.
+ * so that df/dv couples no two vertices: it is exact on A's diagonal. Along the cloth
+ *     f = -drag (a / 3) (I - n n') (v - wind)
+ * by a coefficient of its own: without it wind that blows along a flag does not move it.
  */
 #ifndef FABRIC_DRAG_H
 #define FABRIC_DRAG_H
@@ -14,9 +16,18 @@
 void drag_forces(const triangle_elements *e, double drag, const double wind[3], double h,
                  const double (*restrict x)[3], const double (*restrict v)[3], linear_system *s);
 
+/** The same for the drag along the cloth. */
+void drag_forces_along(const triangle_elements *e, double drag, const double wind[3], double h,
+                       const double (*restrict x)[3], const double (*restrict v)[3],
+                       linear_system *s);
+
 /** The work in J that drag did in a step of h s that began at positions x and ended with velocities
  *  v, by the same formula: positive where wind drives the cloth. */
 double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
                  const double (*x)[3], const double (*v)[3]);
+
+/** The same for the drag along the cloth. */
+double drag_work_along(const triangle_elements *e, double drag, const double wind[3], double h,
+                       const double (*x)[3], const double (*v)[3]);
 
 #endif

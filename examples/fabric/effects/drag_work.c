@@ -28,3 +28,31 @@ double drag_work(const triangle_elements *e, double drag, const double wind[3], 
             sum[chunk] += work_of(e->vertex[t], h * drag, wind, x, v);
     return chunk_sum_all(count, sum);
 }
+
+static double work_along_of(const int corner[3], double factor, const double wind[3],
+                            const double (*x)[3], const double (*v)[3]) {
+    double one[3], other[3], cross[3], work = 0;
+    vector_subtract(x[corner[1]], x[corner[0]], one);
+    vector_subtract(x[corner[2]], x[corner[0]], other);
+    vector_cross(one, other, cross);
+    const double length = vector_length(cross);
+    for (int p = 0; p < 3 && length > 0; p++) {
+        double past[3];
+        vector_subtract(wind, v[corner[p]], past);
+        const double across = vector_dot(cross, past) / length;
+        const double along = vector_dot(cross, v[corner[p]]) / length;
+        work += factor * length / 6 * (vector_dot(past, v[corner[p]]) - across * along);
+    }
+    return work;
+}
+
+double drag_work_along(const triangle_elements *e, double drag, const double wind[3], double h,
+                       const double (*x)[3], const double (*v)[3]) {
+    double sum[CHUNK_SUM_MOST] = {0};
+    const int count = e->count;
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++)
+            sum[chunk] += work_along_of(e->vertex[t], h * drag, wind, x, v);
+    return chunk_sum_all(count, sum);
+}

@@ -5,7 +5,8 @@
  * With the edge x0 x1, wings x2 and x3 and the angle theta between the triangles (0: flat)
  *     C = sqrt(weight) theta,   E = k C^2 / 2   k N m,   weight = 3 |e|^2 / a  (no unit)
  * where |e| is the edge's rest length and a the rest area of the two triangles together (discrete
- * shells, Grinspun et al. 2003). Cloth is flat at rest. Damping: f = -kd dC (dC . v), kd N m s.
+ * shells, Grinspun et al. 2003). Cloth is flat at rest; where the mesh is bent at rest, theta is
+ * counted from the angle it has where the cloth starts. Damping: f = -kd dC (dC . v), kd N m s.
  */
 #ifndef FABRIC_HINGE_H
 #define FABRIC_HINGE_H
@@ -20,6 +21,7 @@ typedef struct hinge_elements {
     int (*role)[4];   /* [count] which corner each of `vertex` is */
     int (*block)[10]; /* [count] where A keeps (i,i) (i,j) (i,k) (i,l) (j,j) ... (l,l) */
     double *weight;   /* [count] */
+    double *at_rest;  /* [count] rad, what angles are counted from; NULL: from 0 */
     double *angle;    /* [count] rad, unwrapped: continuous from step to step; 0 at first */
     /* What hinge_energy_at found last: where a step ends and the next begins angles are the same.
        NULL until hinge_elements_look_ahead. */
@@ -44,7 +46,7 @@ int hinge_elements_place(hinge_elements *e, const block_matrix *A);
 void hinge_elements_free(hinge_elements *e);
 
 /** Brings e->angle to positions x: the angle nearest to the one remembered that differs from
- *  atan2's by whole turns. Doing it twice changes nothing. */
+ *  atan2's, less the one at rest, by whole turns. Doing it twice changes nothing. */
 void hinge_update_angles(hinge_elements *e, const double (*x)[3]);
 
 /** Adds the hinges' part of A and b at positions x (m) and velocities v (m/s), both [vertices], for

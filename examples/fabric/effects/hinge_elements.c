@@ -41,6 +41,19 @@ static void sort_corners(const int corner[4], int vertex[4], int role[4]) {
     }
 }
 
+/* In (-pi, pi]. atan2 keeps all digits near 0, where an arc cosine would lose half of them. */
+static double hinge_angle(const double (*x)[3], const int corner[4]) {
+    double e[3], a[3], b[3], n1[3], n2[3], across[3];
+    vector_subtract(x[corner[1]], x[corner[0]], e);
+    vector_subtract(x[corner[2]], x[corner[0]], a);
+    vector_subtract(x[corner[3]], x[corner[0]], b);
+    vector_cross(e, a, n1);
+    vector_cross(b, e, n2);
+    vector_cross(n1, n2, across);
+    const double length = vector_length(e);
+    return atan2(vector_dot(across, e), length * vector_dot(n1, n2));
+}
+
 int hinge_elements_init(hinge_elements *e, const mesh *m) {
     const size_t count = (size_t)m->hinge_count + 1;
     *e = (hinge_elements){0};
@@ -49,7 +62,9 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
     e->role = calloc(count, sizeof *e->role);
     e->weight = calloc(count, sizeof *e->weight);
     e->angle = calloc(count, sizeof *e->angle);
-    if (!e->corner || !e->vertex || !e->role || !e->weight || !e->angle) {
+    e->at_rest = m->bent_at_rest ? calloc(count, sizeof *e->at_rest) : NULL;
+    if (!e->corner || !e->vertex || !e->role || !e->weight || !e->angle ||
+        (m->bent_at_rest && !e->at_rest)) {
         hinge_elements_free(e);
         return -1;
     }
@@ -60,6 +75,8 @@ int hinge_elements_init(hinge_elements *e, const mesh *m) {
             continue;
         for (int p = 0; p < 4; p++)
             e->corner[n][p] = m->hinge[t][p];
+        if (e->at_rest)
+            e->at_rest[n] = hinge_angle((const double(*)[3])m->position, e->corner[n]);
         sort_corners(e->corner[n], e->vertex[n], e->role[n]);
         e->vertices = e->vertex[n][3] >= e->vertices ? e->vertex[n][3] + 1 : e->vertices;
         e->count++;
@@ -88,28 +105,16 @@ void hinge_elements_free(hinge_elements *e) {
     free(e->vertex);
     free(e->role);
     free(e->weight);
+    free(e->at_rest);
     free(e->angle);
     free(e->ahead);
     free(e->ahead_x);
     *e = (hinge_elements){0};
 }
 
-/* In (-pi, pi]. atan2 keeps all digits near 0, where an arc cosine would lose half of them. */
-static double hinge_angle(const double (*x)[3], const int corner[4]) {
-    double e[3], a[3], b[3], n1[3], n2[3], across[3];
-    vector_subtract(x[corner[1]], x[corner[0]], e);
-    vector_subtract(x[corner[2]], x[corner[0]], a);
-    vector_subtract(x[corner[3]], x[corner[0]], b);
-    vector_cross(e, a, n1);
-    vector_cross(b, e, n2);
-    vector_cross(n1, n2, across);
-    const double length = vector_length(e);
-    return atan2(vector_dot(across, e), length * vector_dot(n1, n2));
-}
-
 /* The angle at x nearest to the one remembered. */
 static double angle_at(const hinge_elements *e, int t, const double (*x)[3]) {
-    const double angle = hinge_angle(x, e->corner[t]);
+    const double angle = hinge_angle(x, e->corner[t]) - (e->at_rest ? e->at_rest[t] : 0);
     const double change = e->angle[t] - angle;
     const double turns = fabs(change) > pi ? round(change / (2 * pi)) : 0;
     return angle + 2 * pi * turns;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "files.h"
+#include "motion.h"
 #include "output/camera.h"
 #include "output/stage.h"
 #include "surface.h"
@@ -52,12 +53,31 @@ static int find_material(film *f) {
 }
 
 /** Corners of the boxes around the solids, at the time given. */
+/** No point of the body is farther from its origin, m. */
+static double reach_of(const collider *c) {
+    switch (c->kind) {
+    case COLLIDER_BOX:
+        return sqrt(c->size[0] * c->size[0] + c->size[1] * c->size[1] + c->size[2] * c->size[2]);
+    case COLLIDER_CYLINDER:
+        return hypot(c->size[0], c->size[1]);
+    case COLLIDER_MESH:
+        return surface_reach(c->surface);
+    case COLLIDER_SPHERE:
+    case COLLIDER_PLANE:
+        break;
+    }
+    return c->size[0];
+}
+
 static long collider_points(const film *f, double time, double (*points)[3]) {
     long count = 0;
     for (int k = 0; k < f->of.collider_count; k++) {
         const collider *c = &f->of.colliders[k];
+        body_pose pose;
         if (c->kind == COLLIDER_PLANE)
             continue;
+        motion_pose(c, time, &pose);
+        const double all_ways = motion_turns(c) ? reach_of(c) : 0.0;
         for (int corner = 0; corner < 8; corner++, count++)
             for (int i = 0; i < 3; i++) {
                 double half = c->size[i];
@@ -68,8 +88,8 @@ static long collider_points(const film *f, double time, double (*points)[3]) {
                            sqrt(fmax(0.0, 1.0 - c->axis[i] * c->axis[i])) * c->size[0];
                 else if (c->kind == COLLIDER_MESH)
                     half = surface_reach(c->surface);
-                points[count][i] = c->position[i] + time * c->velocity[i] +
-                                   ((corner >> i & 1) != 0 ? half : -half);
+                half = fmax(half, all_ways);
+                points[count][i] = pose.origin[i] + ((corner >> i & 1) != 0 ? half : -half);
             }
     }
     return count;

@@ -31,13 +31,6 @@ static void vertex_of(const gltf *g, const state *s, int number, int v, double t
     gltf_turn(p, turned);
 }
 
-static int moving_count(const gltf *g) {
-    int count = 0;
-    for (int k = 0; k < g->solid_count; k++)
-        count += gltf_is_moving(g->solids[k].of);
-    return count;
-}
-
 void gltf_measure(const gltf *g, uint64_t size[PARTS]) {
     const uint64_t frames = (uint64_t)g->frames->count;
     const uint64_t vertices = (uint64_t)g->frames->vertex_count;
@@ -48,7 +41,8 @@ void gltf_measure(const gltf *g, uint64_t size[PARTS]) {
         size[TARGETS] = 12 * vertices * (frames - 1);
         size[TIMES] = 4 * frames;
         size[WEIGHTS] = 4 * frames * (frames - 1);
-        size[PATHS] = 12 * frames * (uint64_t)moving_count(g);
+        size[PATHS] = 12 * frames * (uint64_t)gltf_moving_before(g, g->solid_count);
+        size[TURNS] = 16 * frames * (uint64_t)gltf_turning_before(g, g->solid_count);
     }
     for (int k = 0; k < g->solid_count; k++) {
         size[SOLIDS] += 12 * (uint64_t)g->solids[k].surface.vertex_count;
@@ -147,6 +141,13 @@ static void put_solids(const gltf *g, byte_sink *to) {
             double at[3];
             gltf_place(g->solids[k].of, g->frames->time[n], at);
             put_point(to, at);
+        }
+    for (int k = 0; k < g->solid_count && g->frames->count > 1; k++)
+        for (int n = 0; motion_turns(g->solids[k].of) && n < g->frames->count; n++) {
+            double quaternion[4];
+            gltf_rotation(g->solids[k].of, g->frames->time[n], quaternion);
+            for (int a = 0; a < 4; a++)
+                byte_sink_float(to, quaternion[a]);
         }
 }
 

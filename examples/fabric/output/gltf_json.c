@@ -15,8 +15,8 @@ static int view_of(const uint64_t size[PARTS], int part) {
     return view;
 }
 
-/* Accessors' numbers: the cloth's two, its targets, times and weights, two for each solid, and one
- * for each that moves. */
+/* Accessors' numbers: the cloth's two, its targets, times and weights, two for each solid, one for
+ * each that moves, and one for each that turns. */
 enum { CLOTH_ACCESSOR, CORNERS_ACCESSOR, TARGET_ACCESSOR };
 
 static int times_accessor(const gltf *g) {
@@ -28,13 +28,15 @@ static int solid_accessor(const gltf *g, int number) {
 }
 
 static int path_accessor(const gltf *g, int number) {
-    int before = 0;
-    for (int k = 0; k < number; k++)
-        before += gltf_is_moving(g->solids[k].of);
-    return solid_accessor(g, g->solid_count) + before;
+    return solid_accessor(g, g->solid_count) + gltf_moving_before(g, number);
 }
 
-typedef enum accessor_kind { POINTS, INDICES, NUMBERS } accessor_kind;
+static int turn_accessor(const gltf *g, int number) {
+    return path_accessor(g, g->solid_count) + gltf_turning_before(g, number);
+}
+
+typedef enum accessor_kind { POINTS, INDICES, NUMBERS, QUATERNIONS } accessor_kind;
+static const char *const accessor_types[] = {"VEC3", "SCALAR", "SCALAR", "VEC4"};
 
 /** box: NULL where bounds are not asked for; of numbers its first coordinate. */
 static void put_accessor(FILE *json, accessor_kind kind, int view, uint64_t offset, long count,
@@ -48,7 +50,7 @@ static void put_accessor(FILE *json, accessor_kind kind, int view, uint64_t offs
             fprintf(json, ",%.9g", (double)at[a]);
         fputs("],", json);
     }
-    fprintf(json, "\"type\":\"%s\"}", kind == POINTS ? "VEC3" : "SCALAR");
+    fprintf(json, "\"type\":\"%s\"}", accessor_types[kind]);
 }
 
 static void put_next_accessor(FILE *json, accessor_kind kind, int view, uint64_t offset, long count,
@@ -74,7 +76,7 @@ static void put_cloth_accessors(const gltf *g, const uint64_t size[PARTS], FILE 
 }
 
 static void put_accessors(const gltf *g, const uint64_t size[PARTS], FILE *json) {
-    uint64_t points = 0, corners = 0, path = 0;
+    uint64_t points = 0, corners = 0, path = 0, turn = 0;
     fputs("\"accessors\":[\n", json);
     put_cloth_accessors(g, size, json);
     for (int k = 0; k < g->solid_count; k++) {
@@ -91,6 +93,12 @@ static void put_accessors(const gltf *g, const uint64_t size[PARTS], FILE *json)
             put_next_accessor(json, POINTS, view_of(size, PATHS), path, g->frames->count, NULL);
             path += 12 * (uint64_t)g->frames->count;
         }
+    for (int k = 0; k < g->solid_count && size[TURNS] > 0; k++)
+        if (motion_turns(g->solids[k].of)) {
+            put_next_accessor(json, QUATERNIONS, view_of(size, TURNS), turn, g->frames->count,
+                              NULL);
+            turn += 16 * (uint64_t)g->frames->count;
+        }
     fputs("\n],\n", json);
 }
 
@@ -99,7 +107,7 @@ static void put_views(const uint64_t size[PARTS], FILE *json) {
     const char *comma = "";
     fputs("\"bufferViews\":[", json);
     for (int part = 0; part < PARTS; part++) {
-        const int is_mesh = part != TIMES && part != WEIGHTS && part != PATHS;
+        const int is_mesh = part != TIMES && part != WEIGHTS && part < PATHS;
         const int is_corners = part == CORNERS || part == SOLID_CORNERS;
         if (size[part] == 0)
             continue;
@@ -146,8 +154,14 @@ static void put_nodes(const gltf *g, FILE *json) {
     for (int k = 0; k < g->solid_count; k++) {
         double at[3];
         gltf_place(g->solids[k].of, g->frames->time[0], at);
-        fprintf(json, ",\n{\"name\":\"%s\",\"mesh\":%d,\"translation\":[%.9g,%.9g,%.9g]}",
+        fprintf(json, ",\n{\"name\":\"%s\",\"mesh\":%d,\"translation\":[%.9g,%.9g,%.9g]",
                 collider_names[g->solids[k].of->kind], k + 1, at[0], at[1], at[2]);
+        if (motion_turns(g->solids[k].of)) {
+            double q[4];
+            gltf_rotation(g->solids[k].of, g->frames->time[0], q);
+            fprintf(json, ",\"rotation\":[%.9g,%.9g,%.9g,%.9g]", q[0], q[1], q[2], q[3]);
+        }
+        fputc('}', json);
     }
     fputs("\n],\n", json);
 }
@@ -176,10 +190,18 @@ static void put_animation(const gltf *g, FILE *json) {
         if (gltf_is_moving(g->solids[k].of))
             fprintf(json, ",\n{\"input\":%d,\"output\":%d,\"interpolation\":\"LINEAR\"}",
                     times_accessor(g), path_accessor(g, k));
+    for (int k = 0; k < g->solid_count; k++)
+        if (motion_turns(g->solids[k].of))
+            fprintf(json, ",\n{\"input\":%d,\"output\":%d,\"interpolation\":\"LINEAR\"}",
+                    times_accessor(g), turn_accessor(g, k));
     fputs("],\n\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"weights\"}}", json);
     for (int k = 0; k < g->solid_count; k++)
         if (gltf_is_moving(g->solids[k].of))
             fprintf(json, ",\n{\"sampler\":%d,\"target\":{\"node\":%d,\"path\":\"translation\"}}",
+                    sampler++, k + 1);
+    for (int k = 0; k < g->solid_count; k++)
+        if (motion_turns(g->solids[k].of))
+            fprintf(json, ",\n{\"sampler\":%d,\"target\":{\"node\":%d,\"path\":\"rotation\"}}",
                     sampler++, k + 1);
     fputs("]}],\n", json);
 }

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "motion.h"
 #include "output/exchange.h"
 #include "scene.h"
 #include "vector.h"
@@ -33,7 +34,7 @@ typedef struct gltf {
 } gltf;
 
 /* The buffer's parts, each a bufferView, in this order in the file; accessors are in it too. */
-enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, PARTS };
+enum { CLOTH, TARGETS, CORNERS, TIMES, WEIGHTS, SOLIDS, SOLID_CORNERS, PATHS, TURNS, PARTS };
 
 /** From z up to y up. */
 static inline void gltf_turn(const double p[3], double turned[3]) {
@@ -44,13 +45,38 @@ static inline void gltf_turn(const double p[3], double turned[3]) {
 
 /** Where the collider is at a time, in the file. */
 static inline void gltf_place(const collider *c, double time, double turned[3]) {
-    double p[3];
-    vector_add_scaled(c->position, time, c->velocity, p);
-    gltf_turn(p, turned);
+    body_pose pose;
+    motion_pose(c, time, &pose);
+    gltf_turn(pose.origin, turned);
+}
+
+/** How it is turned then: a unit quaternion (x, y, z, w). */
+static inline void gltf_rotation(const collider *c, double time, double quaternion[4]) {
+    const double half = motion_angle(c, time) / 2;
+    double axis[3];
+    gltf_turn(c->turn_axis, axis);
+    for (int a = 0; a < 3; a++)
+        quaternion[a] = sin(half) * axis[a];
+    quaternion[3] = cos(half);
 }
 
 static inline int gltf_is_moving(const collider *c) {
-    return vector_dot(c->velocity, c->velocity) > 0;
+    return vector_dot(c->velocity, c->velocity) > 0 || motion_has_keys(c);
+}
+
+/** How many of the solids before the first `count` move; how many turn. */
+static inline int gltf_moving_before(const gltf *g, int count) {
+    int moving = 0;
+    for (int k = 0; k < count; k++)
+        moving += gltf_is_moving(g->solids[k].of);
+    return moving;
+}
+
+static inline int gltf_turning_before(const gltf *g, int count) {
+    int turning = 0;
+    for (int k = 0; k < count; k++)
+        turning += motion_turns(g->solids[k].of);
+    return turning;
 }
 
 /** Bytes of each part. */

@@ -4,16 +4,13 @@
 #include <GL/gl.h>
 #include <math.h>
 
+#include "motion.h"
 #include "surface.h"
+#include "vector.h"
 
 enum { AROUND = 96, DOWN = 48 };
 static const double PI = 3.14159265358979323846;
 static const double TILE = 0.25; /* m */
-
-static void place(const collider *c, double time, double position[3]) {
-    for (int k = 0; k < 3; k++)
-        position[k] = c->position[k] + time * c->velocity[k];
-}
 
 /** Two unit vectors at right angles to the axis and to each other. */
 static void axes_across(const double axis[3], double first[3], double second[3]) {
@@ -118,8 +115,18 @@ static void draw_mesh(const collider *c, const double center[3]) {
 }
 
 void solids_draw(const collider *c, double time) {
-    double center[3];
-    place(c, time, center);
+    static const double center[3] = {0.0, 0.0, 0.0};
+    double columns[16] = {0.0};
+    body_pose pose;
+    motion_pose(c, time, &pose);
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++)
+            columns[4 * column + row] = pose.turn[row][column];
+    for (int row = 0; row < 3; row++)
+        columns[12 + row] = pose.origin[row];
+    columns[15] = 1.0;
+    glPushMatrix();
+    glMultMatrixd(columns);
     if (c->kind == COLLIDER_BOX)
         draw_box(c, center);
     else if (c->kind == COLLIDER_SPHERE)
@@ -128,6 +135,16 @@ void solids_draw(const collider *c, double time) {
         draw_cylinder(c, center);
     else if (c->kind == COLLIDER_MESH)
         draw_mesh(c, center);
+    glPopMatrix();
+}
+
+void solids_plane(const collider *c, double time, double point[3], double normal[3]) {
+    body_pose pose;
+    motion_pose(c, time, &pose);
+    for (int k = 0; k < 3; k++) {
+        point[k] = pose.origin[k];
+        normal[k] = vector_dot(pose.turn[k], c->axis);
+    }
 }
 
 /** The colour of a tile's corner at (x, y) from the middle: its own, fading outwards. */
@@ -141,10 +158,10 @@ static void tile_color(double x, double y, int odd, double reach, const float ba
 
 void solids_draw_plane(const collider *c, double time, const double middle[3], double reach,
                        const float background[3]) {
-    double position[3], first[3], second[3], from[2] = {0.0, 0.0};
+    double position[3], normal[3], first[3], second[3], from[2] = {0.0, 0.0};
     const int tiles = (int)ceil(reach / TILE);
-    place(c, time, position);
-    axes_across(c->axis, first, second);
+    solids_plane(c, time, position, normal);
+    axes_across(normal, first, second);
     for (int k = 0; k < 3; k++) {
         from[0] += (middle[k] - position[k]) * first[k];
         from[1] += (middle[k] - position[k]) * second[k];

@@ -200,10 +200,11 @@ static void flatten(const double normal[3], double offset) {
 static void draw_shadows(const stage *st, const collider *plane, const stage_cloth *cloth,
                          double time) {
     double offset = 0.001; /* m above the plane, so as not to be hidden by it */
-    double towards_light = 0.0;
+    double towards_light = 0.0, point[3], normal[3];
+    solids_plane(plane, time, point, normal);
     for (int k = 0; k < 3; k++) {
-        offset += plane->axis[k] * (plane->position[k] + time * plane->velocity[k]);
-        towards_light += plane->axis[k] * (double)LIGHT[k];
+        offset += normal[k] * point[k];
+        towards_light += normal[k] * (double)LIGHT[k];
     }
     if (towards_light < 0.1)
         return;
@@ -215,7 +216,7 @@ static void draw_shadows(const stage *st, const collider *plane, const stage_clo
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     glColor4f(0.10f, 0.12f, 0.18f, 0.28f);
     glPushMatrix();
-    flatten(plane->axis, offset);
+    flatten(normal, offset);
     draw_bare_cloth(cloth);
     draw_solids(st, time);
     glPopMatrix();

@@ -130,11 +130,11 @@ static void print_faults(const simulation *sim) {
         "were solved directly");
     print_count(f.not_solved, "of the shortest steps were taken without a converged solution");
     print_count(f.strain, "of the shortest steps were taken though the strain grew too much");
-    print_count(f.penetration, "of the shortest steps were taken though vertices went into a "
-                               "collider");
+    print_count(f.penetration, "steps were taken though vertices went into a collider: shorter ones "
+                               "did not help");
     print_count(f.passing,
-                "of the shortest steps were taken though cloth passed through itself or a "
-                "collider");
+                "steps were taken though cloth passed through itself or a collider: shorter ones "
+                "did not help");
     if (f.greatest_strain >= f.strain_limit)
         printf("  the cloth was stretched to %.3g times its length\n", 1 + f.greatest_strain);
     if (f.deepest > f.start_depth && f.penetration > 0)

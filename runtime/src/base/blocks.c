@@ -8,6 +8,8 @@
  */
 #include "base/blocks.h"
 
+#include <assert.h>
+
 #include "base/spin.h"
 
 enum {
@@ -39,6 +41,7 @@ static unsigned class_of(size_t bytes, size_t *size) {
     const size_t step = (size_t)1 << doublings;
     const size_t steps = (lines + step - 1) / step; /* up to 2 * PER_DOUBLING */
     *size = steps * step * LINE;
+    assert(lines > 0 && *size >= bytes && steps <= (size_t)2 * PER_DOUBLING);
     return doublings * PER_DOUBLING + (unsigned)steps - 1;
 }
 
@@ -56,6 +59,7 @@ static void *cut(size_t bytes) {
         piece = more;
         piece_left = PIECE;
     }
+    assert(bytes % LINE == 0 && bytes <= piece_left);
     void *block = piece;
     piece += bytes;
     piece_left -= bytes;
@@ -67,6 +71,7 @@ static void *take_free(unsigned class, size_t bytes) {
     if (!block)
         return NULL;
     free_blocks[class] = block->next;
+    assert(bytes <= SMALL_MOST || bytes <= kept);
     kept -= bytes > SMALL_MOST ? bytes : 0;
     return block;
 }

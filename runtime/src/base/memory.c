@@ -3,6 +3,7 @@
 
 #include "base/blocks.h"
 
+#include <assert.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -71,6 +72,7 @@ void *redcc_memory_take(size_t bytes) {
         atomic_fetch_sub(&in_use, whole);
         return NULL;
     }
+    assert(held >= whole && (uintptr_t)memory % LINE == 0);
     *(struct header *)memory = (struct header){whole, held, keep};
     atomic_fetch_add(&live, 1);
     return memory + LINE;
@@ -108,6 +110,8 @@ void *redcc_memory_resize(void *block, size_t bytes) {
 void redcc_memory_give(void *block) {
     if (!block)
         return;
+    assert(header_of(block)->bytes >= LINE && header_of(block)->bytes <= header_of(block)->held);
+    assert(atomic_load(&in_use) >= header_of(block)->bytes && atomic_load(&live) > 0);
     atomic_fetch_sub(&in_use, header_of(block)->bytes);
     atomic_fetch_sub(&live, 1);
     const struct header header = *header_of(block);

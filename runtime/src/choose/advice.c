@@ -231,7 +231,9 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     const struct call *call = inspection->call;
     struct partition *partition = &inspection->partition;
     if (call->method)
-        return ROUTE_OWNERS;
+        return call->method->in_levels  ? ROUTE_LEVELS
+               : call->method->by_graph ? ROUTE_GRAPH
+                                        : ROUTE_OWNERS;
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
     const struct decision decision = pick_way(chooser, inspection, estimate);
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
@@ -241,7 +243,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
         return ROUTE_SERIAL;
     entry->deadline = inspection->deadline = redcc_seconds() + decision.deadline;
     if (entry->way != WAY_COPIES)
-        return ROUTE_OWNERS;
+        return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
     redcc_partition_in_one(partition); /* nobody need know who touches what, only how far */
     return ROUTE_COPIES;
 }
@@ -261,18 +263,14 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
     return prospect[WAY_INDEX].execution < better * findings.sequential;
 }
 
-const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *entry,
+const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable) {
-    const struct call *call = inspection->call;
+    const struct method *named = inspection->call->method;
     if (inspection->route == ROUTE_COPIES)
-        return &redcc_method_expansion;
-    if (call->method)
-        return call->method;
-    const bool is_even = redcc_largest_share(inspection) * call->threads <= even_share;
-    if (entry->way == WAY_GRAPH && reusable && !is_even)
-        return &redcc_method_graph_localwrite;
-    entry->way = WAY_INDEX;
-    if (!index_pays(chooser, inspection, reusable))
+        return named ? named : &redcc_method_expansion;
+    if (named && !inspection->no_graph)
+        return named;
+    if (!named && !index_pays(chooser, inspection, reusable))
         return NULL;
     return inspection->partition.stealable ? &redcc_method_localwrite_steal
                                            : &redcc_method_localwrite;
@@ -290,12 +288,14 @@ static bool stealing_is_worth(const struct chooser *chooser, const struct call *
 
 /* auto tries stealable blocks where parts are large; what they cost is seen when they are there. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
-                                         struct inspection *inspection,
-                                         const struct method *method) {
+                                         struct inspection *inspection, bool reusable) {
     const struct call *call = inspection->call;
+    const struct method *method = call->method ? call->method
+                                  : reusable   ? &redcc_method_graph_localwrite
+                                               : NULL;
     struct partition *partition = &inspection->partition;
     const uint32_t threads = (uint32_t)call->threads;
-    if (call->method || partition->stealable || partition->room > REDCC_OWNERS_MOST ||
+    if (call->method || !method || partition->stealable || partition->room > REDCC_OWNERS_MOST ||
         inspection->divide.units.leading / threads < LEAST_UNITS_TO_STEAL ||
         !stealing_is_worth(chooser, call, 1.0 / threads, 0))
         return method;

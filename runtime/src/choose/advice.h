@@ -7,8 +7,7 @@
  *
  *     at entry              redcc_advise_rest, redcc_advise_entry
  *     after the sample      redcc_advise_sampled
- *     after the sweep       redcc_advise_swept
- *     after the log         redcc_advise_logged, redcc_tell_no_graph
+ *     after the sweep       redcc_advise_swept; where it was kept, redcc_advise_logged
  *     after the partition   redcc_advise_partitioned
  *     after the execution   redcc_tell, also of the sequential loop; redcc_advise_timed
  *
@@ -61,27 +60,25 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
 /** Of the sample: what of it auto goes by. */
 bool redcc_wants_estimate(const struct inspection *inspection);
 
-/** How shall the inspection go on? SERIAL (it is not worth it), OWNERS, COPIES. May join stealable
- *  blocks of the partition to their owners, or make it one piece. Sets entry->way, and the
- *  deadline of both. */
+/** How shall the inspection go on? SERIAL: it is not worth it. May join stealable blocks of the
+ *  partition to their owners, or make it one piece. Sets entry->way, and the deadline of both. */
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                                 struct inspection *inspection, const struct estimate *estimate);
 
-/** By what method, now that all iterations are told? reusable: the plan can be kept. NULL: by none,
- *  it would be slower than the original loop. */
-const struct method *redcc_advise_swept(struct chooser *chooser, struct advice *entry,
+/** By what method, now that the access summaries are there? reusable: the plan can be kept. NULL:
+ *  by none, it would be slower than the original loop. */
+const struct method *redcc_advise_swept(const struct chooser *chooser,
                                         const struct inspection *inspection, bool reusable);
 
 /** Do memory and what is touched allow private copies? */
 bool redcc_copies_allowed(const struct inspection *inspection);
 
-/** All touches are kept: does it remain with `method`? May add stealable blocks to the partition.
- */
+/** By what method, all touches being kept? May add stealable blocks to the partition. reusable, and
+ *  NULL: as above; owners cut from the graph do not pay for themselves in one execution. */
 const struct method *redcc_advise_logged(const struct chooser *chooser,
-                                         struct inspection *inspection,
-                                         const struct method *method);
+                                         struct inspection *inspection, bool reusable);
 
-/** The owners could not be cut from the access graph after all. */
+/** The owners cannot be cut from the access graph. */
 void redcc_tell_no_graph(struct advice *entry);
 
 /** The owners are cut. *method stays, or changes. JOIN: the stealable blocks, which the partition

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "choose/size.h"
 
+#include <assert.h>
+
 /* The bound's e: of the sequential time, what trials may cost. At a twentieth a program that is
  * never worth it is slower by less than two runs of it differ on a machine that others use (5 to 15
  * %, script/bench choice). */
@@ -152,6 +154,7 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
     if (way == WAY_SEQUENTIAL)
         return sequentially(size, RULE_SAVING);
     const double allowed = room_for(state, size, now->trip, way);
+    assert(way > WAY_SEQUENTIAL && way < WAY_COUNT && size->prospect[way].possible);
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
@@ -161,6 +164,7 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
 
 static struct decision look(struct choice_state *state, struct size_state *size) {
     const double cost = size->look > 0 ? size->look : first_look, allowed = redcc_credit(state);
+    assert(cost > 0);
     if (allowed < cost || size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)
         return sequentially(size, RULE_SAVING);
     size->rule = RULE_LOOKING;
@@ -195,6 +199,8 @@ static struct decision decide_saving(struct choice_state *state, struct size_sta
 static struct decision decide_comparing(struct choice_state *state, struct size_state *size,
                                         const struct situation *now) {
     const struct comparison *it = &size->comparison;
+    assert(it->contender != it->incumbent && it->contender > WAY_SEQUENTIAL &&
+           it->contender < WAY_COUNT);
     const bool both_fit =
         now->kept[it->contender] == KEPT_FITS &&
         (it->incumbent == WAY_SEQUENTIAL || now->kept[it->incumbent] == KEPT_FITS);
@@ -220,6 +226,7 @@ static bool is_check_due(const struct size_state *size, long long trip) {
 
 static struct decision decide_parallel(struct choice_state *state, struct size_state *size,
                                        const struct situation *now) {
+    assert(size->way > WAY_SEQUENTIAL && size->way < WAY_COUNT);
     if (now->kept[size->way] != KEPT_FITS) {
         leave_plan(state, size);
         return decide_saving(state, size, now);

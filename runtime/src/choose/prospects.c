@@ -5,9 +5,10 @@
  * what executions take, comes in their place as soon as it is known. */
 static const double touch_told = 1e-9; /* of a thread: a touch, where iterations follow alike, */
 static const double iteration_apart = 45e-9; /* one that has other owners than the last: 37 to 60 */
-static const double graph_row = 40e-9;       /* cutting the access graph, a row: of the threads, */
-static const double graph_row_alone = 15e-9; /* and while they wait */
-static const double touch_range = 1e-9;      /* to tell a touch for its extent alone */
+static const double touch_kept = 5e-9;       /* told and kept, of a thread; */
+static const double graph_row = 16e-9; /* cutting owners from what is kept, a row: of a thread, */
+static const double graph_row_alone = 3e-9; /* and while the others wait */
+static const double touch_range = 1e-9;     /* to tell a touch for its extent alone */
 static const double frequent = 0.25; /* runs, of the iterations: all touches are told apart */
 static const double run_begun = 3e-9;
 static const double byte_copied = 0.15e-9;    /* of a copy that is filled and brought in, */
@@ -37,11 +38,10 @@ static void by_index(const struct findings *it, struct prospect *prospect) {
                           it->runs * run_begun / it->threads;
 }
 
-static void by_graph(const struct findings *it, const struct prospect *index,
-                     struct prospect *prospect) {
-    const double row = graph_row / it->threads + graph_row_alone;
+static void by_graph(const struct findings *it, struct prospect *prospect) {
+    const double each = (it->touches * touch_kept + it->rows * graph_row) / it->threads;
     prospect->possible = it->reusable && it->share * it->threads > even;
-    prospect->set_up = index->set_up + it->rows * (double)it->trip * row;
+    prospect->set_up = it->spent + (each + it->rows * graph_row_alone) * (double)it->trip;
     prospect->execution =
         it->sequential * contended * scattered / it->threads + it->runs * run_begun / it->threads;
 }
@@ -53,7 +53,7 @@ void redcc_estimate_prospects(const struct findings *findings, struct prospect *
         prospect[way] = (struct prospect){0};
     by_copies(findings, &prospect[WAY_COPIES]);
     by_index(findings, &prospect[WAY_INDEX]);
-    by_graph(findings, &prospect[WAY_INDEX], &prospect[WAY_GRAPH]);
+    by_graph(findings, &prospect[WAY_GRAPH]);
     for (enum way way = WAY_COPIES; way < WAY_COUNT;
          way++) /* a plan that is not kept serves once */
         prospect[way].execution += findings->reusable ? checked : prospect[way].set_up / trip;

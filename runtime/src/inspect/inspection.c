@@ -36,7 +36,7 @@ bool redcc_inspection_begin(struct inspection *inspection, bool steals) {
         call->method ? call->method->steals : steals && request->trip >= LEAST_TRIP_TO_STEAL;
     inspection->stealable = cuts_blocks ? REDCC_STEALABLE : 0;
     inspection->route = ROUTE_OWNERS;
-    inspection->no_copies = false;
+    inspection->no_copies = inspection->no_graph = false;
     inspection->samples = redcc_memory_take(threads * sizeof *inspection->samples);
     inspection->summaries = redcc_memory_take(threads * sizeof *inspection->summaries);
     inspection->seen = redcc_memory_take(threads * sizeof *inspection->seen);

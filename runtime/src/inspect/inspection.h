@@ -3,8 +3,8 @@
  * An inspection, in the threads of the region. Its steps, in this order:
  *
  *     sample     some iterations' addresses             -> partition: the arrays cut among owners
- *     sweep      all iterations' addresses              -> access summaries, extents, overlap guard
- *     log        all touches once more, kept            -> an access log
+ *     sweep      all iterations' addresses              -> extents, overlap guard, and by the route
+ *                                                          access summaries or an access log
  *     partition  owners cut from the access graph       -> divide: access summaries by these owners
  *                or iterations in levels                -> levels
  *
@@ -36,7 +36,7 @@ struct inspector {
     redcc_int next;       /* iterations handed out up to here, by the sweep */
     redcc_int handed;     /* in the block at hand */
     redcc_int block;      /* that many at most */
-    redcc_int at;         /* iterations handed out up to here, by sample or log */
+    redcc_int at;         /* iterations handed out up to here, by the sample */
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] */
     redcc_int *executed;  /* [owners] iterations of the own share, by owner */
@@ -56,7 +56,9 @@ struct inspection {
     uint32_t stealable;     /* blocks to be cut for each thread (partition.stealable) */
     enum route route;       /* as far as it is decided */
     double deadline;        /* on the clock of redcc_seconds; 0: none */
-    bool no_copies;         /* by all iterations they cannot be had */
+    bool no_copies;         /* by all iterations they cannot be had; */
+    bool no_graph;          /* nor can owners be cut from the access graph */
+    bool is_exact;          /* units are numbered by what all iterations touched */
     double touches, rows;   /* of an iteration, by the sample */
     struct overlap overlap; /* REASON_OVERLAP: which */
     struct partition partition;
@@ -122,13 +124,18 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate);
 
 /* ---- sweep (sweeping.c) ---------------------------------------------------------------------- */
 
-/** Begins; so many bytes of subscripts will be hashed meanwhile, block after block. */
+/** Begins what the route asks for; so many bytes of subscripts will be hashed meanwhile, block
+ * after block. */
 void redcc_sweep_start(const struct inspection *inspection, struct inspector *inspector,
                        size_t hashed);
 
 /** Hands out the next block. False: there is none left. */
 bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector *inspector,
                           redcc_worker *worker);
+
+/** Takes in what was told. */
+void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspector,
+                       redcc_worker *worker);
 
 /** The block is told. Returns how much of the thread's iterations is, where more blocks than one
  *  are handed out; else 0. */
@@ -142,17 +149,17 @@ enum reason redcc_sweep_finish(struct inspection *inspection);
 
 /* ---- log and partition (logging.c) ----------------------------------------------------------- */
 
-/** Begins the access log. */
-enum divide_result redcc_log_begin(struct inspection *inspection, bool in_levels);
+/** Does the sweep keep all touches? */
+bool redcc_is_logged(const struct inspection *inspection);
 
-/** Begins the thread's part. */
-void redcc_log_start(const struct inspection *inspection, struct inspector *inspector);
+/** Before a sweep that does, by all threads: numbers the units of what was touched in the sweep
+ *  before (is_exact), or of what the sample leads to expect. */
+enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact);
 
-/** Hands out the next block of its iterations. False: there is none left, or it is too late. */
-bool redcc_log_hand_out(const struct inspection *inspection, struct inspector *inspector,
-                        redcc_worker *worker);
+/** Begins the thread's part. False: no memory. */
+bool redcc_log_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** All is told, or it is late: was there memory, and was it not too much to be kept? */
+/** All is told: can it be used? BEYOND: it has to be told once more, exactly numbered. */
 enum divide_result redcc_log_finish(const struct inspection *inspection);
 
 /** Cuts owners from the access graph; joined: without stealable blocks after all. */

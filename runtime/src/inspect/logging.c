@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The access log: all touches are told once more and kept; and what is made of it: owners cut from
- *  the access graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h).
- */
+/** The access log, of a sweep that keeps all touches; and what is made of it: owners cut from the
+ *  access graph (ownership/graph/divide.h), or iterations in levels (ownership/graph/levels.h).
+ *  Units are numbered before anything is told, by what the sample has seen and a little more: a
+ *  touch of others is found, and then all is told once more, the extents being known. */
 #include "inspect/inspection.h"
+
+#include "base/memory.h"
 
 #include <string.h>
 
@@ -24,53 +27,61 @@ static size_t expected_touches(const struct inspection *inspection,
     return (size_t)expected + (size_t)share / 16;
 }
 
-enum divide_result redcc_log_begin(struct inspection *inspection, bool in_levels) {
+bool redcc_is_logged(const struct inspection *inspection) {
+    return inspection->route == ROUTE_GRAPH || inspection->route == ROUTE_LEVELS;
+}
+
+/* What is touched of a group, as the sample leads to expect. */
+static struct range expected_range(const struct inspection *inspection, uint32_t group) {
+    const struct range sampled = inspection->touched[group];
+    if (redcc_range_empty(sampled))
+        return sampled;
+    const uintptr_t unit = inspection->partition.arrays[group].unit;
+    const uintptr_t more = (sampled.end - sampled.first) / 16 + 64 * unit;
+    return (struct range){sampled.first > more ? sampled.first - more : 1,
+                          sampled.end < UINTPTR_MAX - more ? sampled.end + more : UINTPTR_MAX};
+}
+
+enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact) {
     struct divide *divide = &inspection->divide;
+    const uint32_t arrays = inspection->partition.array_count;
     const int threads = inspection->call->threads;
-    const enum divide_result result =
-        redcc_divide_begin(divide, &inspection->partition, inspection->touched, threads,
-                           inspection->call->request.trip);
+    struct range *range = redcc_memory_take(arrays * sizeof *range);
+    inspection->is_exact = is_exact;
+    redcc_divide_end(divide);
+    if (!range)
+        return DIVIDE_NO_MEMORY;
+    for (uint32_t group = 0; group < arrays; group++)
+        range[group] = is_exact ? inspection->touched[group] : expected_range(inspection, group);
+    const enum divide_result result = redcc_divide_begin(divide, &inspection->partition, range,
+                                                         threads, inspection->call->request.trip);
+    redcc_memory_give(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->deadline;
-    if (in_levels) /* whatever they take: the method was named */
+    if (inspection->route == ROUTE_LEVELS) /* whatever they take: the method was named */
         divide->most_told = (size_t)REDCC_NO_UNIT / (size_t)threads;
     return result;
 }
 
-void redcc_log_start(const struct inspection *inspection, struct inspector *inspector) {
+bool redcc_log_start(const struct inspection *inspection, struct inspector *inspector) {
     const struct divide *divide = &inspection->divide;
-    inspector->at = redcc_own_begin(inspection, inspector);
-    inspector->failed =
-        !redcc_told_begin(&divide->told[inspector->thread], &divide->units, divide->partition,
-                          inspector->at, expected_touches(inspection, inspector, true),
-                          expected_touches(inspection, inspector, false), divide->most_told);
-}
-
-bool redcc_log_hand_out(const struct inspection *inspection, struct inspector *inspector,
-                        redcc_worker *worker) {
-    const redcc_int first = inspector->at, end = redcc_own_end(inspection, inspector);
-    inspector->late = redcc_inspection_is_late(inspection);
-    if (inspector->failed || inspector->late || first == end)
-        return false;
-    const bool all = inspection->deadline <= 0 || end - first < REDCC_BLOCK_BEFORE_DEADLINE;
-    inspector->at = all ? end : first + REDCC_BLOCK_BEFORE_DEADLINE;
-    redcc_hand_out(inspector, worker, first, inspector->at, 1, inspector->nowhere);
-    return true;
+    const size_t expected[] = {expected_touches(inspection, inspector, true),
+                               expected_touches(inspection, inspector, false)};
+    struct told *told = &divide->told[inspector->thread];
+    redcc_told_end(told);
+    return redcc_told_begin(told, &divide->units, divide->partition, inspector->seen,
+                            redcc_own_begin(inspection, inspector), expected, divide->most_told);
 }
 
 enum divide_result redcc_log_finish(const struct inspection *inspection) {
-    bool failed = false, too_much = false;
+    bool beyond = false, too_much = inspection->divide.units.leading == 0;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
-        const struct inspector *inspector = inspection->inspector[thread];
-        const struct told *told = &inspection->divide.told[thread];
-        const redcc_int own =
-            redcc_own_end(inspection, inspector) - redcc_own_begin(inspection, inspector);
-        failed = failed || inspector->failed || told->failed;
-        too_much = too_much || told->too_much || told->iterations != own;
+        beyond |= inspection->divide.told[thread].beyond;
+        too_much |= inspection->divide.told[thread].too_much;
     }
-    if (failed)
-        return DIVIDE_NO_MEMORY;
-    return too_much ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
+    if (beyond && !inspection->is_exact)
+        return DIVIDE_BEYOND;
+    return beyond || too_much ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
 }
 
 void redcc_partition_share(struct inspection *inspection, struct inspector *inspector,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The sweep: all iterations tell their addresses, block after block, which gives the access
- *  summaries, the exact extents and the overlap guard. */
+/** The sweep: all iterations tell their addresses, block after block, which gives the exact extents
+ *  and the overlap guard, and either the access summaries by the owners that were cut, or an access
+ *  log (logging.c), from which owners or levels are to be made. */
 #include "inspect/inspection.h"
 
 #include <assert.h>
@@ -21,7 +22,9 @@ void redcc_sweep_start(const struct inspection *inspection, struct inspector *in
     const redcc_int begin = redcc_own_begin(inspection, inspector);
     redcc_sweep_end(&inspector->sweep); /* of the sweep before, where groups had to become one */
     memset(inspector->executed, 0, partition->owners * sizeof *inspector->executed);
-    inspector->failed = !redcc_sweep_begin(&inspector->sweep, partition, inspector->seen);
+    inspector->failed = redcc_is_logged(inspection)
+                            ? !redcc_log_start(inspection, inspector)
+                            : !redcc_sweep_begin(&inspector->sweep, partition, inspector->seen);
     inspector->next = begin;
     inspector->handed = 0;
     inspector->block = iterations_at_once(redcc_own_end(inspection, inspector) - begin, hashed);
@@ -42,15 +45,39 @@ bool redcc_sweep_hand_out(const struct inspection *inspection, struct inspector 
     inspector->handed = end - first < inspector->block ? end - first : inspector->block;
     inspector->next = first + inspector->handed;
     assert(inspector->handed > 0 && inspector->next <= end);
-    redcc_sweep_open_block(&inspector->sweep, first);
-    redcc_hand_out(inspector, worker, first, inspector->next, 1, inspector->sweep.window);
+    const bool is_logged = redcc_is_logged(inspection);
+    if (!is_logged)
+        redcc_sweep_open_block(&inspector->sweep, first);
+    redcc_hand_out(inspector, worker, first, inspector->next, 1,
+                   is_logged ? inspector->nowhere : inspector->sweep.window);
     return true;
+}
+
+void redcc_sweep_flush(struct inspection *inspection, struct inspector *inspector,
+                       redcc_worker *worker) {
+    if (redcc_is_logged(inspection)) {
+        redcc_told_take(&inspection->divide.told[inspector->thread], inspector->entries,
+                        worker->entry);
+        return;
+    }
+    redcc_sweep_take_window(&inspector->sweep, worker->alike, worker->inside);
+    redcc_sweep_take(&inspector->sweep, inspector->entries, worker->entry);
+}
+
+/* Was the block told, so many iterations and no more? */
+static bool is_block_told(const struct inspection *inspection, struct inspector *inspector) {
+    if (!redcc_is_logged(inspection))
+        return redcc_sweep_close_block(&inspector->sweep, inspector->handed);
+    const struct told *told = &inspection->divide.told[inspector->thread];
+    return !told->failed && told->iterations == inspector->next - told->begin;
 }
 
 double redcc_sweep_close(const struct inspection *inspection, struct inspector *inspector) {
     assert(inspector->handed > 0);
-    if (!redcc_sweep_close_block(&inspector->sweep, inspector->handed)) {
-        inspector->failed = inspector->sweep.failed;
+    if (!is_block_told(inspection, inspector)) {
+        inspector->failed = redcc_is_logged(inspection)
+                                ? inspection->divide.told[inspector->thread].failed
+                                : inspector->sweep.failed;
         inspector->told_all = false;
     }
     inspector->handed = 0;

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <float.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -42,7 +43,9 @@ static void transpose(uint32_t *x, int dimensions) {
 }
 
 static uint64_t along_curve(uint32_t *x, int dimensions) {
+    _Static_assert(BITS * MOST_DIMENSIONS <= 64, "a place on the curve is a word");
     uint64_t along = 0;
+    assert(dimensions >= 2 && dimensions <= MOST_DIMENSIONS && x[0] < 1u << BITS);
     transpose(x, dimensions);
     for (int bit = BITS - 1; bit >= 0; bit--)
         for (int i = 0; i < dimensions; i++)
@@ -94,6 +97,7 @@ int redcc_reorder_points(int count, int dimensions, const double *point, int *ne
             x[i] = cell(point[(size_t)p * (size_t)dimensions + (size_t)i], least[i], width);
         stop[p] = (struct stop){along_curve(x, dimensions), p};
     }
+    assert(width >= 0);
     qsort(stop, (size_t)count, sizeof *stop, by_place);
     for (int i = 0; i < count; i++)
         new_of_old[stop[i].point] = i;

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 
+#include <assert.h>
 #include <stdbool.h>
 
 /* Which iterations update a row: iteration[start[r]] ... iteration[start[r + 1] - 1]. A row's
@@ -36,6 +37,7 @@ static bool rows_begin(struct rows *rows, int trip) {
         rows->start[r + 2] += rows->start[r + 1];
     for (size_t i = 0; i < all; i++) /* each start moves on to where its row's list ends */
         rows->iteration[rows->start[rows->row[i] + 1]++] = (int)(i / (size_t)rows->touches);
+    assert(rows->start[0] == 0 && rows->start[rows->count] == all);
     return true;
 }
 
@@ -57,6 +59,7 @@ static void sort_by_degree(const struct rows *rows, int *list, int count) {
 /* Returns how many rows are reached. */
 static int search_from(const struct rows *rows, struct search *search, int *order, int root) {
     int reached = 1;
+    assert(root >= 0 && root < rows->count);
     search->number++;
     order[0] = root;
     search->mark[root] = search->number;
@@ -73,6 +76,7 @@ static int search_from(const struct rows *rows, struct search *search, int *orde
                 order[reached++] = other[t];
             }
         }
+        assert(reached <= rows->count);
         sort_by_degree(rows, order + first, reached - first);
     }
     return reached;
@@ -110,6 +114,7 @@ int redcc_reorder_rows(int trip, int touches, const int *row, int rows, int *new
     for (int r = 0; enough && r < rows; r++)
         if (search.mark[r] == 0)
             done += order_part(&graph, &search, search.order + done, r);
+    assert(!enough || done == rows); /* each row is in one part */
     for (int i = 0; enough && i < rows; i++)
         new_of_old[search.order[i]] = rows - 1 - i;
     redcc_memory_give(graph.start);

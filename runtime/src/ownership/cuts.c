@@ -88,6 +88,8 @@ static void sort_by_address(struct points points, struct point *spare) {
         to = from;
         from = sorted;
     }
+    for (size_t i = 1; i < points.count; i++)
+        assert(from[i - 1].address <= from[i].address);
     if (from != points.point)
         memcpy(points.point, from, points.count * sizeof *from);
 }
@@ -110,6 +112,7 @@ static uint32_t cut_at_quantiles(const struct work *work, uint32_t group) {
     for (uint32_t owner = 1; owner < partition->owners; owner++) {
         const size_t rank =
             redcc_amount_below(partition->owners, partition->stealable, owner, points.count);
+        assert(rank < points.count || points.count == 0);
         cut[owner] =
             points.count ? redcc_unit_begin(partition, group, points.point[rank].address) : 0;
         different += cut[owner] != cut[owner - 1];

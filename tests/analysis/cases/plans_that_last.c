@@ -157,8 +157,24 @@ static int find(const int *start, const int *col, int row, int column) {
 
 void searched(int n, double *restrict f, const int *start, const int *col, const int *p,
               const int *q) {
-    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) not-verifiable unkept=col
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) verifiable rests-on=p,q,start,col
         int k = find(start, col, p[t], q[t]);
+        if (k >= 0)
+            f[k] += 1;
+    }
+}
+
+/* Where it looks next depends on what it has found. */
+static int follow(const int *next, const int *col, int at, int column) {
+    while (col[at] != column && next[at] > at)
+        at = next[at];
+    return col[at] == column ? at : -1;
+}
+
+void followed(int n, double *restrict f, const int *next, const int *col, const int *p,
+              const int *q) {
+    for (int t = 0; t < n; t++) { // EXPECT: transform f(+) not-verifiable
+        int k = follow(next, col, p[t], q[t]);
         if (k >= 0)
             f[k] += 1;
     }

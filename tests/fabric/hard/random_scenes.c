@@ -4,7 +4,8 @@
  * over many decades, broken meshes, for three steps; `driven`: cloth as it is worn among bodies
  * that move through it, for 40 steps. Each scene runs in a process of its own: it must end finite
  * and within its energy, or be refused with a message. Exit 1 if one crashes, hangs, or does
- * neither.
+ * neither. Of a driven scene a line says what it took: steps, those taken again, and what the
+ * monitor let pass in steps that cannot be halved.
  */
 #include <math.h>
 #include <signal.h>
@@ -223,6 +224,16 @@ static int goes_on(const mesh *m, const scene *s) {
     return same;
 }
 
+/* Steps and what was wrong with them, into error[256]. */
+static void tell_account(const simulation *sim, char *error) {
+    int length = snprintf(error, 256, "%ld steps, %ld taken again", simulation_steps_taken(sim),
+                          simulation_steps_rejected(sim));
+    for (int k = 0; k < STEP_VERDICT_COUNT; k++)
+        if (sim->monitor.let_pass[k] > 0)
+            length += snprintf(error + length, (size_t)(256 - length), ", %ld let pass: %s",
+                               sim->monitor.let_pass[k], monitor_verdict_name(k));
+}
+
 static int run(const mesh *m, const scene *s, int steps, char *error) {
     simulation *sim = simulation_new(m, s, error);
     int outcome = FINISHED, driven = s->drag > 0 && vector_length(s->wind) > 0;
@@ -255,6 +266,8 @@ static int run(const mesh *m, const scene *s, int steps, char *error) {
         }
         highest = fmax(highest, height_of(sim));
     }
+    if (outcome == FINISHED)
+        tell_account(sim, error);
     simulation_free(sim);
     return outcome;
 }
@@ -364,6 +377,12 @@ static int run_apart(unsigned seed, int is_driven, char *error) {
     return WEXITSTATUS(status) < OUTCOME_COUNT ? WEXITSTATUS(status) : CRASHED;
 }
 
+static double children_seconds(void) {
+    struct rusage used;
+    getrusage(RUSAGE_CHILDREN, &used);
+    return (double)used.ru_utime.tv_sec + 1e-6 * (double)used.ru_utime.tv_usec;
+}
+
 int main(int argc, char **argv) {
     const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 30;
     const unsigned first = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1;
@@ -372,10 +391,12 @@ int main(int argc, char **argv) {
     for (long n = 0; n < count; n++) {
         char error[256];
         const unsigned seed = first + (unsigned)n;
+        const double before = children_seconds();
         const int outcome = run_apart(seed, is_driven, error);
         sums[outcome]++;
-        if (outcome > REFUSED || (argc > 3 && outcome == REFUSED))
-            printf("scene %u: %s: %s\n", seed, outcomes[outcome], error);
+        if (outcome > REFUSED || is_driven)
+            printf("scene %u: %s: %s; %.1f s\n", seed, outcomes[outcome], error,
+                   children_seconds() - before);
         fflush(stdout);
     }
     for (int k = 0; k < OUTCOME_COUNT; k++)

@@ -106,7 +106,7 @@ static void test_absent_effects_cost_nothing(void **state) {
     (void)state;
     static const char *const names[] = {
         "stretch", "shear", "bend", "stretch damping", "shear damping", "bend damping", "gravity",
-        "drag",    "wind",  "pins", "contact",         "friction"};
+        "drag",    "wind",  "pins", "contact",         "friction",      "tangential drag"};
     stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
     on.s = (scene){.density = 0.2,
                    .step = 0.01,
@@ -152,6 +152,34 @@ static void test_wind_begins_and_ends(void **state) {
 }
 
 /* A pin that lets go after half a second: held until then, falling from there. */
+/* A banner that hangs edge on to the wind: drag across the cloth finds nothing to push, drag along
+ * it carries the lower end out, and the wind's work is no gain from nowhere. */
+static void test_wind_along_the_cloth(void **state) {
+    (void)state;
+    double out[2];
+    for (int along = 0; along < 2; along++) {
+        stage on = held_sheet();
+        for (int i = 0; i < on.m.vertex_count; i++) { /* upright, its held edge above */
+            on.m.position[i][2] = -on.m.position[i][0];
+            on.m.position[i][0] = 0;
+        }
+        on.s.wind[1] = 8;
+        on.s.tangential_drag = along ? 0.1 : 0;
+        stage_begin(&on);
+        stage_run(&on, 100);
+        out[along] = -INFINITY;
+        for (int i = 0; i < on.m.vertex_count; i++)
+            out[along] = fmax(out[along], on.sim->x[i][1] - on.m.position[i][1]);
+        assert_int_equal(simulation_steps_rejected(on.sim), 0);
+        assert_int_equal(visited(&on, "tangential drag"),
+                         along ? 100 * on.m.triangle_count : 0);
+        stage_end(&on);
+    }
+    print_message("wind along a banner: moved by %.2g m, with drag along it %.2g m\n", out[0],
+                  out[1]);
+    assert_true(out[0] < 1e-3 && out[1] > 0.005);
+}
+
 static void test_pin_is_released(void **state) {
     (void)state;
     stage kept = held_sheet(), released = held_sheet();
@@ -382,6 +410,7 @@ int main(void) {
         cmocka_unit_test(test_pin_of_nothing),
         cmocka_unit_test(test_absent_effects_cost_nothing),
         cmocka_unit_test(test_wind_begins_and_ends),
+        cmocka_unit_test(test_wind_along_the_cloth),
         cmocka_unit_test(test_pin_is_released),
         cmocka_unit_test(test_pin_moves_for_a_while),
         cmocka_unit_test(test_collider_is_removed),

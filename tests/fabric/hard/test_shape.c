@@ -5,8 +5,10 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "mesh_rest.h"
+#include "solver_direct.h"
 #include "vector.h"
 
 enum { columns = 12, slivers = 10 };
@@ -334,6 +336,173 @@ static void S30_no_mesh(void **state) {
     cloth_free(&m);
 }
 
+/* A ribbon 0.8 m wide of triangles 1 mm high: 800:1. Held at one end it swings down. */
+static stage long_triangles(void) {
+    enum { segments = 1000 };
+    static pin hold = {.low = {-0.0005, -1}, .high = {0.0005, 1}};
+    double material[2 * (segments + 1)][2];
+    int triangle[2 * segments][3];
+    for (int k = 0; k <= segments; k++)
+        for (int side = 0; side < 2; side++) {
+            material[2 * k + side][0] = 1e-3 * k;
+            material[2 * k + side][1] = 0.8 * side;
+        }
+    for (int k = 0; k < segments; k++) {
+        const int first[3] = {2 * k, 2 * k + 2, 2 * k + 1},
+                  second[3] = {2 * k + 1, 2 * k + 2, 2 * k + 3};
+        memcpy(triangle[2 * k], first, sizeof first);
+        memcpy(triangle[2 * k + 1], second, sizeof second);
+    }
+    stage on = stage_of(cloth_of(2 * (segments + 1), (const double(*)[2])material, 2 * segments,
+                                 (const int(*)[3])triangle),
+                        cloth_scene());
+    on.s.stretch = 400;
+    on.s.shear = 80;
+    on.s.bend = 1e-4;
+    on.s.step = 0.033;
+    on.s.tolerance = 1e-4;
+    on.s.pins = &hold;
+    on.s.pin_count = 1;
+    return on;
+}
+
+static double cpu_of(stage *on, int steps) {
+    const clock_t begin = clock();
+    stage_run(on, steps);
+    return (double)(clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/* What takes the conjugate gradients thousands of iterations is solved directly: it takes about as long as where the
+ * scene asks for the direct solution, and ends in the same place. */
+static void S40_ribbon_of_800_to_1(void **state) {
+    (void)state;
+    enum { steps = 100 };
+    stage on = long_triangles(), direct = long_triangles();
+    direct.s.method = METHOD_DIRECT;
+    if (!direct_solver_available()) {
+        cloth_free(&on.m);
+        cloth_free(&direct.m);
+        skip();
+    }
+    stage_begin(&on);
+    stage_begin(&direct);
+    const double seconds = cpu_of(&on, steps), direct_seconds = cpu_of(&direct, steps);
+    const run_faults f = simulation_faults(on.sim);
+    print_message("S40 ribbon of 800:1: %.2f s (directly %.2f s), %ld solved directly, %ld "
+                  "iterations, apart by %.2g m, strain %.2g, %ld rejected\n",
+                  seconds, direct_seconds, f.solved_directly, simulation_iterations(on.sim),
+                  stage_distance(&on, &direct, NULL), f.greatest_strain,
+                  simulation_steps_rejected(on.sim));
+    stage_assert_finite(&on);
+    assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
+    assert_int_equal(f.not_solved, 0);
+    assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.max_iterations);
+    assert_below(stage_distance(&on, &direct, NULL), 1e-4);
+    assert_below(seconds, 10);
+    stage_end(&on);
+    stage_end(&direct);
+}
+
+enum { around = 24, rings = 9 };
+static const double tube_radius = 0.05, tube_length = 0.2; /* m */
+
+/* A tube along z with open ends, of quadrilaterals in two; with a slit along one side or without. */
+static mesh tube(int has_slit) {
+    double material[around * rings][2];
+    int triangle[2 * around * (rings - 1)][3], count = 0;
+    for (int r = 0; r < rings; r++)
+        for (int k = 0; k < around; k++) {
+            material[r * around + k][0] = k;
+            material[r * around + k][1] = r;
+        }
+    for (int r = 0; r + 1 < rings; r++)
+        for (int k = 0; k < around - has_slit; k++) {
+            const int a = r * around + k, b = r * around + (k + 1) % around;
+            const int right[3] = {a, b, b + around}, left[3] = {a, b + around, a + around};
+            memcpy(triangle[count++], right, sizeof right);
+            memcpy(triangle[count++], left, sizeof left);
+        }
+    mesh m = cloth_of(around * rings, (const double(*)[2])material, count,
+                      (const int(*)[3])triangle);
+    for (int i = 0; i < m.vertex_count; i++) {
+        const double angle = 2 * acos(-1) * (i % around) / (int)around;
+        m.position[i][0] = tube_radius * cos(angle);
+        m.position[i][1] = tube_radius * sin(angle);
+        m.position[i][2] = tube_length * (i / (int)around) / (rings - 1);
+    }
+    m.rest_in_space = 1;
+    return m;
+}
+
+static scene of_tubes(void) {
+    scene s = cloth_scene();
+    s.step = 0.01;
+    s.stretch = 400;
+    s.shear = 100;
+    s.bend = 1e-3;
+    s.bend_damping = 1e-5;
+    s.drag = 1;
+    s.tolerance = 1e-6;
+    s.gravity[2] = 0;
+    return s;
+}
+
+/* The greatest and the least distance from the axis, m. */
+static void radii(const stage *on, double *least, double *most) {
+    *least = INFINITY;
+    *most = 0;
+    for (int i = 0; i < on->m.vertex_count; i++) {
+        const double radius = hypot(on->sim->x[i][0], on->sim->x[i][1]);
+        *least = fmin(*least, radius);
+        *most = fmax(*most, radius);
+    }
+}
+
+/* A slit tube whose angles are at rest stays as it is, to the rounding; one of cloth that is flat at
+ * rest unrolls. */
+static void S41_tube_keeps_its_shape(void **state) {
+    (void)state;
+    double least, most;
+    stage bent = stage_of(tube(1), of_tubes()), flat = stage_of(tube(1), of_tubes());
+    bent.m.bent_at_rest = 1;
+    stage_begin(&bent);
+    stage_begin(&flat);
+    stage_run(&bent, 50);
+    stage_run(&flat, 50);
+    radii(&bent, &least, &most);
+    print_message("S41 at rest: radius off by %.2g m, energy %.2g J\n",
+                  fmax(most - tube_radius, tube_radius - least), stage_energy(&bent));
+    assert_below(fmax(most - tube_radius, tube_radius - least), 1e-12);
+    assert_below(stage_energy(&bent), 1e-18);
+    radii(&flat, &least, &most);
+    print_message("S41 of cloth that is flat at rest: radius %.4f to %.4f m\n", least, most);
+    assert_true(most > 1.2 * tube_radius);
+    stage_end(&bent);
+    stage_end(&flat);
+}
+
+/* Squeezed to an ellipse a closed one goes back to its circle. */
+static void S41_tube_springs_back(void **state) {
+    (void)state;
+    double least, most;
+    stage on = stage_of(tube(0), of_tubes());
+    on.m.bent_at_rest = 1;
+    on.s.limits.energy = 1e300; /* the test squeezes it by hand */
+    stage_begin(&on);
+    for (int i = 0; i < on.m.vertex_count; i++) { /* an ellipse of about the same length */
+        on.sim->x[i][0] *= 1.35;
+        on.sim->x[i][1] *= 0.5;
+    }
+    stage_changed(&on);
+    radii(&on, &least, &most);
+    const double squeezed = most - least;
+    stage_run(&on, 400);
+    radii(&on, &least, &most);
+    print_message("S41 squeezed by %.3f m, after 4 s by %.2g m\n", squeezed, most - least);
+    assert_below(most - least, 0.05 * squeezed);
+    stage_end(&on);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S11_inverted_triangle),
@@ -344,6 +513,9 @@ int main(void) {
         cmocka_unit_test(S30_components_are_independent),
         cmocka_unit_test(S32_refinement_converges),
         cmocka_unit_test(S33_numbering_does_not_matter),
+        cmocka_unit_test(S40_ribbon_of_800_to_1),
+        cmocka_unit_test(S41_tube_keeps_its_shape),
+        cmocka_unit_test(S41_tube_springs_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@
 #include "effects/drag.h"
 #include "effects/hinge.h"
 #include "effects/triangle.h"
+#include "vector.h"
 
 /* A cloth with one material, and the system its forces go to. */
 typedef struct bench {
@@ -487,6 +488,48 @@ static void test_drag_is_force_per_area(void **state) {
     bench_end(&b);
 }
 
+/* With the same coefficient across and along the cloth, drag is the same in all directions, on a sheet
+ * of any slope: force and derivative are those of each vertex' share of the area. */
+static void test_drag_along_makes_it_whole(void **state) {
+    (void)state;
+    const double none[3] = {0, 0, 0}, wind[3] = {3, -1, 2}, h = 0.5, drag = 0.3;
+    bench b = bench_sheet();
+    double(*v)[3] = cloth_moved(&b.m, 1, 5), *area = calloc((size_t)b.n, sizeof *area);
+    for (int i = 0; i < b.n; i++) {
+        b.m.position[i][2] = 0.8 * b.m.position[i][0] - 0.3 * b.m.position[i][1];
+        area[i] = 0;
+    }
+    for (int t = 0; t < b.m.triangle_count; t++) {
+        double one[3], other[3], cross[3];
+        const int *k = b.m.triangle[t];
+        vector_subtract(b.m.position[k[1]], b.m.position[k[0]], one);
+        vector_subtract(b.m.position[k[2]], b.m.position[k[0]], other);
+        vector_cross(one, other, cross);
+        for (int p = 0; p < 3; p++)
+            area[k[p]] += vector_length(cross) / 6;
+    }
+    system_reset(&b.system, b.no_mass, none, h);
+    drag_forces(&b.triangles, drag, wind, h, constant(b.m.position), constant(v), &b.system);
+    drag_forces_along(&b.triangles, drag, wind, h, constant(b.m.position), constant(v), &b.system);
+    double work = 0;
+    for (int i = 0; i < b.n; i++)
+        for (int r = 0; r < 3; r++) {
+            const double force = h * drag * area[i] * (wind[r] - v[i][r]);
+            const double *row = b.system.A.value[b.system.A.row_start[i]][r];
+            assert_near(b.system.b[i][r], force, 1e-15);
+            for (int c = 0; c < 3; c++)
+                assert_near(row[c], r == c ? h * drag * area[i] : 0, 1e-16);
+            work += force * v[i][r];
+        }
+    assert_near(drag_work(&b.triangles, drag, wind, h, constant(b.m.position), constant(v)) +
+                    drag_work_along(&b.triangles, drag, wind, h, constant(b.m.position),
+                                    constant(v)),
+                work, 1e-14);
+    free(v);
+    free(area);
+    bench_end(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S01_forces_are_gradients),
@@ -503,6 +546,7 @@ int main(void) {
         cmocka_unit_test(S16_collapsed_hinge_is_finite),
         cmocka_unit_test(S12_triangles_without_area_are_left_out),
         cmocka_unit_test(test_drag_is_force_per_area),
+        cmocka_unit_test(test_drag_along_makes_it_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

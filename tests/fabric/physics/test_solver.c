@@ -140,6 +140,22 @@ static void S21_agrees_with_elimination(void **state) {
     }
 }
 
+/* What is left is below the tolerance, in the norm that it is meant in. */
+static void test_reaches_the_tolerance(void **state) {
+    (void)state;
+    for (int n = 1; n <= 8; n++) {
+        const double tolerance = pow(10, -n);
+        double reference;
+        problem p = problem_new(3);
+        p.limits.tolerance = tolerance;
+        assert_int_equal(solve(&p), SOLVER_CONVERGED);
+        const double defect =
+            solver_defect(&p.solver, &p.system, &p.constraints, p.dv, &reference) / reference;
+        assert_below(defect, 1.001 * tolerance);
+        problem_end(&p);
+    }
+}
+
 static void choose(problem *p, preconditioner_kind kind, solver_precision precision,
                    solver_method method) {
     char error[256] = "";
@@ -493,6 +509,7 @@ static void test_singular_block(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(S21_agrees_with_elimination),
+        cmocka_unit_test(test_reaches_the_tolerance),
         cmocka_unit_test(test_preconditioners_agree_with_elimination),
         cmocka_unit_test(test_gauss_seidel_in_domains),
         cmocka_unit_test(test_preconditioners_are_of_use),

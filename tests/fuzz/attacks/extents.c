@@ -40,12 +40,15 @@ static place wrapping_product(attack *a) {
     return (place){index, text(a, "%s < %du", index, (unsigned)a->limit)};
 }
 
-/* A signed product that would overflow; computed where it does not. */
+/* A signed product that would overflow; computed where it does not, and where its element lies
+ * below the limit: some 300 for each step, of which an int holds no more than five. */
 static place overflowing_product(attack *a) {
     const int stride = 300000000 + below(a, 90000000);
     const int first = chance(a, 50) ? 0 : below(a, a->trips - 2);
+    const long long inside = (((long long)a->limit << 20) - 1) / stride + 1;
+    const int steps = inside < 4 ? (int)inside : 4;
     const char *index = text(a, "((int)t - %d) * %d / %d", first, stride, 1 << 20);
-    return (place){index, text(a, "t >= %d && t < %d", first, first + 4)};
+    return (place){index, text(a, "t >= %d && t < %d", first, first + steps)};
 }
 
 /* The memory itself is large enough for the few products that are computed. */

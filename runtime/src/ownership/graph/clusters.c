@@ -2,160 +2,225 @@
 #include "ownership/graph/clusters.h"
 
 #include "base/memory.h"
+#include "ownership/graph/neighbours.h"
 
+#include <assert.h>
 #include <string.h>
 
-enum { UNSEEN = -1, WAITING = -2 }; /* of nodes without a cluster; as uint32_t */
+enum { ROUNDS = 6 }; /* a mesh takes two, a path four */
 
-/* A node of so many edges is everybody's neighbour: nothing grows through it. */
-enum { HUB = 4096 };
+#define NOTHING UINT32_MAX /* chosen */
 
-struct growth {
-    const struct graph *graph;
-    struct clusters *clusters;
-    uint32_t
-        *waiting; /* nodes next to a cluster that was full, in the order in which they were met */
-    uint32_t first_waiting;
-    uint32_t end_waiting;
-    uint32_t members;
-};
-
-static void take_in(struct growth *growth, uint32_t node) {
-    growth->clusters->of[node] = growth->clusters->count;
-    growth->clusters->member[growth->members++] = node;
+/* The order of nodes: a bijection of 31 bits, so that it can be undone. */
+static uint32_t rank_of(uint32_t node) {
+    const uint32_t mixed = node * 0x9e3779b1u & 0x7fffffffu;
+    return mixed ^ mixed >> 16;
 }
 
-/* Breadth first from the seed, until there are `most` of them. */
-static void grow(struct growth *growth, uint32_t seed, uint32_t most) {
-    const struct graph *graph = growth->graph;
-    struct clusters *clusters = growth->clusters;
-    const uint32_t first = growth->members;
-    clusters->start[clusters->count] = first;
-    take_in(growth, seed);
-    for (uint32_t m = first; m < growth->members; m++) {
-        const uint32_t node = clusters->member[m];
-        const uint32_t begin = graph->start[node], end = graph->start[node + 1];
-        for (uint32_t e = begin; e < end && end - begin <= HUB; e++) {
-            const uint32_t other = graph->neighbour[e];
-            if (clusters->of[other] < (uint32_t)WAITING)
-                continue;
-            if (growth->members - first < most) {
-                take_in(growth, other);
-            } else if (clusters->of[other] == (uint32_t)UNSEEN) {
-                clusters->of[other] = (uint32_t)WAITING;
-                growth->waiting[growth->end_waiting++] = other;
-            }
-        }
-    }
-    clusters->count++;
-    clusters->start[clusters->count] = growth->members;
+static uint32_t node_of(uint32_t rank) {
+    const uint32_t mixed = rank ^ rank >> 16;
+    return mixed * 0x0e8b2f51u & 0x7fffffffu; /* 0x9e3779b1 times this is 1 */
 }
 
-static void grow_all(struct growth *growth, uint32_t most) {
-    const uint32_t count = growth->graph->count;
-    const uint32_t *of = growth->clusters->of;
-    for (uint32_t node = 0; node < count; node++) {
-        if (of[node] != (uint32_t)UNSEEN)
-            continue;
-        grow(growth, node, most);
-        while (growth->first_waiting < growth->end_waiting) {
-            const uint32_t seed = growth->waiting[growth->first_waiting++];
-            if (of[seed] == (uint32_t)WAITING)
-                grow(growth, seed, most);
-        }
+bool redcc_clusters_begin(struct clusters *clusters, uint32_t units, uint32_t most,
+                          const struct told *told, int threads) {
+    const size_t bytes = units * sizeof(uint32_t);
+    *clusters = (struct clusters){.units = units, .most = most, .count = units, .threads = threads};
+    assert(node_of(rank_of(1234567)) == 1234567);
+    clusters->of = redcc_memory_take(bytes);
+    clusters->into = redcc_memory_take(bytes);
+    clusters->size = redcc_memory_take(bytes);
+    clusters->spare = redcc_memory_take(bytes);
+    clusters->share = redcc_memory_take_zeroed((size_t)threads, sizeof *clusters->share);
+    bool enough =
+        clusters->of && clusters->into && clusters->size && clusters->spare && clusters->share;
+    for (int thread = 0; enough && thread < threads; thread++) {
+        struct cluster_share *share = &clusters->share[thread];
+        share->told = &told[thread].leading;
+        share->list.item = redcc_memory_take(share->told->count * sizeof *share->list.item);
+        share->choice = redcc_memory_take(bytes);
+        share->weight = redcc_memory_take(bytes);
+        enough = share->list.item && share->choice && share->weight;
     }
-}
-
-bool redcc_clusters_begin(struct clusters *clusters, const struct graph *graph, uint32_t most) {
-    const size_t nodes = graph->count;
-    *clusters = (struct clusters){0};
-    clusters->of = redcc_memory_take(nodes * sizeof *clusters->of);
-    clusters->member = redcc_memory_take(nodes * sizeof *clusters->member);
-    clusters->start = redcc_memory_take((nodes + 1) * sizeof *clusters->start);
-    struct growth growth = {.graph = graph, .clusters = clusters};
-    growth.waiting = redcc_memory_take(nodes * sizeof *growth.waiting);
-    const bool enough = clusters->of && clusters->member && clusters->start && growth.waiting;
-    if (enough) {
-        memset(clusters->of, 0xff, nodes * sizeof *clusters->of);
-        clusters->start[0] = 0;
-        grow_all(&growth, most);
-    }
-    redcc_memory_give(growth.waiting);
     return enough;
 }
 
 void redcc_clusters_end(struct clusters *clusters) {
+    for (int thread = 0; clusters->share && thread < clusters->threads; thread++) {
+        redcc_memory_give(clusters->share[thread].list.item);
+        redcc_memory_give(clusters->share[thread].choice);
+        redcc_memory_give(clusters->share[thread].weight);
+    }
     redcc_memory_give(clusters->of);
-    redcc_memory_give(clusters->member);
-    redcc_memory_give(clusters->start);
+    redcc_memory_give(clusters->into);
+    redcc_memory_give(clusters->size);
+    redcc_memory_give(clusters->spare);
+    redcc_memory_give(clusters->share);
     *clusters = (struct clusters){0};
 }
 
-static bool room_for_edges(struct cluster_edges *edges, size_t more) {
-    if (edges->count + more <= edges->capacity)
-        return true;
-    const size_t capacity = (edges->count + more) * 2;
-    uint32_t *to = redcc_memory_resize(edges->to, capacity * sizeof *to);
-    if (!to)
-        return false;
-    edges->to = to;
-    uint32_t *strength = redcc_memory_resize(edges->strength, capacity * sizeof *strength);
-    if (!strength)
-        return false;
-    edges->strength = strength;
-    edges->capacity = capacity;
-    return true;
+/* All ones where the node is full: it takes no part, so that a row which all iterations update is
+ * in a cluster soon, and joins nobody any more. */
+static inline uint32_t full(const uint32_t *size, uint32_t most, uint32_t node) {
+    return size && size[node] >= most ? NOTHING : 0;
 }
 
-/* Adds up the edges of one cluster; `place` [clusters] is where the edge to each is kept, one that
- * was kept before `from` is another's. */
-static bool add_edges(const struct clusters *clusters, const struct graph *graph, uint32_t cluster,
-                      size_t *place, struct cluster_edges *edges) {
-    const size_t from = edges->count;
-    for (uint32_t m = clusters->start[cluster]; m < clusters->start[cluster + 1]; m++) {
-        const uint32_t node = clusters->member[m];
-        const uint32_t begin = graph->start[node], end = graph->start[node + 1];
-        if (end - begin > HUB)
-            continue;
-        if (!room_for_edges(edges, end - begin))
-            return false;
-        for (uint32_t e = begin; e < end; e++) {
-            const uint32_t to = clusters->of[graph->neighbour[e]];
-            if (to == cluster)
-                continue;
-            const size_t at = place[to];
-            if (at >= from && at < edges->count && edges->to[at] == to) {
-                edges->strength[at]++;
-                continue;
-            }
-            place[to] = edges->count;
-            edges->to[edges->count] = to;
-            edges->strength[edges->count++] = 1;
+/* Each node of an iteration hears of the one that comes first. No branches: they would go either
+ * way. */
+static inline void hear(uint32_t *choice, const uint32_t *size, uint32_t most, const uint32_t *node,
+                        size_t count) {
+    uint32_t first = NOTHING;
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t each = node[i] & ~REDCC_LAST, rank = rank_of(each) | full(size, most, each);
+        first = rank < first ? rank : first;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t each = node[i] & ~REDCC_LAST, heard = first | full(size, most, each);
+        choice[each] = heard < choice[each] ? heard : choice[each];
+    }
+}
+
+void redcc_clusters_choose(struct clusters *clusters, int thread) {
+    struct cluster_share *share = &clusters->share[thread];
+    const struct unit_list *told = share->told;
+    memset(share->choice, 0xff, clusters->units * sizeof *share->choice);
+    for (size_t at = 0, count; at < told->count; at += count) {
+        count = redcc_iteration_length(told, at);
+        if (told->item[at] != (REDCC_NO_UNIT | REDCC_LAST))
+            hear(share->choice, NULL, 0, told->item + at, count);
+    }
+}
+
+void redcc_clusters_agree(struct clusters *clusters, uint32_t first, uint32_t end) {
+    const struct cluster_share *all = &clusters->share[0];
+    for (int thread = 1; thread < clusters->threads; thread++) {
+        const uint32_t *choice = clusters->share[thread].choice;
+        for (uint32_t node = first; node < end; node++)
+            all->choice[node] = choice[node] < all->choice[node] ? choice[node] : all->choice[node];
+        const uint32_t *weight = clusters->share[thread].weight;
+        for (uint32_t node = first; clusters->rounds == 1 && node < end; node++)
+            all->weight[node] += weight[node];
+    }
+}
+
+/* On the way to the next round's clusters. */
+struct joining {
+    struct clusters *clusters;
+    const uint32_t *size; /* of the nodes; NULL: 1 each */
+    uint32_t *joined;     /* of the clusters: units */
+    uint32_t count;
+};
+
+static uint32_t size_of(const struct joining *it, uint32_t node) {
+    return it->size ? it->size[node] : 1;
+}
+
+/* The cluster of the node that it has chosen takes the node in, if there is room. */
+static void settle(struct joining *it, uint32_t node, uint32_t cluster) {
+    const uint32_t size = size_of(it, node);
+    if (cluster == NOTHING || it->joined[cluster] + size > it->clusters->most) {
+        cluster = it->count++;
+        it->joined[cluster] = 0;
+    }
+    it->joined[cluster] += size;
+    it->clusters->into[node] = cluster;
+}
+
+/* First those that the node leads to. */
+static void settle_from(struct joining *it, const uint32_t *choice, uint32_t node) {
+    enum { PATH = 64 };
+    uint32_t path[PATH], length = 0, cluster = NOTHING;
+    const uint32_t *into = it->clusters->into;
+    while (length < PATH) { /* what leads farther begins anew from there */
+        path[length++] = node;
+        const uint32_t chosen = choice[node] == NOTHING ? node : node_of(choice[node]);
+        if (chosen == node)
+            break;
+        node = chosen;
+        if (into[node] != NOTHING) {
+            cluster = into[node];
+            break;
         }
     }
+    for (; length > 0; cluster = into[path[length]])
+        settle(it, path[--length], cluster);
+}
+
+/* The work of clusters is that of their nodes; at first it is told (redcc_clusters_retell). */
+static void add_up_weights(const struct clusters *clusters) {
+    uint32_t *weight = clusters->share[0].weight, *sum = clusters->spare;
+    memset(sum, 0, clusters->count * sizeof *sum);
+    for (uint32_t node = 0; node < clusters->nodes; node++)
+        sum[clusters->into[node]] += weight[node];
+    memcpy(weight, sum, clusters->count * sizeof *sum);
+}
+
+bool redcc_clusters_join(struct clusters *clusters) {
+    const bool first = clusters->rounds == 0;
+    const bool half_full =
+        (uint64_t)clusters->count * clusters->most < 2 * (uint64_t)clusters->units;
+    const bool slow = !first && clusters->rounds > 1 && clusters->count > clusters->nodes / 2;
+    if (!first && (half_full || slow || clusters->rounds == ROUNDS))
+        return false;
+    const uint32_t *choice = clusters->share[0].choice;
+    struct joining it = {
+        .clusters = clusters, .size = first ? NULL : clusters->size, .joined = clusters->spare};
+    clusters->nodes = clusters->count;
+    memset(clusters->into, 0xff, clusters->nodes * sizeof *clusters->into);
+    for (uint32_t node = 0; node < clusters->nodes; node++)
+        if (clusters->into[node] == NOTHING && !(first && choice[node] == NOTHING))
+            settle_from(&it, choice, node);
+    clusters->spare = clusters->size;
+    clusters->size = it.joined;
+    clusters->count = it.count;
+    if (!first)
+        add_up_weights(clusters);
+    clusters->rounds++;
     return true;
 }
 
-bool redcc_clusters_edges(const struct clusters *clusters, const struct graph *graph,
-                          uint32_t first, uint32_t end, struct graph *coarse,
-                          struct cluster_edges *edges) {
-    size_t *place = redcc_memory_take_zeroed(clusters->count, sizeof *place);
-    bool enough = place != NULL;
-    for (uint32_t cluster = first; enough && cluster < end; cluster++) {
-        const size_t before = edges->count;
-        uint64_t weight = 0;
-        enough = add_edges(clusters, graph, cluster, place, edges);
-        for (uint32_t m = clusters->start[cluster]; m < clusters->start[cluster + 1]; m++)
-            weight += graph->weight[clusters->member[m]];
-        coarse->start[cluster + 1] = (uint32_t)(edges->count - before);
-        coarse->weight[cluster] = weight < UINT32_MAX ? (uint32_t)weight : UINT32_MAX;
+void redcc_clusters_place(struct clusters *clusters, uint32_t first, uint32_t end) {
+    for (uint32_t unit = first; unit < end; unit++) {
+        const uint32_t node = clusters->rounds == 1 ? unit : clusters->of[unit];
+        clusters->of[unit] = node < clusters->nodes && clusters->into[node] != NOTHING
+                                 ? clusters->into[node]
+                                 : REDCC_NO_UNIT;
     }
-    redcc_memory_give(place);
-    return enough;
 }
 
-void redcc_cluster_edges_end(struct cluster_edges *edges) {
-    redcc_memory_give(edges->to);
-    redcc_memory_give(edges->strength);
-    *edges = (struct cluster_edges){0};
+/* The clusters of an iteration, to `to`, which may be where they are read. Are there several? */
+static inline bool map_iteration(const uint32_t *into, const uint32_t *node, size_t count,
+                                 uint32_t *to) {
+    uint32_t differ = 0;
+    for (size_t i = 0; i < count; i++) {
+        to[i] = into[node[i] & ~REDCC_LAST];
+        differ |= to[i] ^ to[0];
+    }
+    return differ != 0;
+}
+
+void redcc_clusters_retell(struct clusters *clusters, int thread) {
+    struct cluster_share *share = &clusters->share[thread];
+    const bool first = clusters->rounds == 1;
+    const struct unit_list from = first ? *share->told : share->list;
+    uint32_t *const to = share->list.item;
+    size_t kept = 0;
+    memset(share->choice, 0xff, clusters->count * sizeof *share->choice);
+    if (first)
+        memset(share->weight, 0, clusters->count * sizeof *share->weight);
+    for (size_t at = 0, count; at < from.count; at += count) {
+        count = redcc_iteration_length(&from, at);
+        if (from.item[at] == (REDCC_NO_UNIT | REDCC_LAST))
+            continue;
+        const bool several = map_iteration(clusters->into, from.item + at, count, to + kept);
+        const uint32_t work = redcc_work_of(count);
+        for (size_t i = kept; first && i < kept + count; i++)
+            share->weight[to[i]] += work;
+        if (!several)
+            continue;
+        hear(share->choice, clusters->size, clusters->most, to + kept, count);
+        kept += count;
+        to[kept - 1] |= REDCC_LAST;
+    }
+    share->list.count = kept;
 }

@@ -10,11 +10,11 @@
 #include <string.h>
 
 enum {
-    CLUSTERS_AN_OWNER = 64,
-    CLUSTER_MOST = 64, /* units */
+    CLUSTERS_AN_OWNER = 128,
+    CLUSTER_MOST = 256, /* units */
     NO_VOTE = 0xffff,
     SEVERAL = 0x8000, /* of a vote: by an iteration that has several owners anyway */
-    ROUNDS = 4        /* of refinement, unit by unit */
+    ROUNDS = 8        /* of refinement, unit by unit */
 };
 
 /* Touches of all threads beyond which keeping them is out of proportion. */
@@ -42,31 +42,29 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
         return DIVIDE_UNSUITABLE;
     divide->told = redcc_memory_take_zeroed(count, sizeof *divide->told);
     divide->sweep = redcc_memory_take_zeroed(count, sizeof *divide->sweep);
-    divide->telling = redcc_memory_take_zeroed(count, sizeof *divide->telling);
-    divide->edges = redcc_memory_take_zeroed(count, sizeof *divide->edges);
-    divide->rim_count = redcc_memory_take_zeroed(count, sizeof *divide->rim_count);
+    divide->rims.list = redcc_memory_take_zeroed(count, sizeof *divide->rims.list);
+    divide->rims.told = redcc_memory_take_zeroed(count, sizeof *divide->rims.told);
     if (!redcc_units_begin(&divide->units, partition, touched) || !divide->told || !divide->sweep ||
-        !divide->telling || !divide->edges || !divide->rim_count)
+        !divide->rims.list || !divide->rims.told)
         return DIVIDE_NO_MEMORY;
-    const bool is_suitable = divide->units.leading > 0 && divide->units.count > 0;
-    return is_suitable && !is_too_wide(divide, trip) ? DIVIDE_DONE : DIVIDE_UNSUITABLE;
+    return divide->units.too_many || is_too_wide(divide, trip) ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
 }
 
 void redcc_divide_tidy(struct divide *divide) {
     for (int thread = 0; thread < divide->threads; thread++) {
         if (divide->told)
             redcc_told_end(&divide->told[thread]);
-        if (divide->edges)
-            redcc_cluster_edges_end(&divide->edges[thread]);
+        if (divide->rims.list)
+            redcc_unit_list_end(&divide->rims.list[thread]);
     }
-    redcc_graph_end(&divide->graph);
     redcc_clusters_end(&divide->clusters);
     redcc_graph_end(&divide->coarse);
+    redcc_graph_end(&divide->rims.graph);
+    redcc_memory_give(divide->rims.is_rim);
     redcc_memory_give(divide->part);
-    redcc_memory_give(divide->rim);
     redcc_memory_give((void *)divide->vote);
+    divide->rims.is_rim = NULL;
     divide->part = NULL;
-    divide->rim = NULL;
     divide->vote = NULL;
 }
 
@@ -78,9 +76,8 @@ void redcc_divide_end(struct divide *divide) {
     redcc_memory_give(divide->told);
     redcc_memory_give(divide->sweep);
     redcc_memory_give(divide->owner);
-    redcc_memory_give((void *)divide->telling);
-    redcc_memory_give(divide->edges);
-    redcc_memory_give(divide->rim_count);
+    redcc_memory_give(divide->rims.list);
+    redcc_memory_give((void *)divide->rims.told);
     *divide = (struct divide){0};
 }
 
@@ -108,91 +105,152 @@ static bool meet(struct divide *divide, bool done, bool (*alone)(struct divide *
     return divide->going;
 }
 
-static bool take_graph(struct divide *divide) {
-    const struct units *units = &divide->units;
-    const size_t further = units->count - units->leading;
-    for (int thread = 0; thread < divide->threads; thread++)
-        divide->telling[thread] = &divide->told[thread];
-    divide->owner = redcc_memory_take(units->count);
-    divide->rim = redcc_memory_take(units->leading * sizeof *divide->rim);
-    divide->vote = redcc_memory_take(further * sizeof *divide->vote);
-    return divide->owner && divide->rim && divide->vote &&
-           redcc_graph_begin(&divide->graph, units->leading);
-}
-
-static bool take_edges(struct divide *divide) {
-    return redcc_graph_take(&divide->graph);
-}
+/* ---- clusters of units ----------------------------------------------------------------------- */
 
 /* So small that the parts can be even, so large that there are few. */
-static bool make_clusters(struct divide *divide) {
-    const uint32_t even = divide->units.leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
+static bool begin_clusters(struct divide *divide) {
+    const struct units *units = &divide->units;
+    const uint32_t even = units->leading / (divide->partition->owners * CLUSTERS_AN_OWNER);
     const uint32_t most = even > CLUSTER_MOST ? CLUSTER_MOST : even > 0 ? even : 1;
-    if (!redcc_clusters_begin(&divide->clusters, &divide->graph, most))
-        return false;
+    const size_t further = units->count - units->leading;
+    divide->owner = redcc_memory_take(units->count);
+    divide->rims.is_rim = redcc_memory_take_zeroed(units->leading, 1);
+    divide->vote = redcc_memory_take(further * sizeof *divide->vote);
+    return divide->owner && divide->rims.is_rim && divide->vote &&
+           redcc_clusters_begin(&divide->clusters, units->leading, most, divide->told,
+                                divide->threads);
+}
+
+static bool join_clusters(struct divide *divide) {
+    divide->clustered = !redcc_clusters_join(&divide->clusters);
+    return true;
+}
+
+/* Each thread's part; returns to all whether it went well. */
+static bool cluster(struct divide *divide, int thread) {
+    struct clusters *clusters = &divide->clusters;
+    const struct share units = share_of(divide, divide->units.leading, thread);
+    redcc_clusters_choose(clusters, thread);
+    while (meet(divide, true, NULL)) {
+        const struct share nodes = share_of(divide, clusters->count, thread);
+        redcc_clusters_agree(clusters, nodes.first, nodes.end);
+        if (!meet(divide, true, join_clusters))
+            return false;
+        if (divide->clustered)
+            return true;
+        redcc_clusters_place(clusters, units.first, units.end);
+        redcc_clusters_retell(clusters, thread);
+    }
+    return false;
+}
+
+/* ---- a graph, by all threads ----------------------------------------------------------------- */
+
+/* Its nodes are there, and the iterations in rims.told. Counts the edges of this thread's nodes,
+ * then enters them; each all threads' work, and all meet between and after. */
+static void count_edges(struct divide *divide, struct graph *graph, int thread) {
+    const struct share nodes = share_of(divide, graph->count, thread);
+    redcc_graph_count(graph, divide->rims.told, divide->threads, nodes.first, nodes.end);
+}
+
+static void fill_edges(struct divide *divide, struct graph *graph, int thread) {
+    const struct share nodes = share_of(divide, graph->count, thread);
+    redcc_graph_fill(graph, divide->rims.told, divide->threads, nodes.first, nodes.end);
+}
+
+/* ---- the parts ------------------------------------------------------------------------------- */
+
+static bool begin_coarse(struct divide *divide) {
+    for (int thread = 0; thread < divide->threads; thread++)
+        divide->rims.told[thread] = &divide->clusters.share[thread].list;
     divide->part = redcc_memory_take(divide->clusters.count);
     return divide->part && redcc_graph_begin(&divide->coarse, divide->clusters.count);
 }
 
-static bool count_cluster_edges(struct divide *divide, int thread) {
-    const struct share share = share_of(divide, divide->clusters.count, thread);
-    return redcc_clusters_edges(&divide->clusters, &divide->graph, share.first, share.end,
-                                &divide->coarse, &divide->edges[thread]);
+static bool take_coarse_edges(struct divide *divide) {
+    struct graph *coarse = &divide->coarse; /* what it weighs is told in all iterations */
+    memcpy(coarse->weight, divide->clusters.share[0].weight,
+           coarse->count * sizeof *coarse->weight);
+    return redcc_graph_take(coarse);
 }
 
 static bool divide_coarse(struct divide *divide) {
-    struct graph *coarse = &divide->coarse;
-    size_t sum = 0, at = 0;
-    for (int thread = 0; thread < divide->threads; thread++)
-        sum += divide->edges[thread].count;
-    coarse->neighbour = redcc_memory_take(sum * sizeof *coarse->neighbour);
-    coarse->strength = redcc_memory_take(sum * sizeof *coarse->strength);
-    if (sum > UINT32_MAX || !coarse->neighbour || !coarse->strength)
-        return false;
-    for (int thread = 0; thread < divide->threads; thread++) {
-        const struct cluster_edges *edges = &divide->edges[thread];
-        if (edges->count == 0)
-            continue;
-        memcpy(coarse->neighbour + at, edges->to, edges->count * sizeof *edges->to);
-        memcpy(coarse->strength + at, edges->strength, edges->count * sizeof *edges->strength);
-        at += edges->count;
-    }
-    coarse->start[0] = 0;
-    for (uint32_t cluster = 0; cluster < coarse->count; cluster++)
-        coarse->start[cluster + 1] += coarse->start[cluster];
-    return redcc_divide_graph(coarse, divide->partition->owners, divide->partition->stealable,
-                              divide->part);
+    return redcc_graph_merge(&divide->coarse) &&
+           redcc_divide_graph(&divide->coarse, divide->partition->owners,
+                              divide->partition->stealable, divide->part);
 }
 
-/* Each unit gets its cluster's owner; those with a neighbour of another owner are listed. */
+static bool divide_clusters(struct divide *divide, int thread) {
+    if (!meet(divide, true, begin_coarse))
+        return false;
+    count_edges(divide, &divide->coarse, thread);
+    if (!meet(divide, true, take_coarse_edges))
+        return false;
+    fill_edges(divide, &divide->coarse, thread);
+    return meet(divide, true, divide_coarse);
+}
+
+/* Each unit gets its cluster's owner; who owns what nobody touches does not matter. */
 static void place_units(struct divide *divide, int thread) {
-    const struct graph *graph = &divide->graph;
-    const struct share share = share_of(divide, graph->count, thread);
+    const struct share share = share_of(divide, divide->units.leading, thread);
     const uint32_t *of = divide->clusters.of;
-    uint32_t listed = 0;
     for (uint32_t unit = share.first; unit < share.end; unit++) {
-        const unsigned char owner = divide->part[of[unit]];
-        assert(owner < divide->partition->owners);
-        divide->owner[unit] = owner;
-        for (uint32_t e = graph->start[unit]; e < graph->start[unit + 1]; e++)
-            if (divide->part[of[graph->neighbour[e]]] != owner) {
-                divide->rim[share.first + listed++] = unit;
-                break;
-            }
+        divide->owner[unit] = of[unit] == REDCC_NO_UNIT ? 0 : divide->part[of[unit]];
+        assert(divide->owner[unit] < divide->partition->owners);
     }
-    divide->rim_count[thread] = listed;
+}
+
+/* ---- their rims ------------------------------------------------------------------------------ */
+
+static void mark_rims(struct divide *divide, int thread) {
+    const struct unit_list *told = &divide->told[thread].leading;
+    for (size_t at = 0, count; at < told->count; at += count) {
+        count = redcc_iteration_length(told, at);
+        const uint32_t *unit = told->item + at;
+        bool several = false;
+        for (size_t i = 1; i < count; i++)
+            several |= divide->owner[unit[i] & ~REDCC_LAST] != divide->owner[unit[0]];
+        for (size_t i = 0; several && i < count; i++)
+            __atomic_store_n(&divide->rims.is_rim[unit[i] & ~REDCC_LAST], 1, __ATOMIC_RELAXED);
+    }
+}
+
+/* The iterations that touch a rim, all of a rim's among them. */
+static bool list_rims(struct divide *divide, int thread) {
+    const struct unit_list *told = &divide->told[thread].leading;
+    struct unit_list *list = &divide->rims.list[thread];
+    for (size_t at = 0, count; at < told->count; at += count) {
+        count = redcc_iteration_length(told, at);
+        const uint32_t *unit = told->item + at;
+        bool touched = false;
+        for (size_t i = 0; i < count && unit[i] != (REDCC_NO_UNIT | REDCC_LAST); i++)
+            touched |= divide->rims.is_rim[unit[i] & ~REDCC_LAST];
+        if (touched && !redcc_unit_list_add(list, unit, count))
+            return false;
+    }
+    return true;
+}
+
+static bool begin_rims(struct divide *divide) {
+    struct rims *rims = &divide->rims;
+    for (int thread = 0; thread < divide->threads; thread++)
+        rims->told[thread] = &rims->list[thread];
+    const bool begun = redcc_graph_begin(&rims->graph, divide->units.leading);
+    rims->graph.only = rims->is_rim;
+    return begun;
+}
+
+static bool take_rim_edges(struct divide *divide) {
+    return redcc_graph_take(&divide->rims.graph);
 }
 
 static bool refine_rims(struct divide *divide) {
-    const struct graph *graph = &divide->graph;
     uint64_t load[REDCC_PARTS_MOST] = {0}, most[REDCC_PARTS_MOST], sum = 0;
-    uint32_t listed = 0;
-    for (int thread = 0; thread < divide->threads; thread++) {
-        const struct share share = share_of(divide, graph->count, thread);
-        memmove(divide->rim + listed, divide->rim + share.first,
-                divide->rim_count[thread] * sizeof *divide->rim);
-        listed += divide->rim_count[thread];
-    }
+    uint32_t *const listed = divide->clusters.into; /* which nobody needs any more */
+    uint32_t count = 0;
+    for (uint32_t unit = 0; unit < divide->units.leading; unit++)
+        if (divide->rims.is_rim[unit])
+            listed[count++] = unit;
     for (uint32_t cluster = 0; cluster < divide->coarse.count; cluster++) {
         load[divide->part[cluster]] += divide->coarse.weight[cluster];
         sum += divide->coarse.weight[cluster];
@@ -203,9 +261,22 @@ static bool refine_rims(struct divide *divide) {
                               redcc_amount_below(owners, stealable, owner, sum);
         most[owner] = even + even / 100;
     }
-    redcc_refine(graph, divide->rim, listed, divide->owner, 0, owners, load, most, ROUNDS);
+    redcc_refine(&divide->rims.graph, listed, count, divide->owner, 0, owners, load, most, ROUNDS);
     return true;
 }
+
+static bool refine(struct divide *divide, int thread) {
+    mark_rims(divide, thread);
+    if (!meet(divide, true, NULL) || !meet(divide, list_rims(divide, thread), begin_rims))
+        return false;
+    count_edges(divide, &divide->rims.graph, thread);
+    if (!meet(divide, true, take_rim_edges))
+        return false;
+    fill_edges(divide, &divide->rims.graph, thread);
+    return meet(divide, true, refine_rims);
+}
+
+/* ---- further groups, and the summary --------------------------------------------------------- */
 
 static void cast_vote(atomic_ushort *vote, unsigned short mine) {
     unsigned short known = atomic_load_explicit(vote, memory_order_relaxed);
@@ -214,27 +285,32 @@ static void cast_vote(atomic_ushort *vote, unsigned short mine) {
         ;
 }
 
+/* The owner of all units of an iteration; NO_VOTE: it has none; else with SEVERAL, of one. */
+static inline unsigned short common_owner(const struct divide *divide, const uint32_t *unit,
+                                          size_t count) {
+    if (unit[0] == (REDCC_NO_UNIT | REDCC_LAST))
+        return NO_VOTE;
+    const unsigned char owner = divide->owner[unit[0] & ~REDCC_LAST];
+    unsigned char differ = 0;
+    for (size_t i = 1; i < count; i++)
+        differ |= divide->owner[unit[i] & ~REDCC_LAST] ^ owner;
+    return differ ? owner | SEVERAL : owner;
+}
+
 /* Units of further groups: the owner of an iteration that has but one by the leading group; else an
  * owner of one that has several. The lowest, whoever is first. */
 static void vote_further(struct divide *divide, int thread) {
-    const struct told *told = &divide->told[thread];
-    struct told_reading leading = {&told->leading, 0}, further = {&told->further, 0};
-    while (further.at < told->further.count) {
-        unsigned short mine = NO_VOTE;
-        for (bool last = false; !last;) {
-            const uint32_t unit = redcc_told_read(&leading, &last);
-            if (unit == REDCC_NO_UNIT)
-                continue;
-            const unsigned char owner = divide->owner[unit];
-            if (mine == NO_VOTE)
-                mine = owner;
-            else if ((mine & 0xff) != owner)
-                mine |= SEVERAL;
-        }
-        for (bool last = false; !last;) {
-            const uint32_t unit = redcc_told_read(&further, &last);
-            if (unit != REDCC_NO_UNIT && mine != NO_VOTE)
-                cast_vote(&divide->vote[unit - divide->units.leading], mine);
+    const struct unit_list *leading = &divide->told[thread].leading;
+    const struct unit_list *further = &divide->told[thread].further;
+    for (size_t at = 0, here = 0, count, more; here < further->count; at += count, here += more) {
+        count = redcc_iteration_length(leading, at);
+        more = redcc_iteration_length(further, here);
+        const unsigned short mine = common_owner(divide, leading->item + at, count);
+        if (mine == NO_VOTE || further->item[here] == (REDCC_NO_UNIT | REDCC_LAST))
+            continue;
+        for (size_t i = here; i < here + more; i++) {
+            const uint32_t unit = further->item[i] & ~REDCC_LAST;
+            cast_vote(&divide->vote[unit - divide->units.leading], mine);
         }
     }
 }
@@ -257,52 +333,53 @@ static void clear_votes(struct divide *divide, int thread) {
         atomic_store_explicit(&divide->vote[unit], NO_VOTE, memory_order_relaxed);
 }
 
-static void take_owners(struct divide *divide, struct sweep *sweep, struct told_reading *reading) {
-    for (bool last = false; !last;) {
-        const uint32_t unit = redcc_told_read(reading, &last);
-        if (unit != REDCC_NO_UNIT)
-            redcc_sweep_take_owner(sweep, divide->owner[unit]);
-    }
+static void take_owners(struct divide *divide, struct sweep *sweep, const struct unit_list *list,
+                        size_t at, size_t count) {
+    const unsigned short owner = common_owner(divide, list->item + at, count);
+    if (owner < SEVERAL)
+        redcc_sweep_take_owner(sweep, owner);
+    for (size_t i = at; owner != NO_VOTE && owner >= SEVERAL && i < at + count; i++)
+        redcc_sweep_take_owner(sweep, divide->owner[list->item[i] & ~REDCC_LAST]);
 }
 
 static bool summarise(struct divide *divide, int thread, struct range *seen) {
     const struct told *told = &divide->told[thread];
+    const struct unit_list *leading = &told->leading, *further = &told->further;
     struct sweep *sweep = &divide->sweep[thread];
     if (!redcc_sweep_begin(sweep, divide->partition, seen))
         return false;
-    const redcc_int trip = told->iterations;
-    struct told_reading leading = {&told->leading, 0}, further = {&told->further, 0};
     redcc_sweep_open_block(sweep, told->begin);
-    while (leading.at < told->leading.count && !sweep->failed) {
-        take_owners(divide, sweep, &leading);
-        if (told->further.count)
-            take_owners(divide, sweep, &further);
+    for (size_t at = 0, here = 0, count, more = 0; at < leading->count && !sweep->failed;
+         at += count, here += more) {
+        count = redcc_iteration_length(leading, at);
+        take_owners(divide, sweep, leading, at, count);
+        if (further->count) {
+            more = redcc_iteration_length(further, here);
+            take_owners(divide, sweep, further, here, more);
+        }
         redcc_sweep_end_iteration(sweep);
     }
-    return redcc_sweep_close_block(sweep, trip);
+    return redcc_sweep_close_block(sweep, told->iterations);
+}
+
+static bool divide_further(struct divide *divide, int thread) {
+    clear_votes(divide, thread);
+    if (!meet(divide, true, NULL))
+        return false;
+    vote_further(divide, thread);
+    if (!meet(divide, true, NULL))
+        return false;
+    count_votes(divide, thread);
+    return meet(divide, true, NULL);
 }
 
 enum divide_result redcc_divide(struct divide *divide, int thread, struct range *seen) {
-    struct graph *graph = &divide->graph;
-    const struct share units = share_of(divide, divide->units.leading, thread);
-    if (!meet(divide, true, take_graph))
-        return DIVIDE_NO_MEMORY;
-    redcc_graph_count(graph, divide->telling, divide->threads, units.first, units.end);
-    clear_votes(divide, thread);
-    if (!meet(divide, true, take_edges))
-        return DIVIDE_NO_MEMORY;
-    redcc_graph_fill(graph, divide->telling, divide->threads, units.first, units.end);
-    if (!meet(divide, true, make_clusters) ||
-        !meet(divide, count_cluster_edges(divide, thread), divide_coarse))
+    if (!meet(divide, true, begin_clusters) || !cluster(divide, thread) ||
+        !divide_clusters(divide, thread))
         return DIVIDE_NO_MEMORY;
     place_units(divide, thread);
-    if (!meet(divide, true, refine_rims))
-        return DIVIDE_NO_MEMORY;
-    vote_further(divide, thread);
-    if (!meet(divide, true, NULL))
-        return DIVIDE_NO_MEMORY;
-    count_votes(divide, thread);
-    if (!meet(divide, true, NULL) || !meet(divide, summarise(divide, thread, seen), NULL))
+    if (!meet(divide, true, NULL) || !refine(divide, thread) || !divide_further(divide, thread) ||
+        !meet(divide, summarise(divide, thread, seen), NULL))
         return DIVIDE_NO_MEMORY;
     return DIVIDE_DONE;
 }

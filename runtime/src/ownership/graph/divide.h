@@ -4,11 +4,11 @@
  * iterations touch units of several owners and every owner has as much to do.
  *
  *     told       what each iteration touches, by the inspector                 all threads
- *     graph      the units of the leading group, joined by iterations          all threads
- *     clusters   of some dozens of units                                       one thread
+ *     clusters   of some dozens of units of the leading group                  all threads
  *     coarse     the graph of the clusters                                     all threads
  *     divided    by bisection, refined                                         one thread
- *     refined    at the rims of the parts, unit by unit                        one thread
+ *     rims       the graph of the units where parts meet                       all threads
+ *     refined    there, unit by unit                                           one thread
  *     further    groups: a unit gets an owner that its iterations have anyway  all threads
  *     summary    which owners each iteration touches                           all threads
  *
@@ -19,9 +19,18 @@
 
 #include "base/barrier.h"
 #include "ownership/graph/clusters.h"
+#include "ownership/graph/neighbours.h"
 #include "ownership/sweep.h"
 
 enum { REDCC_OWNERS_MOST = 256 }; /* of a map */
+
+/** Where parts meet. */
+struct rims {
+    unsigned char *is_rim;         /* [units.leading] an iteration touches it and another part */
+    struct unit_list *list;        /* [threads] iterations that touch such a unit */
+    const struct unit_list **told; /* [threads] lists that a graph is made of */
+    struct graph graph;            /* of these units alone */
+};
 
 struct divide {
     const struct partition *partition; /* how many owners there are to be */
@@ -33,28 +42,26 @@ struct divide {
     struct sweep *sweep;  /* [threads] the result: the access summaries */
     unsigned char *owner; /* [units.count] the result: the owner of each unit */
     /* on the way there */
-    const struct told **telling; /* [threads] */
-    struct graph graph;
     struct clusters clusters;
     struct graph coarse;
-    struct cluster_edges *edges; /* [threads] */
-    unsigned char *part;         /* [clusters.count] */
-    uint32_t *rim;               /* [units.leading] */
-    uint32_t *rim_count;         /* [threads] */
-    atomic_ushort *vote;         /* [units.count - units.leading] */
-    double deadline; /* on the clock of redcc_seconds, looked at where all meet; 0: none */
+    unsigned char *part; /* [clusters.count] */
+    struct rims rims;
+    atomic_ushort *vote; /* [units.count - units.leading] */
+    double deadline;     /* on the clock of redcc_seconds, looked at where all meet; 0: none */
     atomic_bool failed;
-    bool going; /* nobody has failed so far, and it is not late */
+    bool clustered; /* there are few enough clusters */
+    bool going;     /* nobody has failed so far, and it is not late */
 };
 
 enum divide_result {
     DIVIDE_DONE,
-    DIVIDE_NO_MEMORY, /* or late */
-    DIVIDE_UNSUITABLE /* too many units, touches or owners to be worth it, or none */
+    DIVIDE_NO_MEMORY,  /* or late */
+    DIVIDE_UNSUITABLE, /* too many units, touches or owners to be worth it, or none */
+    DIVIDE_BEYOND      /* something else was touched than what has a number */
 };
 
-/** May the arrays be divided so, group g being touched in touched[g]? Takes what the threads need
- * to begin; end it all the same. */
+/** May the arrays be divided so, group g being touched in touched[g] at most? Takes what the
+ * threads need to begin; end it all the same. */
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
                                       const struct range *touched, int threads, redcc_int trip);
 

@@ -121,7 +121,7 @@ static bool make(struct levelling *it, struct levels *levels, const struct told 
 
 bool redcc_levels_begin(struct levels *levels, const struct told *told, int threads, bool every) {
     *levels = (struct levels){0};
-    struct levelling it = {.units = told->units->count};
+    struct levelling it = {.units = told->units};
     for (int thread = 0; thread < threads; thread++)
         it.trip += (uint32_t)told[thread].iterations;
     const bool made = make(&it, levels, told, threads, every);

@@ -9,8 +9,8 @@
  * next, so that the edges do not outgrow the touches. */
 enum { CLIQUE = 4 };
 
-/* An iteration's work, shared out among its units. */
-enum { WORK = 60 };
+/* A node of so many edges is everybody's neighbour: nothing is near by it. */
+enum { HUB = 4096 };
 
 bool redcc_graph_begin(struct graph *graph, uint32_t count) {
     *graph = (struct graph){.count = count};
@@ -27,39 +27,29 @@ void redcc_graph_end(struct graph *graph) {
     *graph = (struct graph){0};
 }
 
-/* The units of the iteration that begins at item `at` of a list, and how many there are. */
-static size_t iteration_at(const struct unit_list *list, size_t at) {
-    size_t end = at;
-    while (!(list->item[end] & REDCC_LAST))
-        end++;
-    return end + 1 - at;
+static bool is_in(const struct graph *graph, uint32_t node, uint32_t first, uint32_t end) {
+    return node - first < end - first && (!graph->only || graph->only[node]);
 }
 
-static bool is_in(uint32_t unit, uint32_t first, uint32_t end) {
-    return unit - first < end - first;
-}
-
-void redcc_graph_count(struct graph *graph, const struct told *const *told, int threads,
+void redcc_graph_count(struct graph *graph, const struct unit_list *const *list, int lists,
                        uint32_t first, uint32_t end) {
     uint32_t *degree =
         graph->start + 2; /* start[n + 2] is the degree of node n until all are known */
     memset(graph->weight + first, 0, (size_t)(end - first) * sizeof *graph->weight);
     memset(degree + first, 0, (size_t)(end - first) * sizeof *degree);
-    for (int thread = 0; thread < threads; thread++) {
-        const struct unit_list *list = &told[thread]->leading;
-        for (size_t at = 0, size; at < list->count; at += size) {
-            size = iteration_at(list, at);
+    for (int l = 0; l < lists; l++)
+        for (size_t at = 0, size; at < list[l]->count; at += size) {
+            size = redcc_iteration_length(list[l], at);
             const uint32_t edges = size <= CLIQUE ? (uint32_t)size - 1 : 2;
-            const uint32_t work = size < WORK ? WORK / (uint32_t)size : 1;
+            const uint32_t work = redcc_work_of(size);
             for (size_t i = at; i < at + size; i++) {
-                const uint32_t unit = list->item[i] & ~REDCC_LAST;
-                if (!is_in(unit, first, end)) /* nor is REDCC_NO_UNIT */
+                const uint32_t node = list[l]->item[i] & ~REDCC_LAST;
+                if (!is_in(graph, node, first, end)) /* nor is REDCC_NO_UNIT */
                     continue;
-                degree[unit] += edges;
-                graph->weight[unit] += work;
+                degree[node] += edges;
+                graph->weight[node] += work;
             }
         }
-    }
 }
 
 bool redcc_graph_take(struct graph *graph) {
@@ -82,26 +72,60 @@ static void join(const struct graph *graph, uint32_t unit, uint32_t other) {
     graph->neighbour[graph->start[unit + 1]++] = other & ~REDCC_LAST;
 }
 
-void redcc_graph_fill(struct graph *graph, const struct told *const *told, int threads,
+void redcc_graph_fill(struct graph *graph, const struct unit_list *const *list, int lists,
                       uint32_t first, uint32_t end) {
-    for (int thread = 0; thread < threads; thread++) {
-        const struct unit_list *list = &told[thread]->leading;
-        for (size_t at = 0, size; at < list->count; at += size) {
-            size = iteration_at(list, at);
-            const uint32_t *units = list->item + at;
+    for (int l = 0; l < lists; l++)
+        for (size_t at = 0, size; at < list[l]->count; at += size) {
+            size = redcc_iteration_length(list[l], at);
+            const uint32_t *nodes = list[l]->item + at;
             for (size_t i = 0; i < size && size > 1; i++) {
-                const uint32_t unit = units[i] & ~REDCC_LAST;
-                if (!is_in(unit, first, end))
+                const uint32_t node = nodes[i] & ~REDCC_LAST;
+                if (!is_in(graph, node, first, end))
                     continue;
                 if (size > CLIQUE) {
-                    join(graph, unit, units[i ? i - 1 : size - 1]);
-                    join(graph, unit, units[i + 1 < size ? i + 1 : 0]);
+                    join(graph, node, nodes[i ? i - 1 : size - 1]);
+                    join(graph, node, nodes[i + 1 < size ? i + 1 : 0]);
                     continue;
                 }
                 for (size_t j = 0; j < size; j++)
                     if (j != i)
-                        join(graph, unit, units[j]);
+                        join(graph, node, nodes[j]);
             }
         }
+}
+
+/* Those of node `node`, behind the `count` edges that are there; place [nodes] is where the edge to
+ * each is, one before `count` being another node's. Returns how many there are then. */
+static uint32_t merge_edges(struct graph *graph, uint32_t node, uint32_t begin, uint32_t end,
+                            uint32_t count, uint32_t *place) {
+    const uint32_t own = count;
+    for (uint32_t e = begin; e < end && end - begin <= HUB; e++) {
+        const uint32_t to = graph->neighbour[e];
+        if (to == node)
+            continue;
+        if (place[to] >= own && place[to] < count && graph->neighbour[place[to]] == to) {
+            graph->strength[place[to]]++;
+            continue;
+        }
+        place[to] = count;
+        graph->neighbour[count] = to;
+        graph->strength[count++] = 1;
     }
+    return count;
+}
+
+bool redcc_graph_merge(struct graph *graph) {
+    const uint32_t edges = graph->start[graph->count];
+    uint32_t *place = redcc_memory_take_zeroed(graph->count, sizeof *place);
+    graph->strength = redcc_memory_take(edges * sizeof *graph->strength);
+    const bool enough = place && graph->strength;
+    uint32_t begin = 0, count = 0;
+    for (uint32_t node = 0; enough && node < graph->count; node++) {
+        const uint32_t end = graph->start[node + 1];
+        count = merge_edges(graph, node, begin, end, count, place);
+        graph->start[node + 1] = count;
+        begin = end;
+    }
+    redcc_memory_give(place);
+    return enough;
 }

@@ -12,24 +12,52 @@ static bool list_begin(struct unit_list *list, size_t capacity) {
     return list->item != NULL;
 }
 
+bool redcc_unit_list_add(struct unit_list *list, const uint32_t *item, size_t count) {
+    if (list->capacity - list->count < count) {
+        const size_t more = 2 * list->capacity + count + 256;
+        uint32_t *longer = redcc_memory_resize(list->item, more * sizeof *item);
+        if (!longer)
+            return false;
+        list->item = longer;
+        list->capacity = more;
+    }
+    for (size_t i = 0; i < count; i++)
+        list->item[list->count++] = item[i];
+    return true;
+}
+
+void redcc_unit_list_end(struct unit_list *list) {
+    redcc_memory_give(list->item);
+    *list = (struct unit_list){0};
+}
+
 bool redcc_told_begin(struct told *told, const struct units *units,
-                      const struct partition *partition, redcc_int begin, size_t leading,
-                      size_t further, size_t most) {
-    *told = (struct told){.units = units, .partition = partition, .begin = begin, .most = most};
+                      const struct partition *partition, struct range *seen, redcc_int begin,
+                      const size_t expected[2], size_t most) {
+    *told = (struct told){.units = units->count, .begin = begin, .most = most};
+    told->of = redcc_memory_take(partition->array_count * sizeof *told->of);
+    for (uint32_t array = 0; told->of && array < partition->array_count; array++) {
+        const uint32_t group = partition->group_of[array];
+        const bool leads = units->of[group].begin < units->leading;
+        told->of[array] = (struct told_array){
+            units->of[group], leads ? &told->leading : &told->further, &seen[group]};
+    }
     const bool several = units->count > units->leading;
-    return list_begin(&told->leading, leading + 64) &&
-           (!several || list_begin(&told->further, further + 64));
+    return told->of && list_begin(&told->leading, expected[0] + 64) &&
+           (!several || list_begin(&told->further, expected[1] + 64));
 }
 
 void redcc_told_end(struct told *told) {
-    redcc_memory_give(told->leading.item);
-    redcc_memory_give(told->further.item);
+    redcc_memory_give(told->of);
+    redcc_unit_list_end(&told->leading);
+    redcc_unit_list_end(&told->further);
     *told = (struct told){0};
 }
 
+/* The list is full. */
 static bool room_for_unit(struct told *told, struct unit_list *list) {
-    if (list->count < list->capacity)
-        return true;
+    if (told->failed || told->too_much)
+        return false;
     if (list->count >= told->most) {
         told->too_much = true;
         return false;
@@ -44,16 +72,21 @@ static bool room_for_unit(struct told *told, struct unit_list *list) {
     return true;
 }
 
-static void enter(struct told *told, struct unit_list *list, uint32_t unit) {
-    const size_t far = list->count - list->open < LOOK_BACK ? list->open : list->count - LOOK_BACK;
-    for (size_t i = list->count; i > far; i--)
-        if (list->item[i - 1] == unit)
+static inline void enter(struct told *told, struct unit_list *list, uint32_t unit) {
+    const size_t count = list->count;
+    const uint32_t *const open = list->item + list->open;
+    const uint32_t *item = list->item + count;
+    const uint32_t *const far = item - open < LOOK_BACK ? open : item - LOOK_BACK;
+    while (item > far)
+        if (*--item == unit)
             return;
-    if (room_for_unit(told, list))
-        list->item[list->count++] = unit;
+    if (count == list->capacity && !room_for_unit(told, list))
+        return;
+    list->item[count] = unit;
+    list->count = count + 1;
 }
 
-static void close_iteration(struct told *told, struct unit_list *list) {
+static inline void close_iteration(struct told *told, struct unit_list *list) {
     if (list->count == list->open)
         enter(told, list, REDCC_NO_UNIT);
     if (list->count > list->open)
@@ -61,24 +94,37 @@ static void close_iteration(struct told *told, struct unit_list *list) {
     list->open = list->count;
 }
 
-static void take_touch(struct told *told, const redcc_entry *entry) {
-    const struct group_units *group = &told->units->of[told->partition->group_of[entry->array]];
-    const uint64_t into = (uintptr_t)entry->address - group->first;
-    const uint64_t last = redcc_units_in(group, into + entry->bytes - 1);
-    uint64_t unit = redcc_units_in(group, into);
-    if (into > UINT64_MAX / 2 || last >= group->count) {
-        told->too_much = true; /* the inspector does not tell the same again */
+/* A touch of several units, or of what is none. */
+static void take_wide(struct told *told, const struct told_array *array, uint64_t into,
+                      uint32_t bytes) {
+    const struct group_units *units = &array->units;
+    const uint64_t last = redcc_units_in(units, into + bytes - 1);
+    if (into > UINT64_MAX / 2 || last >= units->count) {
+        told->beyond = true;
         return;
     }
-    struct unit_list *list = group->begin < told->units->leading ? &told->leading : &told->further;
-    for (; unit <= last && !told->too_much && !told->failed; unit++)
-        enter(told, list, group->begin + (uint32_t)unit);
+    for (uint64_t unit = redcc_units_in(units, into); unit <= last; unit++)
+        enter(told, array->list, units->begin + (uint32_t)unit);
+}
+
+static inline void take_touch(struct told *told, const redcc_entry *entry) {
+    const struct told_array *array = &told->of[entry->array];
+    const uintptr_t address = (uintptr_t)entry->address, end = address + entry->bytes;
+    if (address < array->seen->first)
+        array->seen->first = address;
+    if (end > array->seen->end)
+        array->seen->end = end;
+    const uint64_t into = address - array->units.first;
+    const uint64_t unit = redcc_units_in(&array->units, into);
+    const bool is_one = into - unit * array->units.bytes + entry->bytes <= array->units.bytes;
+    if (is_one && unit < array->units.count)
+        enter(told, array->list, array->units.begin + (uint32_t)unit);
+    else
+        take_wide(told, array, into, entry->bytes);
 }
 
 void redcc_told_take(struct told *told, const redcc_entry *first, const redcc_entry *end) {
     for (const redcc_entry *entry = first; entry != end; entry++) {
-        if (told->failed || told->too_much)
-            return;
         if (entry->array != REDCC_END_OF_ITERATION) {
             if (entry->bytes)
                 take_touch(told, entry);

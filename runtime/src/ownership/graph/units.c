@@ -40,7 +40,9 @@ bool redcc_units_begin(struct units *units, const struct partition *partition,
         fits = fits && number_group(&units->of[group], partition, group, touched[group], count);
         count += units->of[group].count;
     }
+    units->too_many = !fits;
     units->count = fits ? (uint32_t)count : 0;
+    units->leading = fits ? units->leading : 0;
     return true;
 }
 

@@ -19,6 +19,7 @@ struct group_units {
 struct units {
     uint32_t leading; /* how many belong to the leading group */
     uint32_t count;   /* of all groups */
+    bool too_many;    /* more than REDCC_UNITS_MOST: then both are 0 */
     uint32_t array_count;
     struct group_units *of; /* [array_count] of each group; of other arrays: none */
 };
@@ -27,7 +28,7 @@ struct units {
 #define REDCC_UNITS_MOST 0x7ffffffeu
 
 /** Numbers the units of the groups, group g being touched in touched[g]. False: no memory (end it
- *  all the same). Where there are more than REDCC_UNITS_MOST, count is 0. */
+ *  all the same). */
 bool redcc_units_begin(struct units *units, const struct partition *partition,
                        const struct range *touched);
 

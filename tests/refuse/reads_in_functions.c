@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The smallest changes by which it can no longer be told where the functions of
+// accept/reads_in_functions.c read.
+// covers: row 80, row 81
+
+/* The element of the iteration before. */
+static double before(const double *x, const int node[4]) {
+    double sum = 0;
+    int last;
+    for (int a = 0; a < 4; a++) {
+        if (a > 0)
+            sum += x[last];
+        last = node[a];
+    }
+    return sum;
+}
+
+void of_the_turn_before(int n, const int (*node)[4], const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[node[e][0]] += before(x, node[e]);
+}
+
+/* Of another loop, by a counter of the same name. */
+static double after(const double *x, const int node[4]) {
+    double sum = 0;
+    int a, last;
+    for (a = 0; a < 3; a++)
+        last = node[a];
+    for (a = 0; a < 4; a++)
+        sum += x[last] * a;
+    return sum;
+}
+
+void of_another_loop(int n, const int (*node)[4], const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[node[e][0]] += after(x, node[e]);
+}
+
+/* The table is read where the condition holds: it may end before. */
+static double chosen(const double *x, const int *list, const double *weight, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        if (weight[k] > 0)
+            sum += x[list[k]];
+    return sum;
+}
+
+void of_some_turns(int n, const int *count, const int *to, const int *list, const double *weight,
+                   const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += chosen(x, list, weight, count[e]);
+}
+
+/* Nor is it read behind what ends the loop. */
+static double up_to(const double *x, const int *list, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++) {
+        sum += x[list[k]];
+        if (sum > 1)
+            break;
+    }
+    return sum;
+}
+
+void left_early(int n, const int *count, const int *to, const int *list, const double *x,
+                double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += up_to(x, list, count[e]);
+}
+
+static double in_steps(const double *x, int count, double limit) {
+    for (int k = 0; k < count; k += 2)
+        if (x[k] > limit)
+            return x[k];
+    return 0;
+}
+
+void left_early_in_steps(int n, const int *count, const int *to, const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += in_steps(x, count[e], 0.5);
+}
+
+static double skipping(const double *x, const int *list, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++) {
+        sum += x[list[k]];
+        if (sum < 0)
+            k++;
+    }
+    return sum;
+}
+
+void counter_moved(int n, const int *count, const int *to, const int *list, const double *x,
+                   double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += skipping(x, list, count[e]);
+}
+
+struct part {
+    int from, end;
+};
+
+/* The bounds are there in some iterations only. */
+static double of_part(const double *x, const struct part *p) {
+    double sum = 0;
+    if (p)
+        for (int k = p->from; k < p->end; k++)
+            sum += x[k];
+    return sum;
+}
+
+void bounds_not_there(int n, const struct part *const *part, const int *to, const double *x,
+                      double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += of_part(x, part[e]);
+}
+
+static double returned_before(const double *x, const int *list, const int *count) {
+    double sum = 0;
+    if (!count)
+        return 0;
+    for (int k = 0; k < *count; k++)
+        sum += x[list[k]];
+    return sum;
+}
+
+void returns_before(int n, const int *const *count, const int *to, const int *list,
+                    const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += returned_before(x, list, count[e]);
+}
+
+/* What is updated, by its name. */
+static double dot(const int *ptr, const int *col, const double *x, int i) {
+    double s = 0;
+    for (int k = ptr[i]; k < ptr[i + 1]; k++)
+        s += x[col[k]];
+    return s;
+}
+
+void by_its_name(int n, const int *ptr, const int *col, const int *to, double *y) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        y[to[i]] += dot(ptr, col, y, i);
+}
+
+/* Under a condition of the caller's in the same statement. */
+void behind_a_condition(int n, const int *ptr, const int *col, const double *x, const int *to,
+                        double *y) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        y[to[i]] += i > 2 ? dot(ptr, col, x, i) : 0;
+}
+
+/* A jump leads into the loop, another to a case of it. */
+static double entered(const double *x, const int *list, int count, int first) {
+    double sum = 0;
+    int k = first;
+    switch (count) {
+    case 0:
+        for (k = 0; k < 4; k++) {
+        case 1:
+            sum += x[list[k]];
+        }
+    }
+    return sum;
+}
+
+void into_the_loop(int n, const int *count, const int *to, const int *list, const double *x,
+                   double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-reads
+        b[to[e]] += entered(x, list, count[e], 2);
+}
+
+/* It stores what it looks up next. */
+static void renumber(const double *x, int *list, double *out) {
+    for (int k = 0; k < 4; k++) {
+        list[k] = k;
+        *out += x[list[k]];
+    }
+}
+
+void writes_its_list(int n, const int *to, int (*list)[4], const double *x, double *b) {
+    for (int e = 0; e < n; e++) // EXPECT: refuse callee-updates
+        renumber(x, list[e], &b[to[e]]);
+}

@@ -1,0 +1,419 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/counted.h"
+
+#include "analysis/base/counted_start.h"
+#include "analysis/base/expression.h"
+
+/* ---- who writes a variable ------------------------------------------------------------------ */
+
+bool variable_is_written_in(const ir_node *node, const ir_variable *variable) {
+    const ir_node *target = expression_written(node);
+    if (target && target->kind == IR_VARIABLE && target->variable == variable)
+        return true;
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        expression_object(node->children[0]) == variable)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (variable_is_written_in(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/* ---- the parts of a header ------------------------------------------------------------------ */
+
+static const ir_node *strip_casts(const ir_node *node) {
+    while (node->kind == IR_CAST && node->type && node->type->kind == IR_INTEGER)
+        node = node->children[0];
+    return node;
+}
+
+static bool is_variable(const ir_node *node, const ir_variable *variable) {
+    return node->kind == IR_VARIABLE && node->variable == variable;
+}
+
+bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step) {
+    const ir_node *target = expression_written(node);
+    if (!target || target->kind != IR_VARIABLE)
+        return false;
+    *variable = target->variable;
+    if (node->kind == IR_UNARY) {
+        bool is_up = node->op == IR_OP_PRE_INCREMENT || node->op == IR_OP_POST_INCREMENT;
+        *step = is_up ? 1 : -1;
+        return true;
+    }
+    const ir_node *value = node->children[1];
+    ir_operator op = node->op;
+    if (op == IR_OP_NONE) {
+        if (value->kind != IR_BINARY)
+            return false;
+        op = value->op;
+        if (is_variable(value->children[0], *variable))
+            value = value->children[1];
+        else if (op == IR_OP_ADD && is_variable(value->children[1], *variable))
+            value = value->children[0];
+        else
+            return false;
+    }
+    if ((op != IR_OP_ADD && op != IR_OP_SUBTRACT) || !expression_constant(value, step))
+        return false;
+    if (*step > INT32_MAX || *step < -INT32_MAX)
+        return false;
+    if (op == IR_OP_SUBTRACT)
+        *step = -*step;
+    return true;
+}
+
+static bool is_comparison(ir_operator op) {
+    return (op >= IR_OP_LESS && op <= IR_OP_GREATER_EQUAL) || op == IR_OP_NOT_EQUAL;
+}
+
+/* counter <comparison> bound, whichever side the counter stands on. */
+static bool split_condition(const ir_node *condition, const ir_variable *counter,
+                            ir_operator *comparison, const ir_node **bound) {
+    if (condition->kind != IR_BINARY || !is_comparison(condition->op))
+        return false;
+    if (is_variable(condition->children[0], counter)) {
+        *comparison = condition->op;
+        *bound = condition->children[1];
+    } else if (is_variable(condition->children[1], counter)) {
+        *comparison = expression_mirrored(condition->op);
+        *bound = condition->children[0];
+    } else {
+        return false;
+    }
+    return !expression_mentions(*bound, counter);
+}
+
+/* ---- can the counter wrap around? ----------------------------------------------------------- */
+
+static bool is_non_negative(const ir_node *node) {
+    int64_t value;
+    if (!node)
+        return false;
+    if (expression_constant(node, &value))
+        return value >= 0;
+    node = strip_casts(node);
+    return node->type && node->type->kind == IR_INTEGER && !node->type->is_signed;
+}
+
+static int64_t type_maximum(const ir_type *type) {
+    int bits = (int)type->size * 8 - (type->is_signed ? 1 : 0);
+    return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
+}
+
+/*
+ * The generated code counts iterations in 64 bits by lower, bound and step as mathematical numbers.
+ * That agrees with the loop where the comparison is one of numbers and the counter reaches the
+ * bound without leaving its type. Where it would leave a signed type of int's size or more, C gives
+ * no meaning to the loop at all; a trip count computed as zero or less runs the original loop.
+ */
+static bool may_wrap(const counted_loop *loop) {
+    const ir_type *counter = loop->counter->type;
+    const ir_type *bound = loop->bound->type;
+    int64_t constant = 0;
+    bool bound_is_constant = expression_constant(loop->bound, &constant);
+    int64_t magnitude = loop->step < 0 ? -loop->step : loop->step;
+    bool is_up = loop->step > 0;
+    bool is_inclusive =
+        loop->comparison == IR_OP_LESS_EQUAL || loop->comparison == IR_OP_GREATER_EQUAL;
+    bool bound_is_unsigned = !bound->is_signed && !(bound_is_constant && constant >= 0) &&
+                             bound->size >= 4 && bound->size >= counter->size;
+    if (bound_is_constant && is_up && constant >= 0 &&
+        constant <= type_maximum(counter) - magnitude)
+        return counter->is_signed && bound->size >= 4 && !bound->is_signed &&
+               !is_non_negative(loop->lower);
+    if (counter->is_signed) {
+        if (counter->size < 4)
+            return true;
+        /* A signed counter compared with an unsigned bound is converted: negative ones are large.
+         */
+        return (bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
+               (!is_up || !is_non_negative(loop->lower));
+    }
+    if (loop->comparison == IR_OP_NOT_EQUAL) {
+        int64_t lower;
+        return !(is_up && loop->lower && expression_constant(loop->lower, &lower) && lower == 0 &&
+                 bound->size <= counter->size && counter->size >= 4);
+    }
+    if (is_up)
+        return counter->size < 4 || magnitude != 1 || bound->size > counter->size ||
+               (is_inclusive && counter->size < 8);
+    /* down: i > bound ends at bound >= 0 with step -1; i >= 0 never ends */
+    if (counter->size < 4 || magnitude != 1)
+        return true;
+    if (is_inclusive)
+        return !(bound_is_constant && constant >= 1);
+    return bound->is_signed && !(bound_is_constant && constant >= 0);
+}
+
+/* ---- putting it together -------------------------------------------------------------------- */
+
+/* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
+static const char *first_name(const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return node->variable->name;
+    if (node->kind == IR_FOR || node->kind == IR_WHILE)
+        return first_name(node->children[node->kind == IR_FOR ? 1 : 0]);
+    const char *name = NULL;
+    for (unsigned i = 0; i < node->child_count && !name; i++)
+        name = first_name(node->children[i]);
+    return name;
+}
+
+/* `name`: of the counter; NULL: it is not known, and whatever is compared stands for it. */
+static counted_result not_counted(reason_id why, const ir_node *node, const char *name) {
+    if (!name)
+        name = first_name(node);
+    return (counted_result){.why = why, .node = node, .name = name};
+}
+
+static bool written_by(const ir_node *body, const ir_node *bound, const char **name) {
+    if (bound->kind == IR_VARIABLE && variable_is_written_in(body, bound->variable)) {
+        *name = bound->variable->name;
+        return true;
+    }
+    for (unsigned i = 0; i < bound->child_count; i++)
+        if (written_by(body, bound->children[i], name))
+            return true;
+    return false;
+}
+
+static bool step_agrees(const counted_loop *loop) {
+    switch (loop->comparison) {
+    case IR_OP_LESS:
+    case IR_OP_LESS_EQUAL:
+        return loop->step > 0;
+    case IR_OP_GREATER:
+    case IR_OP_GREATER_EQUAL:
+        return loop->step < 0;
+    default:
+        return loop->step == 1 || loop->step == -1;
+    }
+}
+
+static bool is_plain_integer(const ir_type *type) {
+    return type && type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 &&
+           !type->is_volatile && !type->is_atomic;
+}
+
+/* No assignment, increment or opaque node in it. */
+static bool is_plain_but_for_calls(const ir_node *node) {
+    if (node->kind == IR_OPAQUE || expression_written(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_plain_but_for_calls(node->children[i]))
+            return false;
+    return true;
+}
+
+/* What must hold of counter, bound and lower, once they are found. */
+static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
+    const char *name = loop->counter->name;
+    const char *written = NULL;
+    if (!is_plain_integer(loop->counter->type) || !variable_is_automatic(loop->counter))
+        return not_counted(REASON_COUNTER_TYPE, node, name);
+    if (!is_plain_integer(loop->bound->type))
+        return not_counted(REASON_TRIP_COUNT, loop->bound, name);
+    if (!is_plain_but_for_calls(loop->bound))
+        return not_counted(REASON_TRIP_COUNT, loop->bound, name);
+    if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_integer(loop->lower->type)))
+        return not_counted(REASON_TRIP_COUNT, loop->lower, name);
+    for (unsigned i = 0; i < loop->body->child_count || i == 0; i++) {
+        /* a while's increment is the last of its body and not looked at */
+        const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
+        if (!part || part == increment)
+            continue;
+        if (variable_is_written_in(part, loop->counter))
+            return not_counted(REASON_COUNTER_MODIFIED, part, name);
+        if (part == loop->body)
+            break;
+    }
+    if (written_by(loop->body, loop->bound, &written))
+        return not_counted(REASON_BOUND_VARIES, loop->bound, written);
+    if (!step_agrees(loop))
+        return not_counted(REASON_STEP, node, name);
+    if (may_wrap(loop))
+        return not_counted(REASON_COUNTER_WRAPS, node, name);
+    return (counted_result){.is_counted = true, .loop = *loop};
+}
+
+/* i++, q += 3: the part that steps the variable that the condition compares. */
+static const ir_node *own_increment(const ir_node *increment, const ir_node *condition) {
+    ir_variable *variable;
+    int64_t step;
+    const ir_node *bound;
+    ir_operator comparison;
+    if (increment->kind != IR_BINARY || increment->op != IR_OP_COMMA)
+        return counted_step(increment, &variable, &step) &&
+                       split_condition(condition, variable, &comparison, &bound)
+                   ? increment
+                   : NULL;
+    const ir_node *left = own_increment(increment->children[0], condition);
+    return left ? left : own_increment(increment->children[1], condition);
+}
+
+static counted_result recognise_for(const ir_node *loop) {
+    const ir_node *increment = loop->children[2];
+    const ir_node *condition = loop->children[1];
+    if (increment->kind == IR_EXPRESSION)
+        increment = increment->children[0];
+    if (condition->kind == IR_EXPRESSION)
+        condition = condition->children[0];
+    counted_loop counted = {.body = loop->children[3]};
+    if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    const ir_node *all = increment;
+    if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA)
+        increment = own_increment(increment, condition);
+    if (!increment)
+        return not_counted(REASON_TRIP_COUNT, all, NULL);
+    counted.increment = increment;
+    if (!counted_step(increment, &counted.counter, &counted.step)) {
+        ir_variable *variable = ir_root_variable(
+            expression_written(increment) ? expression_written(increment) : increment);
+        return not_counted(variable ? REASON_STEP : REASON_TRIP_COUNT, increment,
+                           variable ? variable->name : NULL);
+    }
+    if (counted.step == 0)
+        return not_counted(REASON_STEP, increment, counted.counter->name);
+    const ir_node *start = loop->children[0];
+    if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
+        !(start->kind == IR_DECLARATION ? counted_split_declaration(loop, start, &counted)
+                                        : counted_split_initialisation(loop, start, &counted)))
+        return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
+    const char *written = NULL;
+    if (all != increment && written_by(all, counted.bound, &written))
+        return not_counted(REASON_BOUND_VARIES, counted.bound, written);
+    return check(&counted, loop, NULL);
+}
+
+static bool continues(const ir_node *node) {
+    if (node->kind == IR_CONTINUE)
+        return true;
+    if (ir_is_loop(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (continues(node->children[i]))
+            return true;
+    return false;
+}
+
+static counted_result recognise_while(const ir_node *loop) {
+    const ir_node *condition = loop->children[0];
+    const ir_node *body = loop->children[1];
+    counted_loop counted = {.body = body};
+    if (body->kind != IR_BLOCK || body->child_count == 0)
+        return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    const ir_node *last = body->children[body->child_count - 1];
+    if (last->kind != IR_EXPRESSION ||
+        !counted_step(last->children[0], &counted.counter, &counted.step) ||
+        !split_condition(condition, counted.counter, &counted.comparison, &counted.bound))
+        return not_counted(REASON_TRIP_COUNT, condition, NULL);
+    if (continues(body) || counted.step == 0)
+        return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
+    counted.increment = last;
+    return check(&counted, loop, last);
+}
+
+counted_result counted_recognise_judged(ir_node *loop) {
+    if (loop->kind == IR_FOR)
+        return recognise_for(loop);
+    if (loop->kind == IR_WHILE)
+        return recognise_while(loop);
+    return not_counted(REASON_TRIP_COUNT, loop, NULL);
+}
+
+static counted_result without_calls(counted_result result, const ir_node *loop) {
+    if (!result.is_counted)
+        return result;
+    if (result.loop.counter->address_taken)
+        return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
+    const ir_node *header = loop->kind == IR_FOR ? loop->children[2] : NULL;
+    if (header && header->kind == IR_EXPRESSION)
+        header = header->children[0];
+    if (header && (header != result.loop.increment || result.loop.start_count))
+        return not_counted(REASON_TRIP_COUNT, header, result.loop.counter->name);
+    if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
+        return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
+    return result;
+}
+
+counted_result counted_recognise(ir_node *loop) {
+    return without_calls(counted_recognise_judged(loop), loop);
+}
+
+/* ---- constant loops and ranges -------------------------------------------------------------- */
+
+bool counted_constant(const ir_node *loop, const ir_variable **counter, int64_t *first,
+                      int64_t *last) {
+    if (loop->kind != IR_FOR)
+        return false;
+    counted_result r = without_calls(recognise_for(loop), loop);
+    int64_t lower, bound;
+    if (!r.is_counted || !r.loop.lower || !expression_constant(r.loop.lower, &lower) ||
+        !expression_constant(r.loop.bound, &bound))
+        return false;
+    if (lower > INT32_MAX || lower < INT32_MIN || bound > INT32_MAX || bound < INT32_MIN)
+        return false;
+    bool is_up = r.loop.step > 0;
+    if (r.loop.comparison == IR_OP_LESS || (r.loop.comparison == IR_OP_NOT_EQUAL && is_up))
+        bound--;
+    if (r.loop.comparison == IR_OP_GREATER || (r.loop.comparison == IR_OP_NOT_EQUAL && !is_up))
+        bound++;
+    if (is_up ? lower > bound : lower < bound)
+        return false;
+    *counter = r.loop.counter;
+    *first = is_up ? lower : bound;
+    *last = is_up ? bound : lower;
+    return true;
+}
+
+static bool counter_range(const ir_node *node, int64_t *low, int64_t *high) {
+    const ir_node *child = node;
+    for (const ir_node *loop = node->parent; loop; child = loop, loop = loop->parent) {
+        const ir_variable *counter;
+        if (loop->kind == IR_FOR && child == loop->children[3] &&
+            counted_constant(loop, &counter, low, high) && counter == node->variable)
+            return true;
+    }
+    return false;
+}
+
+static bool binary_range(const ir_node *node, int64_t *low, int64_t *high) {
+    int64_t a, b, c, d;
+    if (!counted_range(node->children[0], &a, &b) || !counted_range(node->children[1], &c, &d))
+        return false;
+    switch (node->op) {
+    case IR_OP_ADD:
+        *low = a + c;
+        *high = b + d;
+        break;
+    case IR_OP_SUBTRACT:
+        *low = a - d;
+        *high = b - c;
+        break;
+    case IR_OP_MULTIPLY:
+        if (a < 0 || c < 0)
+            return false;
+        *low = a * c;
+        *high = b * d;
+        break;
+    default:
+        return false;
+    }
+    return *low >= INT32_MIN && *high <= INT32_MAX && (node->type->is_signed || *low >= 0);
+}
+
+bool counted_range(const ir_node *expression, int64_t *low, int64_t *high) {
+    int64_t value;
+    if (expression_constant(expression, &value)) {
+        *low = *high = value;
+        return value >= INT32_MIN && value <= INT32_MAX;
+    }
+    if (expression->kind == IR_VARIABLE)
+        return counter_range(expression, low, high);
+    if (expression->kind == IR_BINARY && expression->type && expression->type->kind == IR_INTEGER &&
+        expression->type->size >= 4)
+        return binary_range(expression, low, high);
+    return false;
+}

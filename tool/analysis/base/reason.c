@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/reason.h"
+
+typedef struct reason_entry {
+    const char *code;
+    const char *slug;
+    const char *message;
+} reason_entry;
+
+static const reason_entry reasons[REASON_COUNT] = {
+    {NULL, NULL, NULL},
+#define X(identifier, id, slug, message) {id, slug, message},
+#include "analysis/base/reasons.def"
+#undef X
+};
+
+/* What the user could change, where there is something simple to say. */
+static const char *const advices[REASON_COUNT] = {
+    [REASON_UPDATE_VALUE_USED] = "where the value is a place to store at, count first, then place",
+    [REASON_UPDATE_IN_EXPRESSION] = "make the update a statement of its own",
+    [REASON_ARRAY_READ] = "read from a copy made before the loop",
+    [REASON_ARRAY_STORED] = "store in a loop of its own, before or after",
+    [REASON_BASE_VARIES] = "use one array for all iterations",
+    [REASON_ROW_POINTERS] =
+        "use one contiguous array, double (*a)[m], or a table of pointers made before the loop",
+    [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
+    [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
+    [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
+    [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
+    [REASON_MAY_ALIAS] = "where they never overlap, declare the pointers restrict, or write "
+                         "#pragma redcc independent above the loop",
+    [REASON_OTHER_STORE] = "split the loop: store in one, accumulate in the other",
+    [REASON_SCALAR_CARRIED] = "where its values do not depend on the updates, compute them into an "
+                              "array in a loop of its own first",
+    [REASON_PRIVATE_NOT_PROVED] =
+        "where no iteration uses what another left in it, declare it inside the loop's body, or "
+        "write #pragma redcc private(NAME) above the loop",
+    [REASON_LAST_VALUE] = "find the value that is wanted after the loop in a loop of its own",
+    [REASON_ESCAPES] = "where no iteration uses what another left in it, declare it inside the "
+                       "loop's body, and pass it only to functions of this file",
+    [REASON_UNION] = "use a struct",
+    [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
+    [REASON_COUNTER_MODIFIED] = "use another variable in the body",
+    [REASON_BOUND_VARIES] = "copy the bound to a local variable before the loop",
+    [REASON_STEP] = "use a constant step",
+    [REASON_COUNTER_TYPE] = "use a local counter of type int, long or size_t",
+    [REASON_COUNTER_WRAPS] = "use a signed counter, and < or > instead of <=, >= or !=",
+    [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
+    [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
+    [REASON_GOTO] = "use structured control",
+    [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), --pure=NAME, or "
+                           "#pragma redcc pure(NAME)",
+    [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
+    [REASON_CALLEE_READS] =
+        "where it reads nothing that is updated, declare the pointers restrict, or write #pragma "
+        "redcc independent above the loop",
+    [REASON_INTERPOSED] =
+        "make it static, hide it (-fvisibility=hidden), or say that what takes its "
+        "place does the same (-fno-semantic-interposition)",
+    [REASON_THREAD_STATE] = "call it before the loop",
+    [REASON_INEXACT_OPTION] =
+        "compile this file without the option, or give up the bits: --order=any",
+    [REASON_IN_MACRO] = "write the loop and its updates out",
+    [REASON_DIRECTIVE_IN_RANGE] = "move the directive out of the loop",
+    [REASON_BINDING] = "give one of the two another name",
+    [REASON_INTERNAL] = "please report this with the source file and the command line",
+    [REASON_EXISTING_OPENMP] = "remove the directive to have the loop translated",
+};
+
+const char *reason_code(reason_id id) {
+    return reasons[id].code;
+}
+
+const char *reason_slug(reason_id id) {
+    return reasons[id].slug;
+}
+
+reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
+    reason r = {id, NULL, range, advices[id]};
+    /* The format is one of reasons.def, each with exactly one %s (a test counts them). */
+    const char *format = reasons[id].message;
+    const char *hole = strstr(format, "%s");
+    if (hole)
+        r.message = arena_format(a, "%.*s%s%s", (int)(hole - format), format, name, hole + 2);
+    else
+        r.message = format;
+    return r;
+}

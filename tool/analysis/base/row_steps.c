@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/row_steps.h"
+
+#include "analysis/base/expression.h"
+
+/* Either no value of this type wraps around, or it does where addresses do. */
+static bool is_steady(const ir_type *type) {
+    return type && type->kind == IR_INTEGER &&
+           ((type->is_signed && type->size >= 4) || type->size == 8);
+}
+
+static bool keeps_steps(const ir_type *from, const ir_type *to) {
+    return from && from->kind == IR_INTEGER && is_steady(to) &&
+           (from->size < to->size ||
+            (from->size == to->size && (to->size == 8 || from->is_signed == to->is_signed)));
+}
+
+/* Does the index grow by one with the counter, which itself does not wrap around? */
+static bool steps_with(const ir_node *index, const ir_variable *counter) {
+    if (index->kind == IR_VARIABLE)
+        return index->variable == counter && counter->type->size >= 4;
+    if (index->kind == IR_CAST)
+        return keeps_steps(index->children[0]->type, index->type) &&
+               steps_with(index->children[0], counter);
+    if (index->kind != IR_BINARY || !is_steady(index->type))
+        return false;
+    const ir_node *left = index->children[0], *right = index->children[1];
+    if (index->op == IR_OP_ADD && !expression_mentions(left, counter))
+        return steps_with(right, counter);
+    return (index->op == IR_OP_ADD || index->op == IR_OP_SUBTRACT) &&
+           !expression_mentions(right, counter) && steps_with(left, counter);
+}
+
+bool row_steps_with(const ir_node *row, const ir_variable *counter) {
+    if (!expression_mentions(row, counter))
+        return true;
+    return row->kind == IR_INDEX && row->type->size > 0 &&
+           !expression_mentions(row->children[0], counter) && steps_with(row->children[1], counter);
+}
+
+bool source_loop_is_span(const source_loop *loop, const ir_node *row) {
+    return loop->step == 1 &&
+           (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL) &&
+           expression_mentions(row, loop->counter) && row_steps_with(row, loop->counter);
+}
+
+/* The same tree, but that the counters of `b` stand where it has those of `a`. */
+static bool same_but_for_counters(const ir_node *x, const ir_node *y, unsigned count,
+                                  const source_loop *a, const source_loop *b) {
+    for (unsigned i = 0; x->kind == IR_VARIABLE && i < count; i++)
+        if (x->variable == a[i].counter)
+            return y->kind == IR_VARIABLE && y->variable == b[i].counter &&
+                   ir_type_equal(x->variable->type, y->variable->type);
+    const bool is_alike =
+        x->kind == y->kind && x->op == y->op && x->field == y->field &&
+        !((x->flags ^ y->flags) & IR_ARROW) && x->child_count == y->child_count &&
+        (x->kind == IR_INDEX || x->kind == IR_MEMBER || x->kind == IR_UNARY ||
+         x->kind == IR_BINARY || (x->kind == IR_CAST && ir_type_equal(x->type, y->type)));
+    if (!is_alike)
+        return expression_same(x, y);
+    for (unsigned i = 0; i < x->child_count; i++)
+        if (!same_but_for_counters(x->children[i], y->children[i], count, a, b))
+            return false;
+    return true;
+}
+
+bool source_loops_equal(unsigned count, const source_loop *a, unsigned other_count,
+                        const source_loop *b) {
+    for (unsigned i = 0; count == other_count && i < count; i++)
+        if (a[i].comparison != b[i].comparison || a[i].step != b[i].step ||
+            a[i].may_end_early != b[i].may_end_early ||
+            !ir_type_equal(a[i].counter->type, b[i].counter->type) ||
+            !same_but_for_counters(a[i].lower, b[i].lower, i, a, b) ||
+            !same_but_for_counters(a[i].bound, b[i].bound, i, a, b))
+            return false;
+    return count == other_count;
+}
+
+bool source_rows_equal(const loop_source *a, const loop_source *b) {
+    return source_loops_equal(a->loop_count, a->loops, b->loop_count, b->loops) &&
+           same_but_for_counters(a->row, b->row, a->loop_count, a->loops, b->loops);
+}

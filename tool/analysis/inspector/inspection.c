@@ -1,0 +1,356 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What the inspector does: the slice of rows and touched sources, the sources in the order of
+ * reading, the key, and whether all of that tells when a plan may be used again. */
+#include "analysis/inspector/inspection.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
+#include "analysis/inspector/slice.h"
+#include "analysis/loop/bases.h"
+#include "analysis/loop/executed.h"
+#include "analysis/loop/place.h"
+#include "analysis/loop/variation.h"
+#include "analysis/overlap/sources.h"
+
+typedef VECTOR(slice_touch) touch_list;
+
+static void add_touch(const judgement *j, touch_list *list, const loop_source *read) {
+    const slice_touch item = {read->row, read->loop_count, read->loops, read->place};
+    VECTOR_PUSH(j->an->memory, list, item);
+}
+
+/* Of add(h + s[t], v) and add_at(h, s[t], v) the row is put together from copies of the arguments.
+ */
+static bool is_put_together(const reduction_update *update) {
+    return !ir_contains(update->statement, update->row);
+}
+
+static bool is_read_for_row(const reduction_update *update, const judged_access *read) {
+    if (is_put_together(update))
+        return read->access.lvalue && !read->access.callee &&
+               ir_contains(update->statement, read->access.node) &&
+               expression_occurrences(update->row, read->access.lvalue);
+    return read->access.node != update->row && ir_contains(update->row, read->access.node);
+}
+
+/* Does the inspector evaluate this access: in a statement of the slice, its control, or a row? */
+static bool is_in_slice(const judgement *j, const bool *keep, const judged_access *read) {
+    const ir_node *place = slice_place(j, read->access.node);
+    if (place && keep[place->id])
+        return true;
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (is_read_for_row(&j->updates.items[i], read))
+            return true;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (!other->needs_guard || other->access.callee || other == read ||
+            !ir_contains(other->access.lvalue, read->access.node))
+            continue;
+        if (source_plan_of(j, other, false).source.extent == EXTENT_TOUCHED)
+            return true;
+    }
+    return false;
+}
+
+static bool is_of_iteration(const judgement *j, const location *where) {
+    const ir_variable *object = where->object;
+    if (!object || !variable_is_automatic(object))
+        return false;
+    if (object == j->counted.counter)
+        return true;
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == object)
+            return true;
+    const ir_node *declarator = variable_fact_of(j->an->facts, object)->declarator;
+    return declarator && ir_contains(j->loop, declarator);
+}
+
+/* Is the base handed to a function that may compute something from it: other than to update? */
+static bool is_handed_over(const judgement *j, const ir_node *node, const ir_node *base) {
+    if (node->kind == IR_CALL && !judgement_is_update(j, node->parent) &&
+        expression_occurrences(node, base))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_handed_over(j, node->children[i], base))
+            return true;
+    return false;
+}
+
+/* The base of an array need not be compared: what the plan knows moves with it. Unless something
+ * else is computed from it, h[s[t] + (q - h)]. */
+static bool is_array_base(const judgement *j, const ir_node *lvalue) {
+    for (unsigned i = 0; i < j->arrays.count; i++)
+        if (!j->arrays.items[i].array.is_scattered &&
+            expression_same(j->arrays.items[i].array.base, lvalue))
+            return !judgement_has_address_as_value(j->loop, lvalue) &&
+                   !is_handed_over(j, j->loop, lvalue);
+    return false;
+}
+
+/* An invariant scalar or pointer: its value goes into the key. */
+static bool add_key(judgement *j, const judged_access *read) {
+    const ir_node *lvalue = read->access.lvalue;
+    if (read->access.callee || !lvalue->type ||
+        (lvalue->type->kind != IR_INTEGER && lvalue->type->kind != IR_POINTER &&
+         lvalue->type->kind != IR_BOOLEAN &&
+         (lvalue->type->kind != IR_FLOATING || lvalue->type->size > 8)) ||
+        !variation_is_invariant(j->an->facts, j->loop, lvalue) ||
+        (read->access.is_conditional && expression_has_load(lvalue, false) &&
+         !base_can_be_read_before(j, lvalue)))
+        return false;
+    for (unsigned i = 0; i < j->key.count; i++)
+        if (expression_same(j->key.items[i], lvalue))
+            return true;
+    VECTOR_PUSH(j->an->memory, &j->key, lvalue);
+    return true;
+}
+
+static bool is_written(const judgement *j, const ir_node *statement, const ir_node *row) {
+    if (row->kind == IR_VARIABLE && variable_written_in(j->an->facts, statement, row->variable))
+        return true;
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (is_written(j, statement, row->children[i]))
+            return true;
+    return false;
+}
+
+/* Does the row, told before `first`, have the same address still before `second`, a later statement
+ * of the same block? */
+static bool stays_until(const judgement *j, const ir_node *row, const ir_node *first,
+                        const ir_node *second) {
+    if (first == second)
+        return true;
+    if (!first || !second || first->parent != second->parent || first->parent->kind != IR_BLOCK)
+        return false;
+    const ir_node *block = first->parent;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *statement = block->children[i];
+        if (statement->id >= first->id && statement->id < second->id &&
+            is_written(j, statement, row))
+            return false;
+    }
+    return true;
+}
+
+static bool source_stays_until(const judgement *j, const loop_source *item, const ir_node *first,
+                               const ir_node *second) {
+    for (unsigned i = 0; i < item->loop_count; i++)
+        if (!stays_until(j, item->loops[i].lower, first, second) ||
+            !stays_until(j, item->loops[i].bound, first, second))
+            return false;
+    return stays_until(j, item->row, first, second);
+}
+
+static void add_source(judgement *j, const loop_source *item) {
+    for (unsigned i = 0; i < j->sources.count; i++) {
+        loop_source *other = &j->sources.items[i];
+        if (other->extent != item->extent || !source_rows_equal(other, item) ||
+            !source_stays_until(j, item, other->place, item->place) ||
+            other->is_subscript != item->is_subscript || !source_ends_equal(other, item))
+            continue;
+        other->needs_guard |= item->needs_guard;
+        other->is_ahead |= item->is_ahead;
+        return;
+    }
+    VECTOR_PUSH(j->an->memory, &j->sources, *item);
+}
+
+/* What a callee's search reads lies between two elements that can be told. */
+static bool add_search(judgement *j, const judged_access *read) {
+    source_plan first, last;
+    if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
+        return false;
+    add_source(j, &first.source);
+    add_source(j, &last.source);
+    return true;
+}
+
+static void add_read(judgement *j, const judged_access *read, bool is_subscript);
+
+/* What is read here decides subscripts, and cannot be compared. */
+static void keep_no_plan(judgement *j, const ir_node *lvalue, const ir_node *node) {
+    if (j->is_verifiable)
+        j->unkept = (unkept_read){judgement_name(j, lvalue), node->range};
+    j->is_verifiable = false;
+}
+
+static bool is_load(const ir_node *node) {
+    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
+           ir_type_is_scalar(node->type);
+}
+
+/* Is it the lvalue `whole`, or an element or member inside of it? */
+static bool is_within(const ir_node *lvalue, const ir_node *whole) {
+    while (!expression_same(lvalue, whole)) {
+        const ir_node *child = lvalue->child_count ? lvalue->children[0] : NULL;
+        const bool is_part =
+            child && ((lvalue->kind == IR_INDEX && child->type && child->type->kind == IR_ARRAY) ||
+                      (lvalue->kind == IR_MEMBER && !(lvalue->flags & IR_ARROW)));
+        if (!is_part)
+            return false;
+        lvalue = child;
+    }
+    return true;
+}
+
+/* The read that this load is, made by itself, or with more around it. */
+static const judged_access *read_of(const judgement *j, const ir_node *lvalue) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const access *a = &j->accesses[i].access;
+        if (a->kind == ACCESS_READ && a->lvalue && a->is_exact && !a->loop_count &&
+            is_within(lvalue, a->lvalue))
+            return &j->accesses[i];
+    }
+    return NULL;
+}
+
+/* Loads on the way to what is told, the whole of whose addresses the inspector computes. `read`:
+ * the callee's read that it is told for; NULL: there is none. */
+typedef struct told_loads {
+    const loop_source *told;
+    const judged_access *read;
+} told_loads;
+
+/* The read that this load must be as well, of which the callee's list has more than the one
+ * element.
+ */
+static void add_load_in_loops(judgement *j, const ir_node *node, const told_loads *of) {
+    judged_access load = *of->read;
+    load.access.lvalue = node;
+    load.access.type = node->type;
+    load.access.is_behind = false;
+    load.where = location_of(j->an->facts, node, j->loop);
+    load.needs_guard = false; /* that of the callee's read is elsewhere */
+    while (load.access.loop_count &&
+           !expression_mentions(node, of->told->loops[load.access.loop_count - 1].counter))
+        load.access.loop_count--;
+    add_read(j, &load, true);
+}
+
+static void add_load(judgement *j, const ir_node *node, const told_loads *of) {
+    if (!is_load(node))
+        return;
+    const judged_access *load = read_of(j, node);
+    if (load && load->class != CLASS_FORWARDED)
+        add_read(j, load, true);
+    else if (!load && of->read && of->read->access.loop_count)
+        add_load_in_loops(j, node, of);
+    else if (!load)
+        keep_no_plan(j, node, node);
+}
+
+static void add_loads_below(judgement *j, const ir_node *row, const told_loads *of) {
+    for (unsigned i = 0; i < row->child_count; i++) {
+        add_load(j, row->children[i], of);
+        add_loads_below(j, row->children[i], of);
+    }
+}
+
+/* What a callee reads on its way to an address decides where that address is: while a plan is kept,
+ * it must stay. */
+static void add_loads_of(judgement *j, const loop_source *told, const judged_access *read) {
+    const told_loads of = {told, read};
+    add_loads_below(j, told->row, &of);
+    for (unsigned i = 0; i < told->loop_count; i++) {
+        add_load(j, told->loops[i].lower, &of);
+        add_loads_below(j, told->loops[i].lower, &of);
+        add_load(j, told->loops[i].bound, &of);
+        add_loads_below(j, told->loops[i].bound, &of);
+    }
+}
+
+static void add_read(judgement *j, const judged_access *read, bool is_subscript) {
+    source_plan contents = {0};
+    bool is_keyed = false;
+    if (is_subscript && !is_of_iteration(j, &read->where)) {
+        is_keyed =
+            read->access.lvalue && (is_array_base(j, read->access.lvalue) || add_key(j, read));
+        if (!is_keyed)
+            contents = source_plan_of(j, read, true);
+        if (!is_keyed && !contents.is_possible && !add_search(j, read))
+            keep_no_plan(j, read->access.lvalue, read->access.node);
+    }
+    if (contents.is_possible) {
+        contents.source.is_subscript = true;
+        contents.source.needs_guard = read->needs_guard;
+        add_source(j, &contents.source);
+    } else if (read->needs_guard) {
+        source_plan plan = source_plan_of(j, read, false);
+        plan.source.needs_guard = true;
+        if (read->access.callee && plan.source.extent == EXTENT_TOUCHED)
+            add_loads_of(j, &plan.source, read);
+        add_source(j, &plan.source);
+    }
+}
+
+static void add_sources(judgement *j, const bool *keep) {
+    j->is_verifiable = true;
+    j->unkept = (unkept_read){0};
+    j->sources.count = 0;
+    j->key.count = 0;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
+            add_read(j, read, is_in_slice(j, keep, read));
+    }
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (is_put_together(&j->updates.items[i]))
+            add_loads_of(j, &(loop_source){.row = j->updates.items[i].row}, NULL);
+}
+
+static bool take_slice(judgement *j, const touch_list *touches, reason_id why, const char *name) {
+    slice result = slice_compute(j, touches->count, touches->items);
+    if (result.obstacle)
+        return judgement_refuse(j, why, result.obstacle, name);
+    j->in_slice = result.keep;
+    for (unsigned i = 0; i < j->privates.count; i++) {
+        private_variable *item = &j->privates.items[i];
+        item->is_in_slice = false;
+        for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
+            item->is_in_slice |= result.needed[k] == item->variable;
+    }
+    j->slice_has_floating_work = result.has_floating_work;
+    return true;
+}
+
+static bool is_small(const judgement *j) {
+    return j->sources.count <= 64;
+}
+
+bool judge_slice(judgement *j) {
+    touch_list touches = {0};
+    for (unsigned i = 0; i < j->updates.count; i++) {
+        const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
+        VECTOR_PUSH(j->an->memory, &touches, item);
+    }
+    if (!take_slice(j, &touches, REASON_INDEX_TOO_DEAR, j->arrays.items[0].array.name))
+        return false;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *read = &j->accesses[i];
+        source_plan plan = {0};
+        if (read->needs_guard)
+            plan = source_plan_of(j, read, false);
+        if (!plan.is_possible || plan.source.extent != EXTENT_TOUCHED)
+            continue;
+        add_touch(j, &touches, &plan.source);
+        if (!take_slice(j, &touches, REASON_MAY_ALIAS, plan.source.name))
+            return false;
+    }
+    /* Sources found in the slice are told at their places, which may bring more into it. */
+    bool is_settled = false;
+    for (unsigned round = 0; round < 3 && !is_settled; round++) {
+        const bool *before = j->in_slice;
+        add_sources(j, before);
+        for (unsigned i = 0; i < j->sources.count; i++)
+            if (j->sources.items[i].extent == EXTENT_TOUCHED)
+                add_touch(j, &touches, &j->sources.items[i]);
+        if (!take_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
+            return false;
+        is_settled = memcmp(before, j->in_slice, sizeof(bool) * j->function->node_count) == 0;
+    }
+    add_sources(j, j->in_slice);
+    j->is_verifiable = j->is_verifiable && is_settled;
+    if (!is_small(j))
+        return judgement_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
+    return true;
+}

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the inspector does, and whether its plan may be kept. */
+#ifndef ANALYSIS_INSPECTION_H
+#define ANALYSIS_INSPECTION_H
+
+#include "analysis/loop/judgement.h"
+
+/** What computes rows and touched sources, and whether a plan may be kept. */
+bool judge_slice(judgement *j);
+
+#endif

@@ -1,0 +1,483 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Data: every statement of the body that may assign a variable that is needed, with all control
+ * around it, closed under "needs". Floating-point arithmetic is noted: the inspector must compute
+ * the very subscripts of the executor, which two copies of one text do only where the compiler
+ * rounds each operation by itself (docs/decisions/0003).
+ * Control that only decides whether an address is touched is kept where it can be computed without
+ * floating-point values; else it is left out, if the address may be computed without it.
+ */
+#include "analysis/inspector/slice.h"
+
+#include "analysis/loop/place.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "analysis/base/exact.h"
+#include "analysis/base/expression.h"
+#include "analysis/reduction/forward.h"
+
+/* A variable, or one field of a variable that is a record. */
+typedef struct needed_part {
+    const ir_variable *variable;
+    const ir_field *field; /* NULL: all of it */
+} needed_part;
+
+typedef struct slicer {
+    const judgement *j;
+    bool *keep;
+    VECTOR(needed_part) needed;
+    bool is_integer_only; /* of what is tried: floating-point values are an obstacle */
+    bool has_floating_work;
+    const ir_node *obstacle;
+} slicer;
+
+static void need_expression(slicer *s, const ir_node *node);
+static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of);
+
+static void fail(slicer *s, const ir_node *node) {
+    if (!s->obstacle)
+        s->obstacle = node;
+}
+
+/* ---- control ----------------------------------------------------------------------------------
+ */
+
+/* The jumps that leave a loop or switch. Those that end an iteration of it are of their own. */
+static void keep_breaks(slicer *s, const ir_node *node) {
+    if (node->kind == IR_BREAK)
+        keep_statement(s, node, NULL);
+    if (ir_is_loop(node) || node->kind == IR_SWITCH)
+        return;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]))
+            keep_breaks(s, node->children[i]);
+}
+
+static void keep_header_declaration(slicer *s, const ir_node *part) {
+    if (part->kind != IR_DECLARATION)
+        return;
+    s->keep[part->id] = true;
+    for (unsigned i = 0; i < part->child_count; i++)
+        s->keep[part->children[i]->id] = true;
+}
+
+static void keep_control(slicer *s, const ir_node *node) {
+    assert(node->id < s->j->function->node_count && !ir_is_expression(node));
+    if (s->keep[node->id])
+        return;
+    s->keep[node->id] = true;
+    switch (node->kind) {
+    case IR_IF:
+        need_expression(s, node->children[0]);
+        break;
+    case IR_SWITCH:
+        need_expression(s, node->children[0]);
+        keep_breaks(s, node->children[1]);
+        break;
+    case IR_WHILE:
+        need_expression(s, node->children[0]);
+        keep_breaks(s, node->children[1]);
+        break;
+    case IR_DO:
+        need_expression(s, node->children[1]);
+        keep_breaks(s, node->children[0]);
+        break;
+    case IR_FOR:
+        for (unsigned i = 0; i < 3; i++)
+            if (node->children[i]->kind != IR_EMPTY)
+                need_expression(s, node->children[i]);
+        keep_header_declaration(s, node->children[0]);
+        keep_breaks(s, node->children[3]);
+        break;
+    default:
+        break;
+    }
+}
+
+static bool is_declared_in(const slicer *s, const ir_variable *variable, const ir_node *node) {
+    const ir_node *declarator = variable_fact_of(s->j->an->facts, variable)->declarator;
+    return variable->storage == IR_LOCAL && declarator && ir_contains(node, declarator);
+}
+
+/* Everything around a node that is kept, up to the loop's body. Whether a condition holds around
+ * the block in which the variable is declared says nothing of the value that it has there: what the
+ * node is kept for stands there as well, and has its conditions kept, or is safe without them. */
+static void keep_around(slicer *s, const ir_node *node, const ir_variable *of) {
+    for (const ir_node *outer = node->parent; outer && outer != s->j->loop; outer = outer->parent)
+        if (outer->kind != IR_IF || !of || !is_declared_in(s, of, outer))
+            keep_control(s, outer);
+}
+
+/* ---- data -------------------------------------------------------------------------------------
+ */
+
+static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
+    if (variable == s->j->counted.counter)
+        return false;
+    for (unsigned i = 0; i < s->j->privates.count; i++)
+        if (s->j->privates.items[i].variable == variable)
+            return true;
+    const ir_node *declarator = variable_fact_of(s->j->an->facts, variable)->declarator;
+    return declarator && ir_contains(s->j->loop, declarator);
+}
+
+/* An occurrence of a variable in memory: does it only read or write it in place, or hand it to a
+ * call? What is kept in pointers is not followed. */
+static bool is_followed(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node && node->type &&
+                       node->type->kind == IR_ARRAY) ||
+                      (parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW)))) {
+        node = parent;
+        parent = node->parent;
+    }
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (parent && parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS) {
+        node = parent;
+        parent = node->parent;
+        is_array = true;
+    }
+    return !is_array || (parent && parent->kind == IR_CALL);
+}
+
+static bool hands_over(const ir_node *node) {
+    while (node->parent && ir_is_expression(node->parent)) {
+        if (node->parent->kind == IR_CALL)
+            return true;
+        node = node->parent;
+    }
+    return false;
+}
+
+static bool is_in_memory(const ir_variable *variable) {
+    return variable->address_taken || !ir_type_is_scalar(variable->type);
+}
+
+/* The field of the variable that an occurrence is about: v.f, v.f[1]; NULL: all of it. */
+static const ir_field *part_of(const ir_node *use) {
+    const ir_node *parent = use->parent;
+    if (parent && parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW) && use->type &&
+        use->type->kind == IR_RECORD && use->type->record && !use->type->record->is_union)
+        return parent->field;
+    return NULL;
+}
+
+/* Where in a write the variable itself stands: the bottom of its target's path. */
+static const ir_node *bottom_of(const ir_node *write) {
+    const ir_node *node = expression_written(write);
+    if (write->kind == IR_UNARY && write->op == IR_OP_ADDRESS)
+        node = write->children[0];
+    while (node && node->kind != IR_VARIABLE)
+        node = node->child_count ? node->children[0] : NULL;
+    return node;
+}
+
+static bool concerns(const ir_field *needed, const ir_field *written) {
+    return !needed || !written || needed == written;
+}
+
+static bool is_noted(slicer *s, needed_part part) {
+    for (unsigned i = 0; i < s->needed.count; i++)
+        if (s->needed.items[i].variable == part.variable &&
+            (!s->needed.items[i].field || s->needed.items[i].field == part.field))
+            return true;
+    VECTOR_PUSH(s->j->an->memory, &s->needed, part);
+    return false;
+}
+
+static void need_part(slicer *s, needed_part part) {
+    const ir_variable *variable = part.variable;
+    if (!is_of_iteration(s, variable) || is_noted(s, part))
+        return;
+    const ir_node *loop = s->j->loop;
+    const variable_fact *fact = variable_fact_of(s->j->an->facts, variable);
+    if (fact->declarator && ir_contains(loop, fact->declarator))
+        keep_statement(s, fact->declarator, variable);
+    for (unsigned i = 0; i < fact->writes.count; i++) {
+        const ir_node *write = fact->writes.items[i];
+        const ir_node *bottom = bottom_of(write);
+        if (ir_contains(s->j->counted.body, write) &&
+            concerns(part.field, bottom ? part_of(bottom) : NULL))
+            keep_statement(s, expression_place(write), variable);
+    }
+    for (unsigned i = 0; is_in_memory(variable) && i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        if (!ir_contains(loop, use) || !concerns(part.field, part_of(use)))
+            continue;
+        if (!is_followed(use))
+            fail(s, use);
+        else if (hands_over(use))
+            keep_statement(s, expression_place(use), NULL);
+    }
+}
+
+/* Another execution of the same text gives the same bits, once each operation is rounded by itself:
+ * no extended types, of which only some compilers know what is rounded when. */
+static bool is_repeatable(const slicer *s, const ir_node *node) {
+    return !s->is_integer_only && node->type && node->type->kind == IR_FLOATING &&
+           node->type->size <= 8 && !s->j->function->has_other_attributes &&
+           !unit_text_has_own_options(s->j->an->text);
+}
+
+static void need_floating_work(slicer *s, const ir_node *node, bool is_possible) {
+    if (is_possible)
+        s->has_floating_work = true;
+    else
+        fail(s, node);
+}
+
+static void need_call(slicer *s, const ir_node *call) {
+    access_list list = {0};
+    access_collect(s->j->an->effects, call, &list);
+    if (list.problems.count || (list.has_unrepeatable_work && list.has_floating_work))
+        fail(s, call);
+    else if (list.has_floating_work)
+        need_floating_work(s, call,
+                           !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
+}
+
+/* The value is needed, and when it is stored; not the element. */
+static void need_forward(slicer *s, const forwarded_store *store) {
+    if (s->keep[store->statement->id])
+        return;
+    s->keep[store->statement->id] = true;
+    need_expression(s, store->value);
+    keep_around(s, store->statement, NULL);
+}
+
+static void need_expression(slicer *s, const ir_node *node) {
+    const int forward = forward_read(s->j, node);
+    if (forward >= 0) {
+        need_forward(s, &s->j->forwards.items[forward]);
+        return;
+    }
+    if (s->is_integer_only && node->type && node->type->kind == IR_FLOATING)
+        fail(s, node); /* data, which another execution may find changed */
+    if (expression_is_floating_work(node))
+        need_floating_work(s, node, is_repeatable(s, node));
+    if (node->kind == IR_CALL)
+        need_call(s, node);
+    if (node->kind == IR_VARIABLE)
+        need_part(s, (needed_part){node->variable, part_of(node)});
+    for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
+        need_expression(s, node->children[i]);
+}
+
+/* A simple statement, a declarator, a jump; or control, where the write stands in its header. `of`:
+ * for the value of this variable; NULL: for whatever it does. */
+static void keep_statement(slicer *s, const ir_node *statement, const ir_variable *of) {
+    if (!statement || s->obstacle)
+        return;
+    bool is_new = !s->keep[statement->id];
+    if (judgement_is_update(s->j, statement)) {
+        fail(s, statement);
+        return;
+    }
+    if (is_new && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATOR)) {
+        s->keep[statement->id] = true;
+        for (unsigned i = 0; i < statement->child_count; i++)
+            need_expression(s, statement->children[i]);
+    } else if (is_new) {
+        keep_control(s, statement);
+    }
+    keep_around(s, statement, of);
+}
+
+/* ---- control that only decides whether an address is touched ----------------------------------
+ */
+
+typedef struct snapshot {
+    bool *keep;
+    unsigned needed;
+    bool has_floating_work;
+} snapshot;
+
+static snapshot take_snapshot(const slicer *s) {
+    unsigned count = s->j->function->node_count;
+    snapshot before = {ARENA_ARRAY(s->j->an->memory, bool, count + 1), s->needed.count,
+                       s->has_floating_work};
+    memcpy(before.keep, s->keep, sizeof(bool) * count);
+    return before;
+}
+
+/* Keeps a piece of control if that succeeds; otherwise leaves everything as it was. */
+static bool try_to_keep(slicer *s, const ir_node *node, bool is_integer_only) {
+    if (s->keep[node->id])
+        return true;
+    if (s->obstacle)
+        return false;
+    snapshot before = take_snapshot(s);
+    s->is_integer_only = is_integer_only;
+    keep_statement(s, node, NULL);
+    s->is_integer_only = false;
+    if (!s->obstacle)
+        return true;
+    memcpy(s->keep, before.keep, sizeof(bool) * s->j->function->node_count);
+    s->needed.count = before.needed;
+    s->has_floating_work = before.has_floating_work;
+    s->obstacle = NULL;
+    return false;
+}
+
+static bool has_own_condition(const ir_node *node) {
+    return node->kind == IR_IF || node->kind == IR_SWITCH || ir_is_loop(node);
+}
+
+/* x[t - 1] where t is 0: its address, of no iteration that reads it, would make the extent reach
+ * over all memory. Its condition is worth some work. */
+static bool is_wild(const slicer *s, const ir_node *node) {
+    const ir_variable *counter = s->j->counted.counter;
+    if (node->type && node->type->kind == IR_INTEGER)
+        return exact_may_wrap(node, counter) && exact_may_fall_below(node, counter);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_wild(s, node->children[i]))
+            return true;
+    return false;
+}
+
+/* Does a statement change nothing but variables that are declared in `scope`? NULL: in the loop. */
+static bool stays_in(const slicer *s, const ir_node *node, const ir_node *scope) {
+    if (!scope)
+        return true;
+    const ir_node *target = expression_written(node);
+    const ir_variable *root = target ? ir_root_variable(target) : NULL;
+    if (target && (!root || root->type->kind == IR_POINTER || !is_declared_in(s, root, scope)))
+        return target->kind == IR_VARIABLE && root && is_declared_in(s, root, scope);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!stays_in(s, node->children[i], scope))
+            return false;
+    return true;
+}
+
+/* May the slice come to what it keeps in and below this statement where the program does not? */
+static bool is_safe_to_enter(const slicer *s, const ir_node *node, const ir_node *scope) {
+    const ir_variable *counter;
+    int64_t first, last;
+    switch (node->kind) {
+    case IR_EXPRESSION:
+    case IR_DECLARATOR:
+        return slice_is_safe_here(s->j, node, false) && stays_in(s, node, scope);
+    case IR_BREAK: /* it would leave a loop too early */
+        return false;
+    case IR_IF:
+        return slice_is_safe_here(s->j, node->children[0], false);
+    default:
+        return !has_own_condition(node) ||
+               (counted_constant(node, &counter, &first, &last) &&
+                stays_in(s, node->children[0], scope) && stays_in(s, node->children[2], scope));
+    }
+}
+
+/* The same of all that it keeps below `node`, of what stands behind `from`. */
+static bool is_safe_behind(const slicer *s, const ir_node *node, const ir_node *from,
+                           const ir_node *scope) {
+    if (node->id > from->id && s->keep[node->id] && !is_safe_to_enter(s, node, scope))
+        return false;
+    const bool is_header = node->kind == IR_FOR && node->id > from->id && s->keep[node->id];
+    if (node->kind == IR_EXPRESSION || node->kind == IR_DECLARATOR)
+        return true;
+    for (unsigned i = is_header ? 3 : 0; i < node->child_count; i++)
+        if (!ir_is_expression(node->children[i]) &&
+            !is_safe_behind(s, node->children[i], from, scope))
+            return false;
+    return true;
+}
+
+static void keep_for_touch(slicer *s, const slice_touch *touch) {
+    const bool is_safe = slice_is_safe_here(s->j, touch->row, true) &&
+                         slice_loops_are_constant(touch->loop_count, touch->loops);
+    const bool is_wanted = !is_safe || is_wild(s, touch->row);
+    const ir_variable *counter;
+    int64_t first, last;
+    for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop && !s->obstacle;
+         outer = outer->parent) {
+        if (!has_own_condition(outer)) {
+            s->keep[outer->id] |= outer->kind == IR_CASE || outer->kind == IR_DEFAULT;
+            continue;
+        }
+        /* A loop around an address that does not change in it: telling it once is enough. */
+        if (ir_is_loop(outer) && !s->keep[outer->id] &&
+            (is_safe || counted_constant(outer, &counter, &first, &last)))
+            continue;
+        if (try_to_keep(s, outer, true))
+            continue;
+        const bool can_go = is_safe && is_safe_behind(s, outer, outer, outer);
+        if ((is_wanted || !can_go) && !try_to_keep(s, outer, false) && !can_go)
+            fail(s, outer);
+    }
+    for (const ir_node *outer = touch->place->parent; outer && outer != s->j->loop;
+         outer = outer->parent)
+        if (outer->kind == IR_BLOCK)
+            s->keep[outer->id] = true;
+}
+
+/* ---- continue ---------------------------------------------------------------------------------
+ */
+
+/* A `continue` of this loop: where it cannot be kept without floating-point work, may the rest of
+ * the iteration be gone through as well? */
+static bool is_safe_without(const slicer *s, const ir_node *loop, const ir_node *jump,
+                            unsigned touch_count, const slice_touch *touches) {
+    const ir_node *body =
+        loop == s->j->loop ? s->j->counted.body : loop->children[loop->child_count - 1];
+    if (loop->kind == IR_DO)
+        body = loop->children[0];
+    for (unsigned i = 0; i < touch_count; i++)
+        if (touches[i].place->id > jump->id && ir_contains(body, touches[i].place) &&
+            (!slice_is_safe_here(s->j, touches[i].row, true) ||
+             !slice_loops_are_constant(touches[i].loop_count, touches[i].loops)))
+            return false;
+    return is_safe_behind(s, body, jump, loop == s->j->loop ? NULL : body);
+}
+
+static void keep_continues(slicer *s, const ir_node *loop, const ir_node *node,
+                           unsigned touch_count, const slice_touch *touches) {
+    if (node->kind == IR_CONTINUE && !try_to_keep(s, node, true) &&
+        !is_safe_without(s, loop, node, touch_count, touches) && !try_to_keep(s, node, false))
+        fail(s, node);
+    if (ir_is_loop(node) && !s->keep[node->id])
+        return;
+    if (ir_is_loop(node))
+        loop = node;
+    for (unsigned i = 0; i < node->child_count && !s->obstacle; i++)
+        if (!ir_is_expression(node->children[i]))
+            keep_continues(s, loop, node->children[i], touch_count, touches);
+}
+
+static unsigned kept_count(const slicer *s) {
+    const unsigned last = expression_last_id(s->j->loop);
+    unsigned count = 0;
+    for (unsigned i = s->j->loop->id; i <= last; i++)
+        count += s->keep[i];
+    return count;
+}
+
+static void need_touch(slicer *s, const slice_touch *touch) {
+    need_expression(s, touch->row);
+    for (unsigned i = 0; i < touch->loop_count && !s->obstacle; i++) {
+        need_expression(s, touch->loops[i].lower);
+        need_expression(s, touch->loops[i].bound);
+    }
+}
+
+slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches) {
+    slicer s = {.j = j, .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
+    for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
+        need_touch(&s, &touches[i]);
+    unsigned before = 0;
+    do {
+        before = kept_count(&s);
+        for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
+            keep_for_touch(&s, &touches[i]);
+        keep_continues(&s, j->loop, j->counted.body, touch_count, touches);
+    } while (!s.obstacle && kept_count(&s) != before);
+    if (j->counted.body->kind == IR_BLOCK)
+        s.keep[j->counted.body->id] = true;
+    const ir_variable **needed =
+        ARENA_ARRAY(j->an->memory, const ir_variable *, s.needed.count + 1);
+    for (unsigned i = 0; i < s.needed.count; i++)
+        needed[i] = s.needed.items[i].variable;
+    return (slice){s.keep, s.needed.count, needed, s.has_floating_work, s.obstacle};
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The backward slice: which statements and control of a loop's body compute the addresses that the
+ * inspector tells.
+ */
+#ifndef ANALYSIS_SLICE_H
+#define ANALYSIS_SLICE_H
+
+#include "analysis/loop/judgement.h"
+
+/** An address to be told before a statement. */
+typedef struct slice_touch {
+    const ir_node *row;
+    unsigned loop_count; /* as of loop_source */
+    const source_loop *loops;
+    const ir_node *place;
+} slice_touch;
+
+typedef struct slice {
+    bool *keep;            /* [function->node_count] */
+    unsigned needed_count; /* variables of the iteration whose values it asks for */
+    const ir_variable **needed;
+    bool has_floating_work;
+    const ir_node *obstacle; /* why there is none; NULL: there is one */
+} slice;
+
+/** The slice of all touches together. */
+slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches);
+
+#endif

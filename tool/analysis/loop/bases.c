@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/loop/bases.h"
+
+#include "analysis/base/expression.h"
+
+/* The pointer that evaluating the expression dereferences last; NULL: none. */
+static const ir_node *dereferenced(const ir_node *node) {
+    const ir_node *child = node->child_count ? node->children[0] : NULL;
+    bool child_is_array = child && child->type && child->type->kind == IR_ARRAY;
+    switch (node->kind) {
+    case IR_MEMBER:
+        return (node->flags & IR_ARROW) && !child_is_array ? child : dereferenced(child);
+    case IR_INDEX:
+        return child_is_array ? dereferenced(child) : child;
+    case IR_UNARY:
+        return node->op == IR_OP_DEREFERENCE && !child_is_array ? child : dereferenced(child);
+    case IR_CAST:
+        return dereferenced(child);
+    default:
+        return NULL;
+    }
+}
+
+static bool dereferences(const ir_node *lvalue, const ir_node *pointer) {
+    if (expression_is_lvalue(lvalue) && lvalue->kind != IR_VARIABLE) {
+        const ir_node *through = dereferenced(lvalue);
+        if (through && expression_same(through, pointer))
+            return true;
+    }
+    return false;
+}
+
+static bool list_dereferences(const access_list *list, const ir_node *pointer) {
+    for (unsigned i = 0; i < list->items.count; i++) {
+        const access *a = &list->items.items[i];
+        if (!a->is_conditional && a->lvalue && dereferences(a->lvalue, pointer))
+            return true;
+    }
+    return false;
+}
+
+/* Statements that control passes on its way to the loop, each time. */
+static bool dereferenced_on_the_way(const judgement *j, const ir_node *pointer) {
+    if (pointer->kind != IR_VARIABLE)
+        return false;
+    for (const ir_node *node = j->loop; node->parent; node = node->parent) {
+        const ir_node *block = node->parent;
+        for (unsigned i = 0; block->kind == IR_BLOCK && i < block->child_count; i++) {
+            const ir_node *statement = block->children[i];
+            if (statement == node)
+                break;
+            if (variable_written_in(j->an->facts, j->function->body, pointer->variable) &&
+                pointer->variable->storage != IR_LOCAL)
+                return false; /* it may point elsewhere by then */
+            access_list list = {0};
+            if (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION)
+                access_collect(j->an->effects, statement, &list);
+            if (list_dereferences(&list, pointer))
+                return variable_fact_of(j->an->facts, pointer->variable)->write_count <=
+                       (pointer->variable->storage == IR_LOCAL ? 1u : 0u);
+        }
+        if (ir_is_loop(block) && block->kind != IR_FOR)
+            return false;
+    }
+    return false;
+}
+
+static bool has_subscript(const ir_node *node) {
+    if (node->kind == IR_INDEX)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_subscript(node->children[i]))
+            return true;
+    return false;
+}
+
+/* Is this very object read in each iteration? */
+static bool is_read_anyway(const judgement *j, const ir_node *lvalue) {
+    for (unsigned i = 0; i < j->found.items.count; i++) {
+        const access *a = &j->found.items.items[i];
+        if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee &&
+            expression_same(a->lvalue, lvalue))
+            return true;
+    }
+    return false;
+}
+
+bool base_can_be_read_before(const judgement *j, const ir_node *base) {
+    /* Another element of the array being there does not say that this one is. */
+    if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)
+        return is_read_anyway(j, base);
+    const ir_node *pointer = dereferenced(base);
+    if (!pointer || (base->type && base->type->kind == IR_ARRAY && pointer->kind == IR_VARIABLE))
+        return true; /* of p->b with an array b only an address is computed */
+    return list_dereferences(&j->found, pointer) || dereferenced_on_the_way(j, pointer);
+}

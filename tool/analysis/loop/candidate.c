@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Which variables of a loop's body depend on its counter: a closure over assignments, declarations,
+ * calls that may fill something, and the conditions around them. Too many is the safe side here:
+ * this decides only which loop of a nest is tried.
+ */
+#include "analysis/loop/candidate.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/memory/library.h"
+#include "support/vector.h"
+
+typedef struct dependence {
+    arena *memory;
+    VECTOR(const ir_variable *) variables;
+    bool has_changed;
+    bool has_update; /* an update that depends on the counter */
+} dependence;
+
+bool candidate_is_tiny(const ir_node *loop) {
+    enum { TINY = 16 };
+    const ir_variable *counter;
+    int64_t first, last;
+    return counted_constant(loop, &counter, &first, &last) && last - first < TINY;
+}
+
+bool candidate_is_short(const ir_unit *unit, const ir_node *body) {
+    if (ir_is_loop(body) && !candidate_is_tiny(body))
+        return false;
+    const ir_node *callee = body->kind == IR_CALL ? body->children[0] : NULL;
+    if (callee && (callee->kind != IR_FUNCTION || !library_find(unit, callee->function)))
+        return false;
+    for (unsigned i = 0; i < body->child_count; i++)
+        if (!candidate_is_short(unit, body->children[i]))
+            return false;
+    return true;
+}
+
+static bool depends(const dependence *d, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        for (unsigned i = 0; i < d->variables.count; i++)
+            if (d->variables.items[i] == node->variable)
+                return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (depends(d, node->children[i]))
+            return true;
+    return false;
+}
+
+static void add(dependence *d, const ir_variable *variable) {
+    for (unsigned i = 0; variable && i < d->variables.count; i++)
+        if (d->variables.items[i] == variable)
+            return;
+    if (!variable)
+        return;
+    VECTOR_PUSH(d->memory, &d->variables, variable);
+    d->has_changed = true;
+}
+
+static void visit_call(dependence *d, const ir_node *call, bool is_dependent) {
+    if (!is_dependent && !depends(d, call))
+        return;
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_type *type = call->children[i]->type;
+        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY))
+            add(d, ir_root_variable(call->children[i]));
+    }
+}
+
+static bool is_pointer(const ir_variable *variable) {
+    return variable->type->kind == IR_POINTER;
+}
+
+/* Does which element this lvalue is depend on the counter? */
+static bool address_depends(const dependence *d, const ir_node *lvalue) {
+    if (lvalue->type && lvalue->type->kind == IR_ARRAY && lvalue->kind == IR_VARIABLE)
+        return false;
+    if (lvalue->kind == IR_INDEX)
+        return depends(d, lvalue->children[1]) || address_depends(d, lvalue->children[0]);
+    if (lvalue->kind == IR_MEMBER)
+        return address_depends(d, lvalue->children[0]);
+    return depends(d, lvalue);
+}
+
+/* `is_dependent`: whether this is executed depends on the counter. */
+static void visit(dependence *d, const ir_node *node, bool is_dependent) {
+    const ir_node *target = expression_written(node);
+    if (target) {
+        bool value_depends = is_dependent || address_depends(d, target) ||
+                             (node->kind == IR_ASSIGN && depends(d, node->children[1]));
+        /* What is stored behind a pointer does not change the pointer. */
+        ir_variable *root = ir_root_variable(target);
+        if (value_depends && root && (target->kind == IR_VARIABLE || !is_pointer(root)))
+            add(d, root);
+        if (target->kind != IR_VARIABLE && (is_dependent || address_depends(d, target)))
+            d->has_update = true;
+    }
+    if (node->kind == IR_DECLARATOR && node->child_count &&
+        (is_dependent || depends(d, node->children[0])))
+        add(d, node->variable);
+    if (node->kind == IR_CALL)
+        visit_call(d, node, is_dependent);
+    bool controls = node->kind == IR_IF || node->kind == IR_SWITCH ||
+                    node->kind == IR_CONDITIONAL || ir_is_loop(node) ||
+                    (node->kind == IR_BINARY && node->op >= IR_OP_AND);
+    for (unsigned i = 0; controls && i < node->child_count; i++)
+        is_dependent =
+            is_dependent || (ir_is_expression(node->children[i]) && depends(d, node->children[i]));
+    for (unsigned i = 0; i < node->child_count; i++)
+        visit(d, node->children[i], is_dependent);
+}
+
+bool candidate_varies(const analyser *an, const ir_node *loop) {
+    counted_result counted = counted_recognise_judged((ir_node *)loop);
+    if (!counted.is_counted)
+        return true;
+    dependence d = {.memory = an->memory};
+    add(&d, counted.loop.counter);
+    do {
+        d.has_changed = false;
+        d.has_update = false;
+        visit(&d, counted.loop.body, false);
+    } while (d.has_changed);
+    return d.has_update;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Is a loop worth being judged as one reduction loop, or only the loops inside it? */
+#ifndef ANALYSIS_CANDIDATE_H
+#define ANALYSIS_CANDIDATE_H
+
+#include "analysis/loop/judgement.h"
+
+/** Is this a loop of a few iterations only, by its constants? */
+bool candidate_is_tiny(const ir_node *loop);
+
+/** Is an iteration's work that of a few statements: no loops but tiny ones, no calls but of the C
+ *  library's mathematics? */
+bool candidate_is_short(const ir_unit *unit, const ir_node *body);
+
+/** Do the elements that an iteration updates depend on the loop's counter, by subscripts or by
+ *  conditions? Otherwise (repetitions, time steps) all iterations update the same, and there is
+ *  nothing to be gained between them. True where that is not known. */
+bool candidate_varies(const analyser *an, const ir_node *loop);
+
+#endif

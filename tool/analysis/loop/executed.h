@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** In which iterations is a piece of the loop's body executed, as far as its counter decides? */
+#ifndef ANALYSIS_EXECUTED_H
+#define ANALYSIS_EXECUTED_H
+
+#include "analysis/loop/judgement.h"
+
+/** The conditions on the counter without which control does not reach `node`: of `if (t > 0)`, of
+ *  `t == 0 ? 0 : x[t - 1]`, of `if (t < m) continue;` above it. Returns how many; *limits is in the
+ *  arena. None where nothing is known. */
+unsigned executed_limits(const judgement *j, const ir_node *node, const counter_limit **limits);
+
+/** Are the extents of two reads of one row computed alike? */
+bool source_ends_equal(const loop_source *a, const loop_source *b);
+
+#endif

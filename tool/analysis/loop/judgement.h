@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What is known of the unit as a whole, and of the one loop under judgement. */
+#ifndef ANALYSIS_JUDGEMENT_H
+#define ANALYSIS_JUDGEMENT_H
+
+#include "analysis/base/counted.h"
+#include "analysis/base/facts.h"
+#include "analysis/base/unit_text.h"
+#include "analysis/memory/access.h"
+#include "analysis/memory/alias.h"
+
+typedef struct analyser {
+    arena *memory;
+    const ir_unit *unit;
+    const analysis_options *options;
+    must_write *prover;
+    variable_facts *facts;
+    effects *effects;
+    alias_rules rules;
+    unit_text *text;
+    const user_pragmas *pragmas;
+} analyser;
+
+/** What an access of the loop turned out to be. */
+typedef enum access_class {
+    CLASS_OPEN,      /* not decided */
+    CLASS_SCALAR,    /* of a variable of the iteration's own, or one that nothing can change */
+    CLASS_REDUCTION, /* an update of arrays[number] */
+    CLASS_SELF, /* a read, by an update's statement, of the element that it updates; all accesses
+                   to a scalar that the loop accumulates into */
+    CLASS_FORWARDED, /* a read of what the iteration has stored: it takes the value */
+    CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
+} access_class;
+
+typedef struct judged_access {
+    access access;
+    location where;
+    access_class class;
+    unsigned array;        /* CLASS_REDUCTION */
+    reduction_operator op; /* CLASS_REDUCTION */
+    bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known */
+} judged_access;
+
+typedef struct judged_array {
+    reduction_array array;
+    location where; /* of its first update */
+    const ir_node *first;
+    bool is_irregular;
+} judged_array;
+
+/** One loop under judgement. The steps (gate, arrays, privates, sources, slice) fill it in turn;
+ *  the first that finds something in the way sets `why` and returns false. */
+typedef struct judgement {
+    const analyser *an;
+    ir_function *function;
+    ir_node *loop;
+    counted_loop counted;
+    access_list found;
+    unsigned access_count;
+    judged_access *accesses;
+    VECTOR(judged_array) arrays;
+    VECTOR(reduction_update) updates;
+    VECTOR(scalar_update) scalars;
+    VECTOR(forwarded_store) forwards;
+    VECTOR(private_variable) privates;
+    VECTOR(ir_variable *) captured;
+    VECTOR(loop_source) sources;
+    VECTOR(const ir_node *) key;
+    bool *in_slice; /* [function->node_count] */
+    VECTOR(loop_span) spans;
+    bool slice_has_floating_work;
+    bool is_verifiable;
+    unkept_read unkept;
+    bool counter_is_live_after;
+    reason why;
+} judgement;
+
+/** Sets the reason, if none is set yet. Returns false. */
+bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name);
+
+/** Is an address in the array with this base used as a value below `node`, as in `h == p` or
+ *  `&h[i] - q`? A function that gets it is judged by what it reaches. */
+bool judgement_has_address_as_value(const ir_node *node, const ir_node *base);
+
+/** Is this statement one of the updates found? */
+bool judgement_is_update(const judgement *j, const ir_node *statement);
+
+/** A name for messages: the text of the lvalue's base, or its root variable. */
+const char *judgement_name(const judgement *j, const ir_node *lvalue);
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** How an expression changes from one iteration of a loop to the next. */
+#ifndef ANALYSIS_VARIATION_H
+#define ANALYSIS_VARIATION_H
+
+#include "analysis/memory/variable_facts.h"
+
+/** No variable in it is assigned in the loop, and it calls nothing. Memory that it reads is the
+ *  caller's to check. */
+bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir_node *expression);
+
+/** The same of an lvalue's address: what stands there may change. */
+bool variation_is_fixed(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
+
+typedef struct affine_form {
+    bool is_affine; /* multiple * counter + an invariant */
+    bool is_known;  /* `multiple` is a constant */
+    int64_t multiple;
+} affine_form;
+
+/** In the loop's own counter alone; looks through nothing. It is the number that is affine: C's
+ * value is that number only where no operation wraps around (exact.h). */
+affine_form variation_affine(variable_facts *facts, const ir_node *loop, const ir_variable *counter,
+                             const ir_node *expression);
+
+/** Is this lvalue an array element found through a subscript that is not affine in the counters of
+ *  the loop and of those inside it? Looks through local variables assigned once. */
+bool variation_is_irregular(variable_facts *facts, const ir_node *loop, const ir_node *lvalue);
+
+#endif

@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/callee_loops.h"
+
+#include "analysis/base/expression.h"
+
+static bool has_kind(const ir_node *node, ir_kind kind) {
+    if (node->kind == kind)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_kind(node->children[i], kind))
+            return true;
+    return false;
+}
+
+/* ---- leaving a loop --------------------------------------------------------------------------
+ */
+
+/* Is there a way out of the loop whose body this is, other than at its end? */
+static bool leaves(const ir_node *node, bool by_break) {
+    if (node->kind == IR_RETURN || node->kind == IR_GOTO || (node->kind == IR_BREAK && by_break))
+        return true;
+    const bool breaks_inside = by_break && !ir_is_loop(node) && node->kind != IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (leaves(node->children[i], breaks_inside))
+            return true;
+    return false;
+}
+
+/* Is there a `continue` above `node`, by which an iteration passes it over? */
+static bool continues_before(const ir_node *part, const ir_node *node) {
+    if (part->kind == IR_CONTINUE)
+        return part->id < node->id;
+    if (ir_is_loop(part))
+        return false;
+    for (unsigned i = 0; i < part->child_count; i++)
+        if (continues_before(part->children[i], node))
+            return true;
+    return false;
+}
+
+/* A return above `node`. */
+static bool returns_before(const ir_node *part, const ir_node *node) {
+    if (part->id >= node->id)
+        return false;
+    if (part->kind == IR_RETURN)
+        return !ir_contains(part, node);
+    for (unsigned i = 0; i < part->child_count; i++)
+        if (returns_before(part->children[i], node))
+            return true;
+    return false;
+}
+
+/* A label of a switch around the statement: a way into it other than from its beginning. */
+static bool holds_label(const ir_node *node) {
+    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
+        return true;
+    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
+        if (holds_label(node->children[i]))
+            return true;
+    return false;
+}
+
+/* ---- the loops ------------------------------------------------------------------------------- */
+
+static const ir_node *body_of(const ir_node *loop) {
+    return loop->children[3];
+}
+
+static void take_loop(callee_loops *loops, ir_node *loop) {
+    const counted_result found = counted_recognise(loop);
+    const ir_variable *counter;
+    int64_t first, last;
+    if (!found.is_counted || !found.loop.lower || holds_label(body_of(loop)))
+        return;
+    if (loops->count == CALLEE_MOST_LOOPS) {
+        loops->are_known = false;
+        return;
+    }
+    for (unsigned i = loops->count++; i > 0; i--)
+        loops->items[i] = loops->items[i - 1];
+    loops->items[0] = (callee_loop){.loop = loop,
+                                    .counted = found.loop,
+                                    .is_constant = counted_constant(loop, &counter, &first, &last),
+                                    .may_end_early = leaves(body_of(loop), true)};
+}
+
+callee_loops callee_loops_around(const ir_function *function, const ir_node *node) {
+    callee_loops loops = {.body = function->body, .are_known = true};
+    const ir_node *child = node;
+    for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
+        if (outer->kind == IR_FOR && body_of(outer) == child)
+            take_loop(&loops, outer);
+    /* a jump may lead into a loop, or around what sets a variable */
+    if (child != function->body || has_kind(function->body, IR_LABEL) ||
+        has_kind(function->body, IR_GOTO) || has_kind(function->body, IR_OPAQUE))
+        loops.are_known = false;
+    return loops;
+}
+
+bool callee_loops_counter(callee_loops *loops, const ir_variable *variable, const ir_node *site) {
+    for (unsigned i = 0; loops->are_known && site && i < loops->count; i++) {
+        callee_loop *item = &loops->items[i];
+        if (item->counted.counter == variable && ir_contains(body_of(item->loop), site)) {
+            item->is_used = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool callee_loops_share(const callee_loops *loops, const ir_variable *variable,
+                        const ir_node *first, const ir_node *second) {
+    for (unsigned i = 0; i < loops->count; i++)
+        if (loops->items[i].counted.counter == variable &&
+            ir_contains(body_of(loops->items[i].loop), first) &&
+            ir_contains(body_of(loops->items[i].loop), second))
+            return true;
+    return false;
+}
+
+/* ---- what is certain -------------------------------------------------------------------------
+ */
+
+static bool is_one_of(const callee_loops *loops, const ir_node *loop) {
+    for (unsigned i = 0; i < loops->count; i++)
+        if (loops->items[i].loop == loop)
+            return true;
+    return false;
+}
+
+/* Are as many iterations of the loop executed as are counted, each of them as far as to `node`? */
+static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_node *node) {
+    const ir_variable *counter;
+    int64_t first, last;
+    return (is_one_of(loops, loop) || counted_constant(loop, &counter, &first, &last)) &&
+           !leaves(body_of(loop), true) && !continues_before(body_of(loop), node);
+}
+
+/* Is this part evaluated whenever the parent is? */
+static bool is_certain_part(const callee_loops *loops, const ir_node *parent, const ir_node *part,
+                            const ir_node *node) {
+    switch (parent->kind) {
+    case IR_IF:
+    case IR_CONDITIONAL:
+    case IR_SWITCH:
+    case IR_WHILE:
+        return parent->children[0] == part;
+    case IR_BINARY:
+        return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
+    case IR_FOR:
+        return parent->children[0] == part || parent->children[1] == part ||
+               (body_of(parent) == part && comes_to(loops, parent, node));
+    case IR_BLOCK:
+    case IR_EXPRESSION:
+    case IR_DECLARATION:
+    case IR_DECLARATOR:
+    case IR_RETURN:
+    case IR_INITIALIZERS:
+    case IR_ASSIGN:
+    case IR_UNARY:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+    case IR_CALL:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool callee_loops_is_certain(const callee_loops *loops, const ir_node *node) {
+    if (!loops->are_known || returns_before(loops->body, node))
+        return false;
+    for (const ir_node *part = node; part != loops->body; part = part->parent)
+        if (!part->parent || !is_certain_part(loops, part->parent, part, node))
+            return false;
+    return true;
+}
+
+/* ---- variables set once ---------------------------------------------------------------------- */
+
+/* The statement of a block that it is; NULL: it stands elsewhere. */
+static const ir_node *statement_in_block(const ir_node *place) {
+    const ir_node *statement = place->parent;
+    return statement && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATION) &&
+                   statement->parent && statement->parent->kind == IR_BLOCK
+               ? statement
+               : NULL;
+}
+
+bool callee_loops_is_set_before(const ir_node *place, const ir_node *site) {
+    const ir_node *statement = place ? statement_in_block(place) : NULL;
+    if (!statement)
+        return false;
+    const ir_node *block = statement->parent;
+    const ir_node *later = site;
+    while (later && later->parent != block)
+        later = later->parent;
+    if (!later || later->id < statement->id || (later == statement && site->id < place->id))
+        return false;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *between = block->children[i];
+        if (between->id > statement->id && between->id <= later->id && holds_label(between))
+            return false;
+    }
+    return true;
+}

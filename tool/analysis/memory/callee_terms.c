@@ -1,0 +1,360 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/callee_terms.h"
+
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
+#include "analysis/memory/alias.h"
+#include "analysis/memory/callee_loops.h"
+#include "analysis/memory/search.h"
+
+typedef struct rewriting {
+    const callee_terms *terms;
+    const access *item;
+    callee_loops *loops; /* NULL: no counter has a meaning */
+    const ir_node *site; /* in the function's text, where what is rewritten is evaluated; NULL: it
+                            may be another iteration's value */
+    bool is_exact;
+    bool has_load;          /* memory is read on the way to an address, */
+    bool loads_are_certain; /* each time that the function is called */
+    unsigned depth;
+} rewriting;
+
+static ir_node *rewrite(rewriting *r, const ir_node *node);
+
+static ir_node *unknown_part(rewriting *r, const ir_node *node) {
+    ir_node *unknown = ir_new(r->terms->memory, IR_OPAQUE, node->type, 0);
+    unknown->text = "?";
+    unknown->range = node->range;
+    r->is_exact = false;
+    return unknown;
+}
+
+/* ---- loads -------------------------------------------------------------------------------------
+ */
+
+/* May the function itself change what is read here on the way to an address? */
+static bool is_stable(const rewriting *r, const ir_node *load) {
+    for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
+        const access *store = &r->terms->raw->items.items[i];
+        if (store->kind == ACCESS_READ || (store->lvalue && store->lvalue->kind == IR_VARIABLE &&
+                                           variable_is_automatic(store->lvalue->variable)))
+            continue;
+        if (!r->terms->strict_aliasing || types_may_overlap(store->type, load->type))
+            return false;
+    }
+    return true;
+}
+
+/* Is it of this function's text, and not of what the access of another says? */
+static bool is_of_text(const rewriting *r, const ir_node *node) {
+    return r->loops && ir_contains(r->loops->body, node);
+}
+
+/* Are all variables in it parameters that nothing changes, and counters of loops around both nodes? */
+static bool has_one_value(const rewriting *r, const ir_node *node, const ir_node *first,
+                          const ir_node *second) {
+    if (node->kind == IR_VARIABLE && variable_is_automatic(node->variable)) {
+        const variable_fact *fact = variable_fact_of(r->terms->facts, node->variable);
+        const bool is_fixed = node->variable->storage == IR_PARAMETER && !fact->write_count &&
+                              !node->variable->address_taken;
+        return is_fixed || callee_loops_share(r->loops, node->variable, first, second);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!has_one_value(r, node->children[i], first, second))
+            return false;
+    return true;
+}
+
+static bool is_member_of(const ir_node *lvalue, const ir_node *pointer) {
+    return lvalue->kind == IR_MEMBER && lvalue->flags & IR_ARROW &&
+           expression_same(lvalue->children[0], pointer);
+}
+
+/* Is the load made in any case, here or elsewhere; or another member of the same object read? */
+static bool is_certain_load(const rewriting *r, const ir_node *load) {
+    if (callee_loops_is_certain(r->loops, load))
+        return true;
+    const ir_node *pointer =
+        load->kind == IR_MEMBER && load->flags & IR_ARROW ? load->children[0] : NULL;
+    for (unsigned i = 0; i < r->terms->raw->items.count; i++) {
+        const access *other = &r->terms->raw->items.items[i];
+        const bool is_alike = other->kind == ACCESS_READ && !other->callee && other->lvalue &&
+                              (expression_same(other->lvalue, load) ||
+                               (pointer && is_member_of(other->lvalue, pointer)));
+        if (is_alike && callee_loops_is_certain(r->loops, other->node) &&
+            has_one_value(r, pointer ? pointer : load, load, other->node))
+            return true;
+    }
+    return false;
+}
+
+static void note_load(rewriting *r, const ir_node *load) {
+    r->has_load = true;
+    if (!is_stable(r, load))
+        r->is_exact = false;
+    if (!r->loops)
+        return;
+    if (is_of_text(r, load))
+        r->loads_are_certain &= is_certain_load(r, load);
+    else /* the function called makes it whenever it is called, or its loops come to it */
+        r->loads_are_certain &= callee_loops_is_certain(r->loops, r->item->node) &&
+                                (r->item->loop_count || !r->item->is_conditional);
+}
+
+static bool is_load(const ir_node *node) {
+    return node->kind != IR_VARIABLE && expression_is_lvalue(node) && node->type &&
+           ir_type_is_scalar(node->type);
+}
+
+static ir_node *rewrite_value(rewriting *r, const ir_node *node) {
+    if (is_load(node))
+        note_load(r, node);
+    return rewrite(r, node);
+}
+
+/* ---- variables --------------------------------------------------------------------------------
+ */
+
+/* The value as a variable of this type holds it. */
+static ir_node *as_type(arena *a, ir_node *value, const ir_type *type) {
+    if (!value->type || ir_type_equal(value->type, type) || !ir_type_is_scalar(type) ||
+        type->kind == IR_POINTER)
+        return value;
+    ir_node *cast = ir_new(a, IR_CAST, type, 1);
+    cast->range = value->range;
+    cast->children[0] = value;
+    value->parent = cast;
+    return cast;
+}
+
+static ir_node *rewrite_definition(rewriting *r, const ir_node *node) {
+    const ir_variable *variable = node->variable;
+    const ir_node *value = variable_single_definition(r->terms->facts, variable);
+    if (!value || r->depth > 8 || value->kind == IR_INITIALIZERS ||
+        variable->type->kind == IR_ARRAY || !expression_is_plain(value))
+        return unknown_part(r, node);
+    const ir_node *site = r->site;
+    const ir_node *place = variable_fact_of(r->terms->facts, variable)->definition_place;
+    r->site = site && callee_loops_is_set_before(place, site) ? value : NULL;
+    r->depth++;
+    ir_node *result = as_type(r->terms->memory, rewrite_value(r, value), variable->type);
+    r->depth--;
+    r->site = site;
+    return result;
+}
+
+static bool is_counter_of_callee(const rewriting *r, const ir_variable *variable) {
+    for (unsigned i = 0; r->loops && i < r->item->loop_count; i++)
+        if (r->item->loops[i].counter == variable)
+            return true;
+    return false;
+}
+
+static ir_node *rewrite_variable(rewriting *r, const ir_node *node) {
+    const ir_variable *variable = node->variable;
+    if (is_counter_of_callee(r, variable) ||
+        (r->loops && callee_loops_counter(r->loops, variable, r->site)))
+        return ir_substitute(r->terms->memory, node, NULL, NULL);
+    if (variable->storage == IR_PARAMETER) {
+        if (variable_fact_of(r->terms->facts, variable)->write_count || variable->address_taken ||
+            variable->type->kind == IR_RECORD)
+            return unknown_part(r, node);
+        return ir_substitute(r->terms->memory, node, NULL, NULL);
+    }
+    if (variable->storage == IR_LOCAL)
+        return rewrite_definition(r, node);
+    if (variable->storage == IR_STATIC_LOCAL || hidden_names_has(r->terms->names, variable))
+        r->is_exact = false;
+    return ir_substitute(r->terms->memory, node, NULL, NULL);
+}
+
+static ir_node *rewrite(rewriting *r, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return rewrite_variable(r, node);
+    if (node->kind == IR_OPAQUE || node->kind == IR_CALL || node->kind == IR_ASSIGN)
+        return unknown_part(r, node);
+    ir_node *copy = ir_new(r->terms->memory, node->kind, node->type, node->child_count);
+    ir_node **children = copy->children;
+    *copy = *node;
+    copy->children = children;
+    copy->parent = NULL;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        const bool is_address = (node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) ||
+                                (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
+        children[i] = is_address ? rewrite(r, child) : rewrite_value(r, child);
+        children[i]->parent = copy;
+    }
+    return copy;
+}
+
+/* ---- lvalues -----------------------------------------------------------------------------------
+ */
+
+/* a[k] behind a pointer, k in [0, high]: the array *(T (*)[high + 1])a. */
+static ir_node *widened(rewriting *r, const ir_node *lvalue, int64_t high) {
+    arena *a = r->terms->memory;
+    const ir_type *element = lvalue->type;
+    if (!element->spelling || element->kind == IR_POINTER || element->kind == IR_ARRAY ||
+        element->size <= 0)
+        return NULL;
+    ir_type *array = ARENA_NEW(a, ir_type);
+    ir_type *pointer = ARENA_NEW(a, ir_type);
+    *array = (ir_type){.kind = IR_ARRAY,
+                       .count = high + 1,
+                       .size = (high + 1) * element->size,
+                       .target = element,
+                       .spelling =
+                           arena_format(a, "%s[%lld]", element->spelling, (long long)(high + 1))};
+    *pointer = (ir_type){
+        .kind = IR_POINTER,
+        .size = (int64_t)sizeof(void *),
+        .target = array,
+        .spelling = arena_format(a, "%s (*)[%lld]", element->spelling, (long long)(high + 1))};
+    ir_node *cast = ir_new(a, IR_CAST, pointer, 1);
+    ir_node *whole = ir_new(a, IR_UNARY, array, 1);
+    cast->range = whole->range = lvalue->range;
+    cast->children[0] = rewrite_value(r, lvalue->children[0]);
+    cast->children[0]->parent = cast;
+    whole->op = IR_OP_DEREFERENCE;
+    whole->children[0] = cast;
+    cast->parent = whole;
+    return whole;
+}
+
+static ir_node *rewrite_lvalue(rewriting *r, const ir_node *lvalue) {
+    const ir_node *row = access_extent(lvalue);
+    int64_t low, high, constant;
+    if (row->kind == IR_INDEX && row->children[0]->type->kind == IR_POINTER &&
+        !expression_constant(row->children[1], &constant) &&
+        counted_range(row->children[1], &low, &high) && low >= 0) {
+        ir_node *whole = widened(r, row, high);
+        if (whole)
+            return whole;
+    }
+    return rewrite(r, row);
+}
+
+/* A search's element at another subscript, in the terms of the parameters; NULL: cannot be told. */
+static const ir_node *search_element(rewriting *r) {
+    const access *item = r->item;
+    const ir_node *start = item->kind == ACCESS_READ && !item->callee && item->is_exact
+                               ? search_start(r->terms->function, item->lvalue)
+                               : NULL;
+    if (!start || item->lvalue->children[0]->type->kind != IR_POINTER)
+        return NULL;
+    ir_node *element = ir_new(r->terms->memory, IR_INDEX, item->lvalue->type, 2);
+    element->range = item->lvalue->range;
+    element->children[0] = item->lvalue->children[0];
+    element->children[1] = (ir_node *)start;
+    const ir_type *cursor = item->lvalue->children[1]->type;
+    if (!start->type || !ir_type_equal(start->type, cursor)) {
+        element->children[1] = ir_new(r->terms->memory, IR_CAST, cursor, 1);
+        element->children[1]->range = start->range;
+        element->children[1]->children[0] = (ir_node *)start;
+    }
+    r->is_exact = true;
+    const ir_node *result = rewrite(r, element);
+    return r->is_exact ? result : NULL;
+}
+
+/* ---- under the function's loops ----------------------------------------------------------------
+ */
+
+typedef VECTOR(source_loop) loop_list;
+
+/* The loops of this function that the rewritten row depends on, or whose number of iterations
+ * decides whether it is read at all; outermost first. */
+static bool take_own_loops(rewriting *r, loop_list *list) {
+    source_loop found[CALLEE_MOST_LOOPS];
+    unsigned count = 0;
+    for (unsigned i = r->loops->count; i-- > 0;) {
+        const callee_loop *own = &r->loops->items[i];
+        int64_t lower, bound;
+        if (own->is_constant && !own->is_used)
+            continue;
+        r->site = own->loop;
+        found[count++] = (source_loop){.counter = own->counted.counter,
+                                       .lower = rewrite_value(r, own->counted.lower),
+                                       .bound = rewrite_value(r, own->counted.bound),
+                                       .comparison = own->counted.comparison,
+                                       .step = own->counted.step,
+                                       .may_end_early = own->may_end_early};
+        const bool is_simple = expression_constant(own->counted.lower, &lower) &&
+                               expression_constant(own->counted.bound, &bound);
+        if (!is_simple && !callee_loops_is_certain(r->loops, own->loop))
+            return false;
+    }
+    while (count > 0)
+        VECTOR_PUSH(r->terms->memory, list, found[--count]);
+    return true;
+}
+
+/* Those of the function called, whose access this is; their bounds are in its caller's terms. */
+static void take_callee_loops(rewriting *r, loop_list *list) {
+    r->site = r->item->node;
+    for (unsigned i = 0; i < r->item->loop_count; i++) {
+        source_loop loop = r->item->loops[i];
+        loop.lower = rewrite_value(r, loop.lower);
+        loop.bound = rewrite_value(r, loop.bound);
+        VECTOR_PUSH(r->terms->memory, list, loop);
+    }
+}
+
+/* Is what the loops tell found in time, and nothing told but what the function reads, or next to
+ * it? A loop that may end early comes to a row of elements one behind the other, told at once. */
+static bool can_be_gone_through(const loop_list *list, const ir_node *row) {
+    for (unsigned i = 0; i < list->count; i++)
+        if (list->items[i].may_end_early &&
+            (i + 1 < list->count || !source_loop_is_span(&list->items[i], row)))
+            return false;
+    return true;
+}
+
+/* With the loops around it. An element that is not read at each turn may still be told, where that
+ * takes nothing but what is evaluated anyway. */
+static bool take_with_loops(const callee_terms *terms, const access *item, access *result) {
+    callee_loops loops = callee_loops_around(terms->function, item->node);
+    if (item->kind != ACCESS_READ || !item->is_exact || !loops.are_known ||
+        (!loops.count && !item->loop_count))
+        return false;
+    rewriting r = {.terms = terms,
+                   .item = item,
+                   .loops = &loops,
+                   .site = item->node,
+                   .is_exact = true,
+                   .loads_are_certain = true};
+    const ir_node *row =
+        item->loop_count ? rewrite(&r, item->lvalue) : rewrite_lvalue(&r, item->lvalue);
+    const bool loads_are_certain = r.loads_are_certain;
+    loop_list list = {0};
+    bool is_told = take_own_loops(&r, &list);
+    if (is_told)
+        take_callee_loops(&r, &list);
+    const bool is_behind = !callee_loops_is_certain(&loops, item->node) || item->is_behind ||
+                           (item->callee && !item->loop_count && item->is_conditional);
+    if (!is_told || !r.is_exact || !list.count || !loads_are_certain ||
+        (is_behind && expression_has_hazard(row)) || !can_be_gone_through(&list, row))
+        return false;
+    *result = *item;
+    result->lvalue = row;
+    result->loops = list.items;
+    result->loop_count = list.count;
+    result->is_behind = is_behind;
+    return true;
+}
+
+access callee_terms_of(const callee_terms *terms, const access *item) {
+    access result = *item;
+    rewriting r = {.terms = terms, .item = item, .is_exact = item->is_exact && !item->loop_count};
+    result.from = result.to = NULL;
+    result.loop_count = 0;
+    result.lvalue = rewrite_lvalue(&r, item->lvalue);
+    result.is_exact = r.is_exact;
+    if ((r.is_exact && !(item->is_conditional && r.has_load)) ||
+        take_with_loops(terms, item, &result) || r.is_exact)
+        return result;
+    result.from = search_element(&r);
+    return result;
+}

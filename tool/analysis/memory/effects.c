@@ -1,0 +1,318 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* One summary a function, bottom-up: what it accesses that is not its own. */
+#include <string.h>
+
+#include "analysis/base/expression.h"
+#include "analysis/base/external.h"
+#include "analysis/memory/access.h"
+#include "analysis/memory/access_walk.h"
+#include "analysis/memory/callee_terms.h"
+#include "analysis/memory/library.h"
+
+typedef struct summary {
+    enum { SUMMARY_NONE, SUMMARY_IN_PROGRESS, SUMMARY_DONE } state;
+    access_list list;
+} summary;
+
+struct effects {
+    arena *memory;
+    const ir_unit *unit;
+    const analysis_options *options;
+    variable_facts *facts;
+    summary *summaries; /* by function id */
+    const hidden_names *names;
+};
+
+enum { SUMMARY_LIMIT = 4000 }; /* accesses; larger functions are not followed */
+
+effects *effects_new(arena *a, const ir_unit *unit, const analysis_options *options,
+                     variable_facts *facts) {
+    effects *all = ARENA_NEW(a, effects);
+    unsigned highest = 0;
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->id > highest)
+            highest = unit->functions[i]->id;
+    *all = (effects){.memory = a,
+                     .unit = unit,
+                     .options = options,
+                     .facts = facts,
+                     .names = hidden_names_new(a, unit),
+                     .summaries = ARENA_ARRAY(a, summary, highest + 1)};
+    return all;
+}
+
+/* a[from] to a[call]: the last element that a search reads is the one it finds. */
+static const ir_node *found_element(arena *a, const ir_node *from, const ir_node *call) {
+    ir_node *element = ir_substitute(a, from, NULL, NULL);
+    element->children[1] = ir_substitute(a, call, NULL, NULL);
+    element->children[1]->parent = element;
+    return element;
+}
+
+/* ---- summaries --------------------------------------------------------------------------------
+ */
+
+static bool is_own(const effects *all, const ir_function *function, const ir_node *lvalue,
+                   location *where) {
+    *where = location_of(all->facts, lvalue, NULL);
+    return where->object && variable_is_automatic(where->object) &&
+           where->object->function == function;
+}
+
+static void summarise_access(effects *all, const ir_function *function, const access_list *raw,
+                             const access *item, access_list *result) {
+    location where;
+    access kept = *item;
+    kept.callee = function;
+    if (!item->lvalue) {
+        VECTOR_PUSH(all->memory, &result->items, kept);
+        return;
+    }
+    if (is_own(all, function, item->lvalue, &where))
+        return;
+    if (where.object && item->kind != ACCESS_READ) {
+        access_problem problem = {REASON_IMPURE_CALL, item->node, function->name};
+        VECTOR_PUSH(all->memory, &result->problems, problem);
+        return;
+    }
+    if (where.is_of_locale) {
+        kept.lvalue = where.base;
+        kept.is_exact = false;
+        VECTOR_PUSH(all->memory, &result->items, kept);
+        return;
+    }
+    const callee_terms terms = {all->memory, all->facts, all->names, all->unit->strict_aliasing,
+                                function,    raw};
+    kept = callee_terms_of(&terms, item);
+    kept.callee = function;
+    if (where.is_string)
+        return;
+    if (!where.object && !where.pointer)
+        kept.lvalue = NULL;
+    VECTOR_PUSH(all->memory, &result->items, kept);
+}
+
+static void summarise(effects *all, const ir_function *function, access_list *result) {
+    access_list raw = {0};
+    access_walk walk = {all->memory, all, &raw, 0};
+    access_walk_node(&walk, function->body);
+    result->has_floating_work = raw.has_floating_work;
+    result->has_unrepeatable_work =
+        raw.has_unrepeatable_work || (raw.has_floating_work && function->has_other_attributes);
+    result->may_set_errno = raw.may_set_errno;
+    result->errno_setter = raw.errno_setter;
+    for (unsigned i = 0; i < raw.problems.count; i++)
+        if (raw.problems.items[i].why != REASON_GOTO)
+            VECTOR_PUSH(all->memory, &result->problems, raw.problems.items[i]);
+    if (raw.items.count > SUMMARY_LIMIT || function->is_variadic || function->has_errors) {
+        access_problem problem = {REASON_IMPURE_CALL, function->body, function->name};
+        VECTOR_PUSH(all->memory, &result->problems, problem);
+    }
+    for (unsigned i = 0; i < raw.items.count && !result->problems.count; i++)
+        summarise_access(all, function, &raw, &raw.items.items[i], result);
+}
+
+const access_list *effects_of(effects *all, const ir_function *function) {
+    summary *s = &all->summaries[function->id];
+    if (s->state == SUMMARY_NONE) {
+        s->state = SUMMARY_IN_PROGRESS;
+        access_list result = {0};
+        summarise(all, function, &result);
+        s->list = result;
+        s->state = SUMMARY_DONE;
+    }
+    return s->state == SUMMARY_DONE ? &s->list : NULL;
+}
+
+/* ---- calls ------------------------------------------------------------------------------------
+ */
+
+static bool is_const(const effects *all, const ir_function *function) {
+    return function->is_attribute_const || external_kind(all->options, function) == EXPORTED_CONST;
+}
+
+static bool is_pure(const effects *all, const ir_function *function) {
+    return function->is_attribute_pure || external_kind(all->options, function) == EXPORTED_PURE;
+}
+
+/* By the user's word, or because another file shows it: it reads what its arguments lead to. */
+static bool is_presumed_pure(const effects *all, const ir_function *function) {
+    if (external_kind(all->options, function) == EXPORTED_ARGUMENTS)
+        return true;
+    for (unsigned i = 0; all->options && i < all->options->pure_count; i++)
+        if (strcmp(all->options->pure[i], function->name) == 0)
+            return true;
+    return false;
+}
+
+static bool is_floating(const ir_type *type) {
+    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
+}
+
+static void add_pointee(access_walk *w, access_kind kind, const ir_node *call,
+                        const ir_node *pointer, bool is_presumed) {
+    ir_node *whole = ir_new(w->memory, IR_UNARY, NULL, 1);
+    whole->op = IR_OP_DEREFERENCE;
+    whole->children[0] = (ir_node *)pointer;
+    whole->range = pointer->range;
+    access_add(w, (access){.kind = kind,
+                           .lvalue = whole,
+                           .node = call,
+                           .callee = call->children[0]->function,
+                           .is_presumed = is_presumed});
+}
+
+/* Without side effects by attribute or by the user's word: what may it read? */
+static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
+    const ir_function *function = call->children[0]->function;
+    if (library_is_locale_table(call))
+        return;
+    /* of another file's function the body was looked at */
+    const bool is_seen = external_kind(w->all->options, function) != EXPORTED_NOTHING;
+    if (!by_user && !is_seen && library_tells_of_thread(function)) {
+        const bool is_errno = strcmp(function->name, "__errno_location") == 0;
+        access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
+        return;
+    }
+    w->list->has_floating_work = w->list->has_unrepeatable_work = true;
+    if (is_const(w->all, function))
+        return;
+    access_add(
+        w, (access){.kind = ACCESS_READ, .node = call, .callee = function, .is_presumed = by_user});
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_type *type = call->children[i]->type;
+        if (type && (type->kind == IR_POINTER || type->kind == IR_ARRAY))
+            add_pointee(w, ACCESS_READ, call, call->children[i], false);
+    }
+}
+
+static bool walk_memory_call(access_walk *w, const ir_node *call) {
+    const char *name = call->children[0]->function->name;
+    if (call->children[0]->function->is_renamed)
+        return false;
+    if (strncmp(name, "__builtin_", 10) == 0)
+        name += 10;
+    bool is_copy = strcmp(name, "memcpy") == 0 || strcmp(name, "memmove") == 0;
+    if ((!is_copy && strcmp(name, "memset") != 0) || call->child_count != 4)
+        return false;
+    if (is_copy)
+        add_pointee(w, ACCESS_READ, call, call->children[2], false);
+    add_pointee(w, ACCESS_WRITE, call, call->children[1], false);
+    return true;
+}
+
+/* Are all globals in it declared where the call stands? */
+static bool is_declared_before(const ir_node *lvalue, const ir_node *call) {
+    const ir_declared *declared = lvalue->kind == IR_VARIABLE ? lvalue->variable->declared : NULL;
+    if (declared && !declared->file && declared->offset > call->range.begin &&
+        !variable_is_automatic(lvalue->variable))
+        return false;
+    for (unsigned i = 0; i < lvalue->child_count; i++)
+        if (!is_declared_before(lvalue->children[i], call))
+            return false;
+    return true;
+}
+
+/* The access's loops with the arguments in their bounds. Unsets is_exact where these cannot be
+ * spelled there. */
+static const source_loop *loops_for_caller(access_walk *w, access *item, const ir_node *call) {
+    const ir_function *function = call->children[0]->function;
+    source_loop *loops = ARENA_ARRAY(w->memory, source_loop, item->loop_count);
+    for (unsigned i = 0; i < item->loop_count; i++) {
+        loops[i] = item->loops[i];
+        loops[i].lower = ir_substitute(w->memory, loops[i].lower, function, &call->children[1]);
+        loops[i].bound = ir_substitute(w->memory, loops[i].bound, function, &call->children[1]);
+        item->is_exact &=
+            expression_is_plain(loops[i].lower) && expression_is_plain(loops[i].bound) &&
+            is_declared_before(loops[i].lower, call) && is_declared_before(loops[i].bound, call);
+    }
+    return loops;
+}
+
+static void walk_known_call(access_walk *w, const ir_node *call, const access_list *known) {
+    const ir_function *function = call->children[0]->function;
+    effects *all = w->all;
+    if (call->child_count - 1 != function->parameter_count) {
+        access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
+        return;
+    }
+    w->list->has_floating_work |= known->has_floating_work;
+    w->list->has_unrepeatable_work |= known->has_unrepeatable_work;
+    if (known->may_set_errno) {
+        w->list->may_set_errno = true;
+        w->list->errno_setter = known->errno_setter;
+    }
+    for (unsigned i = 0; i < known->items.count; i++) {
+        access item = known->items.items[i];
+        item.node = call;
+        item.callee = function;
+        if (!item.loop_count)
+            item.is_behind = item.is_conditional;
+        if (item.lvalue) {
+            item.lvalue = ir_substitute(all->memory, item.lvalue, function, &call->children[1]);
+            item.is_exact = item.is_exact && expression_is_plain(item.lvalue) &&
+                            is_declared_before(item.lvalue, call);
+        }
+        if (item.loop_count)
+            item.loops = loops_for_caller(w, &item, call);
+        if (item.from) {
+            item.from = ir_substitute(all->memory, item.from, function, &call->children[1]);
+            item.to = found_element(all->memory, item.from, call);
+        }
+        access_add(w, item);
+    }
+}
+
+static void walk_library_call(access_walk *w, const ir_node *call, const library_function *found) {
+    if (is_floating(call->type))
+        w->list->has_floating_work = true;
+    if (!found->is_exact)
+        w->list->has_unrepeatable_work = true;
+    if (found->sets_errno) {
+        w->list->may_set_errno = true;
+        w->list->errno_setter = call->children[0]->function->name;
+    }
+}
+
+void access_walk_call(access_walk *w, const ir_node *call) {
+    const ir_node *callee = call->children[0];
+    for (unsigned i = 1; i < call->child_count; i++)
+        access_walk_node(w, call->children[i]);
+    if (callee->kind != IR_FUNCTION) {
+        access_problem_add(w, REASON_FUNCTION_POINTER, call, expression_text(w->memory, callee));
+        return;
+    }
+    const ir_function *function = callee->function;
+    bool by_user = is_presumed_pure(w->all, function);
+    const library_function *library = library_find(w->all->unit, function);
+    if (function->is_noreturn) {
+        access_problem_add(w, REASON_NO_RETURN, call,
+                           access_is_assertion(function) ? "assert" : function->name);
+    } else if (function->body && !function->is_weak) {
+        const access_list *known = effects_of(w->all, function);
+        if (!known)
+            access_problem_add(w, REASON_RECURSION, call, function->name);
+        else if (known->problems.count && by_user)
+            walk_pure_call(w, call, true);
+        else if (known->problems.count)
+            access_problem_add(w, known->problems.items[0].why, call,
+                               known->problems.items[0].name);
+        else
+            walk_known_call(w, call, known);
+    } else if (by_user) {
+        walk_pure_call(w, call, true);
+    } else if (library) {
+        walk_library_call(w, call, library);
+    } else if (is_const(w->all, function) || is_pure(w->all, function)) {
+        walk_pure_call(w, call, false);
+    } else if (function->is_interposable) {
+        access_problem_add(w, REASON_INTERPOSED, call, function->name);
+    } else if (!walk_memory_call(w, call)) {
+        access_problem_add(w, REASON_IMPURE_CALL, call, function->name);
+    }
+}
+
+void access_collect(effects *all, const ir_node *node, access_list *list) {
+    access_walk walk = {all->memory, all, list, 0};
+    access_walk_node(&walk, node);
+}

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/exported.h"
+
+#include <string.h>
+
+#include "analysis/memory/access.h"
+#include "analysis/memory/location.h"
+
+const char *exported_word(exported_kind kind) {
+    static const char *const words[] = {[EXPORTED_CONST] = "const",
+                                        [EXPORTED_ARGUMENTS] = "pure of its arguments",
+                                        [EXPORTED_PURE] = "pure"};
+    return words[kind];
+}
+
+/* Is the text between the function's begin and its body that of a plain definition? `inline` ones
+ * may have another definition elsewhere. */
+static bool is_plain_definition(const ir_unit *unit, const ir_function *function) {
+    const source *s = unit->source;
+    const ir_range head = {function->range.begin, function->body->range.begin};
+    if (head.begin >= head.end || head.end > s->length)
+        return false;
+    for (uint32_t i = head.begin; i + 6 <= head.end; i++)
+        if (memcmp(s->text + i, "inline", 6) == 0)
+            return false;
+    return true;
+}
+
+/* #pragma weak and the like may make of any definition one of several. */
+static bool has_linkage_pragma(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->kind == IR_DIRECTIVE_PRAGMA && !d->is_skipped && d->text &&
+            (strstr(d->text, "weak") || strstr(d->text, "redefine_extname") ||
+             strstr(d->text, "visibility")))
+            return true;
+    }
+    return false;
+}
+
+/* Is this one step from a pointer that was given to the function? */
+static bool is_of_argument(const access *item) {
+    const ir_node *lvalue = item->lvalue;
+    while (lvalue && lvalue->kind != IR_VARIABLE) {
+        const bool follows_pointer =
+            (lvalue->kind == IR_UNARY && lvalue->op == IR_OP_DEREFERENCE) ||
+            (lvalue->kind == IR_INDEX && lvalue->children[0]->type &&
+             lvalue->children[0]->type->kind == IR_POINTER) ||
+            (lvalue->kind == IR_MEMBER && (lvalue->flags & IR_ARROW));
+        const bool is_part = lvalue->kind == IR_INDEX || lvalue->kind == IR_MEMBER;
+        if (!follows_pointer && !is_part)
+            return false;
+        lvalue = lvalue->children[0];
+        if (follows_pointer)
+            break;
+    }
+    return lvalue && lvalue->kind == IR_VARIABLE && lvalue->variable->storage == IR_PARAMETER &&
+           lvalue->variable->type->kind == IR_POINTER;
+}
+
+static exported_kind kind_of(effects *all, const ir_function *function) {
+    const access_list *list = effects_of(all, function);
+    if (!list || list->problems.count || list->may_set_errno || function->has_errors ||
+        function->is_variadic || function->is_noreturn || function->has_other_attributes)
+        return EXPORTED_NOTHING;
+    exported_kind kind = EXPORTED_CONST;
+    for (unsigned i = 0; i < list->items.count; i++) {
+        const access *item = &list->items.items[i];
+        if (item->kind != ACCESS_READ)
+            return EXPORTED_NOTHING;
+        if (item->is_presumed || !is_of_argument(item))
+            kind = EXPORTED_PURE;
+        else if (kind == EXPORTED_CONST)
+            kind = EXPORTED_ARGUMENTS;
+    }
+    return kind;
+}
+
+exported_functions exported_of_unit(arena *a, const ir_unit *unit,
+                                    const analysis_options *options) {
+    must_write *prover = must_write_new(a, unit, options);
+    variable_facts *facts = variable_facts_new(a, unit, prover);
+    effects *all = effects_new(a, unit, options, facts);
+    const bool is_doubtful = has_linkage_pragma(unit);
+    VECTOR(exported_function) found = {0};
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *function = unit->functions[i];
+        if (!function->body || function->is_static || function->is_weak)
+            continue;
+        const bool is_known =
+            !is_doubtful && function->is_in_main_file && is_plain_definition(unit, function);
+        const exported_function one = {function->name,
+                                       is_known ? kind_of(all, function) : EXPORTED_NOTHING};
+        VECTOR_PUSH(a, &found, one);
+    }
+    return (exported_functions){found.count, found.items};
+}

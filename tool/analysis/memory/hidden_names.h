@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Which names of a file may mean something else inside of a function. */
+#ifndef ANALYSIS_HIDDEN_NAMES_H
+#define ANALYSIS_HIDDEN_NAMES_H
+
+#include "ir/ir.h"
+
+typedef struct hidden_names hidden_names;
+
+hidden_names *hidden_names_new(arena *a, const ir_unit *unit);
+
+/** Could something of a function, a variable, enumerator or type, stand in front of the global one?
+ */
+bool hidden_names_has(const hidden_names *names, const ir_variable *global);
+
+#endif

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/library.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* C17 7.12, 7.22.6 and what gcc and clang make of them; sorted by name (a test looks). Functions
+ * that write through a pointer (frexp, modf, remquo, sincos) or a global (lgamma) are not here.
+ * isnan and its like are macros of <math.h> for builtins: only of macros the names are reserved. */
+static const library_function functions[] = {
+    {"abs", false, true, LIBRARY_C89, false},
+    {"acos", true, false, LIBRARY_C89, true},
+    {"acosh", true, false, LIBRARY_C99, true},
+    {"asin", true, false, LIBRARY_C89, true},
+    {"asinh", true, false, LIBRARY_C99, true},
+    {"atan", true, false, LIBRARY_C89, true},
+    {"atan2", true, false, LIBRARY_C89, true},
+    {"atanh", true, false, LIBRARY_C99, true},
+    {"cabs", true, false, LIBRARY_C99, true},
+    {"carg", false, false, LIBRARY_C99, true},
+    {"cbrt", false, false, LIBRARY_C99, true},
+    {"ceil", false, true, LIBRARY_C89, true},
+    {"cimag", false, true, LIBRARY_C99, true},
+    {"clz", false, true, LIBRARY_BUILTIN, false},
+    {"clzl", false, true, LIBRARY_BUILTIN, false},
+    {"clzll", false, true, LIBRARY_BUILTIN, false},
+    {"conj", false, true, LIBRARY_C99, true},
+    {"copysign", false, true, LIBRARY_C99, true},
+    {"cos", true, false, LIBRARY_C89, true},
+    {"cosh", true, false, LIBRARY_C89, true},
+    {"creal", false, true, LIBRARY_C99, true},
+    {"ctz", false, true, LIBRARY_BUILTIN, false},
+    {"ctzl", false, true, LIBRARY_BUILTIN, false},
+    {"ctzll", false, true, LIBRARY_BUILTIN, false},
+    {"erf", true, false, LIBRARY_C99, true},
+    {"erfc", true, false, LIBRARY_C99, true},
+    {"exp", true, false, LIBRARY_C89, true},
+    {"exp10", true, false, LIBRARY_GNU, true},
+    {"exp2", true, false, LIBRARY_C99, true},
+    {"expect", false, true, LIBRARY_BUILTIN, false},
+    {"expm1", true, false, LIBRARY_C99, true},
+    {"fabs", false, true, LIBRARY_C89, true},
+    {"fdim", true, false, LIBRARY_C99, true},
+    {"floor", false, true, LIBRARY_C89, true},
+    {"fma", true, true, LIBRARY_C99, true},
+    {"fmax", false, true, LIBRARY_C99, true},
+    {"fmin", false, true, LIBRARY_C99, true},
+    {"fmod", true, true, LIBRARY_C89, true},
+    {"huge_val", false, true, LIBRARY_BUILTIN, true},
+    {"hypot", true, false, LIBRARY_C99, true},
+    {"ilogb", true, true, LIBRARY_C99, true},
+    {"inf", false, true, LIBRARY_BUILTIN, true},
+    {"isfinite", false, true, LIBRARY_BUILTIN, true},
+    {"isinf", false, true, LIBRARY_BUILTIN, true},
+    {"isinf_sign", false, true, LIBRARY_BUILTIN, false},
+    {"isnan", false, true, LIBRARY_BUILTIN, true},
+    {"isnormal", false, true, LIBRARY_BUILTIN, true},
+    {"labs", false, true, LIBRARY_C89, false},
+    {"ldexp", true, true, LIBRARY_C89, true},
+    {"llabs", false, true, LIBRARY_C99, false},
+    {"llrint", true, true, LIBRARY_C99, true},
+    {"llround", true, true, LIBRARY_C99, true},
+    {"log", true, false, LIBRARY_C89, true},
+    {"log10", true, false, LIBRARY_C89, true},
+    {"log1p", true, false, LIBRARY_C99, true},
+    {"log2", true, false, LIBRARY_C99, true},
+    {"logb", true, true, LIBRARY_C99, true},
+    {"lrint", true, true, LIBRARY_C99, true},
+    {"lround", true, true, LIBRARY_C99, true},
+    {"nan", false, true, LIBRARY_C99, true},
+    {"nearbyint", false, true, LIBRARY_C99, true},
+    {"parity", false, true, LIBRARY_BUILTIN, false},
+    {"popcount", false, true, LIBRARY_BUILTIN, false},
+    {"popcountl", false, true, LIBRARY_BUILTIN, false},
+    {"popcountll", false, true, LIBRARY_BUILTIN, false},
+    {"pow", true, false, LIBRARY_C89, true},
+    {"remainder", true, true, LIBRARY_C99, true},
+    {"rint", false, true, LIBRARY_C99, true},
+    {"round", false, true, LIBRARY_C99, true},
+    {"scalbln", true, true, LIBRARY_C99, true},
+    {"scalbn", true, true, LIBRARY_C99, true},
+    {"signbit", false, true, LIBRARY_BUILTIN, true},
+    {"sin", true, false, LIBRARY_C89, true},
+    {"sinh", true, false, LIBRARY_C89, true},
+    {"sqrt", true, true, LIBRARY_C89, true},
+    {"tan", true, false, LIBRARY_C89, true},
+    {"tanh", true, false, LIBRARY_C89, true},
+    {"tgamma", true, false, LIBRARY_C99, true},
+    {"trunc", false, true, LIBRARY_C99, true},
+};
+
+static int compare(const void *key, const void *entry) {
+    return strcmp(key, ((const library_function *)entry)->name);
+}
+
+static const library_function *find(const char *name) {
+    return bsearch(name, functions, sizeof functions / sizeof functions[0], sizeof functions[0],
+                   compare);
+}
+
+static const library_function *find_with_variants(const char *name) {
+    char stem[16];
+    const library_function *found = find(name);
+    const size_t length = strlen(name);
+    if (found || length < 2 || length > sizeof stem ||
+        (name[length - 1] != 'f' && name[length - 1] != 'l'))
+        return found;
+    memcpy(stem, name, length - 1);
+    stem[length - 1] = 0;
+    found = find(stem);
+    return found && found->has_variants ? found : NULL;
+}
+
+static bool is_reserved(const ir_unit *unit, const ir_function *function,
+                        library_standard standard) {
+    switch (standard) {
+    case LIBRARY_C89:
+        return true;
+    case LIBRARY_C99:
+        return !unit->is_c89 || function->is_from_system;
+    case LIBRARY_GNU:
+        return function->is_from_system;
+    default:
+        return false;
+    }
+}
+
+const library_function *library_find(const ir_unit *unit, const ir_function *function) {
+    static const char prefix[] = "__builtin_";
+    const size_t length = sizeof prefix - 1;
+    if (function->is_renamed || function->body)
+        return NULL;
+    if (strncmp(function->name, prefix, length) == 0)
+        return find_with_variants(function->name + length);
+    const library_function *found = find_with_variants(function->name);
+    return found && is_reserved(unit, function, found->standard) ? found : NULL;
+}
+
+bool library_is_locale_table(const ir_node *call) {
+    static const char *const names[] = {"__ctype_b_loc", "__ctype_tolower_loc",
+                                        "__ctype_toupper_loc"};
+    if (call->kind != IR_CALL || call->children[0]->kind != IR_FUNCTION ||
+        call->children[0]->function->body)
+        return false;
+    const char *name = call->children[0]->function->name;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (strcmp(name, names[i]) == 0)
+            return true;
+    return false;
+}
+
+/* What is declared const is computed from its arguments: without any, it can but be the same for a
+ * whole thread (pthread_self, __errno_location), and an address may lead to the thread's own. (What
+ * is declared pure may read all memory, that of the arrays as well, and is refused for that.) */
+bool library_tells_of_thread(const ir_function *function) {
+    const ir_type *result = function->type ? function->type->target : NULL;
+    return function->is_attribute_const &&
+           (function->parameter_count == 0 || !result || result->kind == IR_POINTER);
+}

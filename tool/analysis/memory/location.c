@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/location.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/memory/library.h"
+
+enum { STEP_LIMIT = 8, LOOK_THROUGH_LIMIT = 8 };
+
+/* What is the same all the way down one question. */
+typedef struct question {
+    variable_facts *facts;
+    const ir_node *scope;
+} question;
+
+static location lvalue_location(const question *q, const ir_node *node, unsigned depth);
+static location pointed_location(const question *q, const ir_node *node, unsigned depth);
+
+static void add_step(location *l, const ir_field *field, const ir_record *record,
+                     const ir_node *subscript) {
+    if (l->is_inexact)
+        return;
+    if (l->step_count == STEP_LIMIT) {
+        l->is_inexact = true;
+        return;
+    }
+    l->steps[l->step_count++] = (location_step){field, record, subscript};
+}
+
+/* Moved away from a single object, as v[0].x by &v[0].x + k: C gives it no meaning, but programs
+ * and compilers take it to lead through all of the object that this one is a part of. */
+static void leave_single_object(location *l) {
+    l->step_count = 0;
+    l->is_inexact = true;
+}
+
+static bool is_zero(const ir_node *node) {
+    int64_t value;
+    return expression_constant(node, &value) && value == 0;
+}
+
+static location unknown_location(void) {
+    return (location){.is_inexact = true};
+}
+
+static location member_location(const question *q, const ir_node *node, unsigned depth) {
+    const ir_node *child = node->children[0];
+    bool is_arrow = node->flags & IR_ARROW;
+    location l = is_arrow ? pointed_location(q, child, depth) : lvalue_location(q, child, depth);
+    const ir_type *owner = child->type;
+    if (is_arrow && owner)
+        owner = owner->target;
+    const ir_record *record = owner ? owner->record : NULL;
+    if (record && record->is_union) {
+        l.has_union = true;
+        l.is_inexact = true;
+    }
+    if (node->field && node->field->is_bit_field)
+        l.has_bit_field = true;
+    add_step(&l, node->field, record, NULL);
+    return l;
+}
+
+/* (*__ctype_b_loc())[c], and *__ctype_b_loc() itself: of the C library, in no object of ours. */
+static location locale_location(const ir_node *table) {
+    return (location){.is_of_locale = true, .is_inexact = true, .base = table};
+}
+
+static bool is_locale_table(const ir_node *node) {
+    return node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE &&
+           library_is_locale_table(node->children[0]);
+}
+
+static location lvalue_location(const question *q, const ir_node *node, unsigned depth) {
+    location l;
+    if (is_locale_table(node)) {
+        l = locale_location(node);
+        l.type = node->type;
+        return l;
+    }
+    switch (node->kind) {
+    case IR_VARIABLE:
+        l = (location){.object = node->variable, .base = node};
+        break;
+    case IR_INDEX:
+        if (node->children[0]->type && node->children[0]->type->kind == IR_ARRAY) {
+            l = lvalue_location(q, node->children[0], depth);
+            add_step(&l, NULL, NULL, node->children[1]);
+        } else {
+            /* p[k]: what p points to, moved */
+            l = pointed_location(q, node->children[0], depth);
+            if (l.step_count && !l.steps[l.step_count - 1].field && !l.is_inexact)
+                l.steps[l.step_count - 1].subscript =
+                    l.steps[l.step_count - 1].subscript ? NULL : node->children[1];
+            else if (!is_zero(node->children[1]))
+                leave_single_object(&l);
+        }
+        break;
+    case IR_MEMBER:
+        l = member_location(q, node, depth);
+        break;
+    case IR_UNARY:
+        if (node->op == IR_OP_DEREFERENCE)
+            l = pointed_location(q, node->children[0], depth);
+        else
+            l = unknown_location();
+        break;
+    case IR_STRING:
+        l = (location){.is_string = true, .is_inexact = true, .base = node};
+        break;
+    default:
+        l = unknown_location();
+    }
+    l.type = node->type;
+    return l;
+}
+
+/* The object that a pointer read from memory or from a variable points to: its own base. Step 0 is
+ * the subscript that may follow. */
+static location pointer_base(const ir_node *node) {
+    location l = {.pointer = node, .base = node};
+    l.steps[0] = (location_step){NULL, NULL, NULL};
+    l.step_count = 1;
+    return l;
+}
+
+static bool same_pointee(const ir_type *a, const ir_type *b) {
+    return a && b && a->target && b->target && ir_type_equal(a->target, b->target);
+}
+
+/* A definition that is repeated by reading it: without calls and assignments. */
+static bool is_followed(const ir_node *value) {
+    return value->kind != IR_INITIALIZERS && expression_is_plain(value);
+}
+
+/* f(...), or (double *)f(...): a pointer of its own, whatever it is taken to point to. */
+static bool is_result(const ir_node *value) {
+    while (value->kind == IR_CAST && value->children[0]->type &&
+           value->children[0]->type->kind == IR_POINTER)
+        value = value->children[0];
+    return value->kind == IR_CALL;
+}
+
+static location pointed_location(const question *q, const ir_node *node, unsigned depth) {
+    location l;
+    if (is_locale_table(node))
+        return locale_location(node);
+    if (node->type && node->type->kind == IR_ARRAY) {
+        l = lvalue_location(q, node, depth);
+        add_step(&l, NULL, NULL, NULL);
+        return l;
+    }
+    switch (node->kind) {
+    case IR_UNARY:
+        if (node->op == IR_OP_ADDRESS) {
+            l = lvalue_location(q, node->children[0], depth);
+            return l;
+        }
+        if (node->op == IR_OP_DEREFERENCE) /* *p is p[0] */
+            return pointer_base(node);
+        break;
+    case IR_BINARY:
+        if (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT) {
+            const ir_node *left = node->children[0];
+            bool left_is_pointer =
+                left->type && (left->type->kind == IR_POINTER || left->type->kind == IR_ARRAY);
+            l = pointed_location(q, node->children[left_is_pointer ? 0 : 1], depth);
+            if (l.step_count && !l.steps[l.step_count - 1].field)
+                l.steps[l.step_count - 1].subscript = NULL;
+            else if (!is_zero(node->children[left_is_pointer ? 1 : 0]))
+                leave_single_object(&l);
+            return l;
+        }
+        break;
+    case IR_CAST: {
+        const ir_node *operand = node->children[0];
+        if (!operand->type ||
+            (operand->type->kind != IR_POINTER && operand->type->kind != IR_ARRAY))
+            return unknown_location();
+        l = pointed_location(q, operand, depth);
+        if (!same_pointee(node->type, operand->type)) {
+            l.is_inexact = true;
+            l.is_punned = true;
+        }
+        return l;
+    }
+    case IR_STRING:
+        return (location){.is_string = true, .is_inexact = true, .base = node};
+    case IR_VARIABLE: {
+        const ir_node *value = variable_single_definition(q->facts, node->variable);
+        if (!value)
+            return pointer_base(node);
+        /* variable_escapes counts on every pointer defined once being looked through, or unknown */
+        if (depth >= LOOK_THROUGH_LIMIT || !is_followed(value))
+            return is_result(value) ? pointer_base(node) : unknown_location();
+        l = pointed_location(q, value, depth + 1);
+        const ir_node *place = variable_fact_of(q->facts, node->variable)->definition_place;
+        if (q->scope && !ir_contains(q->scope, place))
+            l.base = node;
+        return l;
+    }
+    case IR_MEMBER:
+    case IR_INDEX:
+        return pointer_base(node);
+    default:
+        break;
+    }
+    return unknown_location();
+}
+
+location location_of(variable_facts *facts, const ir_node *lvalue, const ir_node *scope) {
+    question q = {facts, scope};
+    return lvalue_location(&q, lvalue, 0);
+}
+
+location location_pointed(variable_facts *facts, const ir_node *pointer, const ir_node *scope) {
+    question q = {facts, scope};
+    return pointed_location(&q, pointer, 0);
+}

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The abstract interpreter of the must-write proof: expressions, statements, calls.
+ * For must_write*.c only.
+ */
+#ifndef ANALYSIS_MUST_WRITE_RUN_H
+#define ANALYSIS_MUST_WRITE_RUN_H
+
+#include "analysis/memory/must_write/must_write.h"
+#include "analysis/memory/must_write/must_write_state.h"
+
+/** What a call of a function does to the object, its parameters having these values. */
+typedef struct call_summary {
+    struct call_summary *next;
+    const ir_function *function;
+    int64_t object_size;
+    bool is_open;
+    unsigned argument_count;
+    const value *arguments;
+    bool is_running;     /* being made: another use of it is recursion */
+    const char *unknown; /* why nothing is known; NULL: the rest holds */
+    byte_set read;       /* bytes that may be read before the call itself has written them */
+    byte_set touched;    /* bytes that may be written */
+    byte_set written;    /* bytes definitely written when it returns */
+    value result;
+} call_summary;
+
+enum { SUMMARY_LISTS = 256 };
+
+struct must_write {
+    arena *arena;
+    const ir_unit *unit;
+    const analysis_options *options;
+    call_summary *summaries[SUMMARY_LISTS]; /* by function id */
+    arena *scratch;                         /* of the query at hand */
+    unsigned steps;                         /* left to it */
+};
+
+/** One body being interpreted: the judged one, or a callee's. */
+typedef struct run {
+    must_write *prover;
+    const ir_function *function;
+    const ir_variable *object; /* NULL in callees: they reach it by pointers only */
+    int64_t size;              /* of the object, in bytes */
+    bool is_open;              /* the object's true end is not known, `size` is only a window */
+    unsigned depth;            /* of calls */
+    byte_set read, touched;    /* as in call_summary */
+    const ir_node *read_node;  /* the first that read too early */
+    const char *unknown;       /* set: the interpretation is over, nothing is known */
+    const ir_node *unknown_node;
+    state *on_break, *on_continue; /* joined with the states that jump; on_continue may be NULL */
+    state on_return;
+    bool has_result;
+    value result;
+} run;
+
+extern const value value_other;
+
+/* ---- values (must_write_value.c) ------------------------------------------------------------- */
+
+/** The number as a value of the type, or value_other where a conversion would change it. */
+value value_integer(int64_t number, const ir_type *type);
+/** False where the result is not known. */
+bool value_compute(ir_operator op, int64_t a, int64_t b, int64_t *result);
+/** Bytes of what the pointer type points to; void counts 1, as with GNU C; -1: not known. */
+int64_t value_pointee_size(const ir_type *type);
+/** pointer +- number * element */
+value value_move(value pointer, value number, int64_t element, bool is_back);
+/** left op right; `node` tells operator and types. */
+value value_combine(const ir_node *node, value left, value right);
+
+/* ---- the interpreter ------------------------------------------------------------------------- */
+
+/** Gives up: remembers the first reason. Returns value_other. */
+value run_give_up(run *r, const ir_node *node, const char *why);
+/** Counts work; false once the interpretation is over. */
+bool run_step(run *r, const ir_node *node, unsigned steps);
+
+/** Notes that the bytes may be read now. */
+void run_read(run *r, const state *s, const ir_node *node, int64_t begin, int64_t end);
+void run_read_set(run *r, const state *s, const ir_node *node, byte_set bytes);
+/** Notes a write of exactly these bytes, or of some of them. */
+void run_write(run *r, state *s, const ir_node *node, int64_t begin, int64_t end, bool is_exact);
+
+/** The value as an object of the type holds it after assignment or cast. */
+value run_convert(run *r, const ir_node *node, value v, const ir_type *type);
+
+/** Does evaluating it change anything, as far as its form tells? */
+bool run_has_effects(run *r, const ir_node *node);
+
+/** What is read in one operand must not count on what another one writes: f[0] + set(f). Each is
+ * evaluated with what was written before any of them. */
+typedef struct unsequenced {
+    bool is_needed;
+    byte_set before, all;
+} unsequenced;
+
+unsequenced run_begin_unsequenced(run *r, const state *s, const ir_node *node,
+                                  ir_node *const *operands, unsigned count);
+void run_next_unsequenced(unsequenced *u, state *s); /* between operands */
+void run_end_unsequenced(unsequenced *u, state *s);
+
+/* ---- places (must_write_place.c) ------------------------------------------------------------- */
+
+/** Where an lvalue lies. */
+typedef enum place_kind { PLACE_ELSEWHERE, PLACE_OBJECT, PLACE_LOCAL } place_kind;
+
+typedef struct place {
+    place_kind kind;
+    bool is_exact; /* PLACE_OBJECT: at `offset`; else somewhere in [begin, end) */
+    int64_t offset;
+    int64_t begin, end;          /* what an unknown subscript may reach */
+    const ir_variable *variable; /* where it is a scalar variable whose value is followed */
+} place;
+
+place run_variable_place(const run *r, const ir_variable *variable);
+/** The place of an lvalue; of other expressions the value is computed and is elsewhere. */
+place run_locate(run *r, state *s, const ir_node *node);
+/** Reads the lvalue `node` that lies there; arrays decay. */
+value run_load(run *r, state *s, const ir_node *node, const place *p);
+/** Assigns to the lvalue `target` that lies there; gives the value it then has. */
+value run_store(run *r, state *s, const ir_node *target, const place *p, value v);
+
+/* ---- expressions and statements -------------------------------------------------------------- */
+
+/** The value of an expression, its effects applied to the state. */
+value run_evaluate(run *r, state *s, const ir_node *expression);
+/** As an operand whose value nobody wants: x; (void)x; */
+void run_discard(run *r, state *s, const ir_node *expression);
+/** As run_evaluate where a pointer into the object must not be the value: it would be lost. */
+void run_evaluate_closed(run *r, state *s, const ir_node *expression);
+/** Gives up where C text that the tree does not show (the size of an array type) may read the
+ *  object. */
+void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type);
+void run_initialise(run *r, state *s, const ir_node *declarator);
+value run_call(run *r, state *s, const ir_node *call);
+
+void run_execute(run *r, state *s, const ir_node *statement);
+
+/** Never NULL; its `unknown` tells whether it says anything. */
+const call_summary *summarise_call(must_write *prover, const ir_function *function, int64_t size,
+                                   bool is_open, unsigned argument_count, const value *arguments,
+                                   unsigned depth);
+/** Does the function keep or pass on the address of an object of this size that its argument
+ *  points into? For calls outside the judged loop. */
+bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argument, int64_t size);
+
+#endif

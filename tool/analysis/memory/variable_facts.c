@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/memory/variable_facts.h"
+
+#include <string.h>
+
+#include "analysis/base/expression.h"
+
+struct variable_facts {
+    arena *memory;
+    const ir_unit *unit;
+    must_write *prover;
+    variable_fact *facts; /* by variable id */
+};
+
+/* The variable that a node changes, wholly or in part, or whose address it takes. */
+static ir_variable *changed_variable(const ir_node *node) {
+    const ir_node *lvalue = expression_written(node);
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS)
+        lvalue = node->children[0];
+    return lvalue ? expression_object(lvalue) : NULL;
+}
+
+/* An array, or a part of one, handed to a function: that may fill it. */
+static bool is_handed_over(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node) ||
+                      (parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW)) ||
+                      parent->kind == IR_CAST || parent->kind == IR_BINARY)) {
+        node = parent;
+        parent = node->parent;
+    }
+    return parent && parent->kind == IR_CALL && node->type &&
+           (node->type->kind == IR_ARRAY || node->kind == IR_CAST || node->kind == IR_BINARY);
+}
+
+static bool note_occurrence(ir_node *node, void *context) {
+    variable_facts *all = context;
+    if (node->kind == IR_VARIABLE && node->variable) {
+        variable_fact *fact = &all->facts[node->variable->id];
+        VECTOR_PUSH(all->memory, &fact->occurrences, node);
+        if (node->type && ir_type_innermost(node->type)->kind != IR_POINTER &&
+            (node->type->kind == IR_ARRAY || node->type->kind == IR_RECORD) && is_handed_over(node))
+            VECTOR_PUSH(all->memory, &fact->writes, node);
+    }
+    if (node->kind == IR_DECLARATOR && node->variable) {
+        variable_fact *fact = &all->facts[node->variable->id];
+        /* `extern int x;` in a block only names it there, in several functions perhaps */
+        if (node->variable->storage != IR_GLOBAL)
+            fact->declarator = node;
+        if (node->child_count) {
+            VECTOR_PUSH(all->memory, &fact->writes, node);
+            fact->write_count++;
+            fact->definition = node->children[0];
+            fact->definition_place = node;
+        }
+    }
+    ir_variable *changed = changed_variable(node);
+    if (changed)
+        VECTOR_PUSH(all->memory, &all->facts[changed->id].writes, node);
+    const ir_node *target = expression_written(node);
+    if (target && target->kind == IR_VARIABLE) {
+        variable_fact *fact = &all->facts[target->variable->id];
+        fact->write_count++;
+        fact->definition =
+            node->kind == IR_ASSIGN && node->op == IR_OP_NONE ? node->children[1] : NULL;
+        fact->definition_place = node;
+    }
+    return true;
+}
+
+variable_facts *variable_facts_new(arena *a, const ir_unit *unit, must_write *prover) {
+    variable_facts *all = ARENA_NEW(a, variable_facts);
+    all->memory = a;
+    all->unit = unit;
+    all->prover = prover;
+    all->facts = ARENA_ARRAY(a, variable_fact, unit->variable_count + 1);
+    for (unsigned i = 0; i < unit->function_count; i++)
+        if (unit->functions[i]->body)
+            ir_walk(unit->functions[i]->body, note_occurrence, all);
+    return all;
+}
+
+const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable) {
+    return &facts->facts[variable->id];
+}
+
+unsigned expression_last_id(const ir_node *node) {
+    while (node->child_count)
+        node = node->children[node->child_count - 1];
+    return node->id;
+}
+
+bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable) {
+    const variable_fact *fact = &facts->facts[variable->id];
+    unsigned last = expression_last_id(node);
+    for (unsigned i = 0; i < fact->writes.count; i++) {
+        const ir_node *write = fact->writes.items[i];
+        if (write->id >= node->id && write->id <= last && ir_contains(node, write))
+            return true;
+    }
+    return false;
+}
+
+const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable) {
+    const variable_fact *fact = variable_fact_of(facts, variable);
+    if (variable->storage != IR_LOCAL || fact->write_count != 1 || !fact->definition)
+        return NULL;
+    if (variable->type->kind != IR_ARRAY && variable->address_taken)
+        return NULL;
+    return fact->definition;
+}
+
+/* ---- where a pointer's value goes ----------------------------------------------------------- */
+
+static bool pointer_value_escapes(variable_facts *all, const ir_node *node, unsigned depth);
+
+static bool is_memory_function(const char *name) {
+    return strcmp(name, "memset") == 0 || strcmp(name, "memcpy") == 0 ||
+           strcmp(name, "memmove") == 0 || strcmp(name, "__builtin_memset") == 0 ||
+           strcmp(name, "__builtin_memcpy") == 0 || strcmp(name, "__builtin_memmove") == 0;
+}
+
+static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_node *argument) {
+    const ir_node *callee = call->children[0];
+    if (callee == argument)
+        return false; /* called, not kept */
+    if (callee->kind != IR_FUNCTION)
+        return true;
+    if (!callee->function->body)
+        return callee->function->is_renamed || !is_memory_function(callee->function->name) ||
+               ir_value_is_used(call);
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (call->children[i] == argument)
+            return i - 1 >= callee->function->parameter_count ||
+                   must_write_parameter(all->prover, callee->function, i - 1).keeps_address;
+    return true;
+}
+
+static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsigned depth) {
+    const variable_fact *fact = &all->facts[holder->id];
+    if (depth > 4 || holder->storage != IR_LOCAL || holder->address_taken || fact->write_count != 1)
+        return true;
+    for (unsigned i = 0; i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        bool is_definition = use->parent->kind == IR_ASSIGN && use->parent->children[0] == use;
+        if (!is_definition && pointer_value_escapes(all, use, depth + 1))
+            return true;
+    }
+    return false;
+}
+
+/* An lvalue inside the object: read or written it keeps no address, unless it decays. */
+static bool lvalue_escapes(variable_facts *all, const ir_node *node, unsigned depth) {
+    const ir_node *parent = node->parent;
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (!parent)
+        return true;
+    if (parent->kind == IR_MEMBER && !(parent->flags & IR_ARROW))
+        return lvalue_escapes(all, parent, depth);
+    if (parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS)
+        return pointer_value_escapes(all, parent, depth);
+    return is_array && pointer_value_escapes(all, node, depth);
+}
+
+static bool pointer_value_escapes(variable_facts *all, const ir_node *node, unsigned depth) {
+    const ir_node *parent = node->parent;
+    if (!parent)
+        return true;
+    switch (parent->kind) {
+    case IR_INDEX:
+        return parent->children[0] == node ? lvalue_escapes(all, parent, depth) : true;
+    case IR_MEMBER:
+        return lvalue_escapes(all, parent, depth);
+    case IR_UNARY:
+        if (parent->op == IR_OP_DEREFERENCE)
+            return lvalue_escapes(all, parent, depth);
+        return parent->op != IR_OP_NOT;
+    case IR_BINARY:
+        if (parent->op == IR_OP_COMMA)
+            return true;
+        return parent->type && parent->type->kind == IR_POINTER &&
+               pointer_value_escapes(all, parent, depth);
+    case IR_CAST:
+        if (parent->type && parent->type->kind == IR_VOID)
+            return false;
+        return !parent->type || parent->type->kind != IR_POINTER ||
+               pointer_value_escapes(all, parent, depth);
+    case IR_CONDITIONAL:
+        return parent->children[0] != node;
+    case IR_CALL:
+        return argument_escapes(all, parent, node);
+    case IR_DECLARATOR:
+        return holder_escapes(all, parent->variable, depth);
+    case IR_ASSIGN:
+        return parent->children[1] != node || parent->op != IR_OP_NONE ||
+               ir_value_is_used(parent) || parent->children[0]->kind != IR_VARIABLE ||
+               holder_escapes(all, parent->children[0]->variable, depth);
+    case IR_EXPRESSION:
+    case IR_IF:
+    case IR_WHILE:
+    case IR_DO:
+    case IR_FOR:
+        return false;
+    default:
+        return true;
+    }
+}
+
+bool variable_escapes(variable_facts *facts, const ir_variable *variable) {
+    variable_fact *fact = &facts->facts[variable->id];
+    if (!variable_is_automatic(variable))
+        return true;
+    if (fact->escape == ESCAPE_NOT_ASKED) {
+        fact->escape = ESCAPE_IN_PROGRESS;
+        bool escapes = false;
+        for (unsigned i = 0; i < fact->occurrences.count && !escapes; i++)
+            escapes = lvalue_escapes(facts, fact->occurrences.items[i], 0);
+        fact->escape = escapes ? ESCAPE_YES : ESCAPE_NO;
+    }
+    return fact->escape != ESCAPE_NO;
+}
+
+static bool is_exposing(const ir_node *node) {
+    const ir_node *parent = node->parent;
+    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    if (!parent)
+        return true;
+    if (parent->kind == IR_MEMBER && (is_array || !(parent->flags & IR_ARROW)))
+        return is_exposing(parent);
+    if (parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS)
+        return true;
+    if (!is_array)
+        return false;
+    if ((parent->kind == IR_INDEX && parent->children[0] == node) ||
+        (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE))
+        return is_exposing(parent);
+    return true;
+}
+
+bool variable_is_exposed(variable_facts *facts, const ir_variable *variable) {
+    variable_fact *fact = &facts->facts[variable->id];
+    if (fact->exposure == EXPOSURE_NOT_ASKED) {
+        bool is_exposed = variable->address_taken;
+        for (unsigned i = 0; i < fact->occurrences.count && !is_exposed; i++)
+            is_exposed = is_exposing(fact->occurrences.items[i]);
+        fact->exposure = is_exposed ? EXPOSURE_YES : EXPOSURE_NO;
+    }
+    return fact->exposure == EXPOSURE_YES;
+}
+
+static bool is_restricted(variable_facts *facts, const ir_variable *variable) {
+    const variable_fact *fact = &facts->facts[variable->id];
+    unsigned allowed = variable->storage == IR_LOCAL ? 1 : 0;
+    if (!variable_is_automatic(variable) || !variable->type->is_restrict ||
+        variable->address_taken || fact->write_count > allowed)
+        return false;
+    /* A block's restrict pointer holds from its declaration on: assigned later, it says less. */
+    if (allowed && (!fact->declarator || fact->definition_place != fact->declarator))
+        return false;
+    for (unsigned i = 0; i < fact->occurrences.count; i++)
+        if (pointer_value_escapes(facts, fact->occurrences.items[i], 0))
+            return false;
+    return true;
+}
+
+bool variable_is_restricted(variable_facts *facts, const ir_variable *variable) {
+    variable_fact *fact = &facts->facts[variable->id];
+    if (fact->restricted == RESTRICTED_NOT_ASKED)
+        fact->restricted = is_restricted(facts, variable) ? RESTRICTED_YES : RESTRICTED_NO;
+    return fact->restricted == RESTRICTED_YES;
+}

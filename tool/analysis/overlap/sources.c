@@ -1,0 +1,413 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Reads against the arrays: each read of the loop is apart from every reduction array by proof, or
+ * guarded at run time by its extent, or the loop is refused.
+ */
+#include "analysis/overlap/sources.h"
+
+#include <string.h>
+
+#include "analysis/base/exact.h"
+#include "analysis/base/expression.h"
+#include "analysis/loop/bases.h"
+#include "analysis/loop/executed.h"
+#include "analysis/loop/place.h"
+#include "analysis/loop/variation.h"
+#include "analysis/overlap/row_address.h"
+#include "analysis/reduction/update_array.h"
+
+/* ---- extents ----------------------------------------------------------------------------------
+ */
+
+/* Are all its subscripts affine in the counter, and all else in it invariant? */
+static bool is_affine_row(const judgement *j, const ir_node *row) {
+    switch (row->kind) {
+    case IR_VARIABLE:
+        return ir_type_is_scalar(row->type) ? variation_is_invariant(j->an->facts, j->loop, row)
+                                            : variation_is_fixed(j->an->facts, j->loop, row);
+    case IR_INDEX:
+        if (!variation_affine(j->an->facts, j->loop, j->counted.counter, row->children[1])
+                 .is_affine)
+            return false;
+        return is_affine_row(j, row->children[0]);
+    case IR_MEMBER:
+    case IR_CAST:
+        return is_affine_row(j, row->children[0]);
+    case IR_UNARY:
+        return (row->op == IR_OP_DEREFERENCE || row->op == IR_OP_ADDRESS) &&
+               is_affine_row(j, row->children[0]);
+    case IR_BINARY:
+        return (row->op == IR_OP_ADD || row->op == IR_OP_SUBTRACT) &&
+               is_affine_row(j, row->children[0]) &&
+               variation_affine(j->an->facts, j->loop, j->counted.counter, row->children[1])
+                   .is_affine;
+    default:
+        return false;
+    }
+}
+
+/* A pointer read from memory at an address that moves: row then jumps. */
+static bool has_moving_load(const judgement *j, const ir_node *row) {
+    for (unsigned i = 0; i < row->child_count; i++) {
+        const ir_node *child = row->children[i];
+        bool is_load = child->kind != IR_VARIABLE && expression_is_lvalue(child) && child->type &&
+                       child->type->kind != IR_ARRAY &&
+                       !(row->kind == IR_UNARY && row->op == IR_OP_ADDRESS) &&
+                       !(row->kind == IR_MEMBER && !(row->flags & IR_ARROW));
+        if (is_load && (!variation_is_invariant(j->an->facts, j->loop, child) ||
+                        expression_mentions(child, j->counted.counter)))
+            return true;
+        if (has_moving_load(j, child))
+            return true;
+    }
+    return false;
+}
+
+static bool is_invariant_row(const judgement *j, const ir_node *row) {
+    return variation_is_fixed(j->an->facts, j->loop, row) &&
+           !expression_mentions(row, j->counted.counter);
+}
+
+/* The base of a source: a pointer whose value, or an object whose address, stays. */
+static bool is_fixed_base(const judgement *j, const ir_node *base) {
+    if (expression_mentions(base, j->counted.counter))
+        return false;
+    return base->type && ir_type_is_scalar(base->type)
+               ? variation_is_invariant(j->an->facts, j->loop, base) ||
+                     (base->type->kind != IR_POINTER &&
+                      variation_is_fixed(j->an->facts, j->loop, base))
+               : variation_is_fixed(j->an->facts, j->loop, base);
+}
+
+/* Is the address of `row` computed before the loop without doing what the program would not have
+ * done: by variables alone, or in each iteration anyway? */
+static bool is_safe_before(const judged_access *read, const ir_node *row) {
+    return !read->access.is_conditional || slice_is_safe_anywhere(row);
+}
+
+static bool can_be_spelled(const judgement *j, const ir_node *row) {
+    return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
+}
+
+/* A bit-field has no address: the object that it is a member of does, which holds more bytes than
+ * are read. */
+static const ir_node *extent_of_bit_field(const ir_node *row, bool of_contents) {
+    if (row->kind != IR_MEMBER || !row->field || !row->field->is_bit_field)
+        return row;
+    return of_contents || row->flags & IR_ARROW ? NULL : row->children[0];
+}
+
+static bool may_fall_below(const row_address *address, const ir_variable *counter) {
+    for (unsigned i = 0; i < address->term_count; i++)
+        if (exact_may_wrap(address->terms[i].subscript, counter) &&
+            exact_may_fall_below(address->terms[i].subscript, counter))
+            return true;
+    return false;
+}
+
+static bool may_wrap(const row_address *address, const ir_variable *counter) {
+    for (unsigned i = 0; i < address->term_count; i++)
+        if (exact_may_wrap(address->terms[i].subscript, counter))
+            return true;
+    return false;
+}
+
+static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) {
+    if (row->type && row->type->kind == IR_INTEGER)
+        return exact_may_wrap(row, counter);
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (subscripts_may_wrap(row->children[i], counter))
+            return true;
+    return false;
+}
+
+/* The ends of a row that moves one way. In iterations that do not read it the subscript may be
+ * anything: `x[t - 1]` where t is 0. Where that is likely and no condition on the counter says
+ * which iterations these are, the inspector finds what is read (`can_be_told`). */
+static bool plan_affine(const judgement *j, const judged_access *read, bool can_be_told,
+                        source_plan *plan) {
+    const ir_variable *counter = j->counted.counter;
+    loop_source *item = &plan->source;
+    row_address address;
+    const bool is_known = row_address_of(item->row, &address);
+    item->extent = EXTENT_AFFINE;
+    item->is_sometimes = read->access.is_conditional;
+    item->is_checked = item->is_sometimes || (is_known ? may_wrap(&address, counter)
+                                                       : subscripts_may_wrap(item->row, counter));
+    if (item->is_checked && !is_known)
+        return false;
+    if (item->is_sometimes)
+        item->limit_count = executed_limits(j, read->access.node, &item->limits);
+    return !item->is_sometimes || item->limit_count || !can_be_told ||
+           !may_fall_below(&address, counter);
+}
+
+/* Where the row lies is known before the inspection. */
+static bool plan_known(const judgement *j, const judged_access *read, bool can_be_told,
+                       source_plan *plan) {
+    row_address address;
+    plan->is_possible = true;
+    plan->source.extent = EXTENT_INVARIANT;
+    plan->source.is_sometimes = read->access.is_conditional;
+    if (is_invariant_row(j, plan->source.row))
+        return !plan->source.is_sometimes || row_address_of(plan->source.row, &address);
+    return is_affine_row(j, plan->source.row) && plan_affine(j, read, can_be_told, plan);
+}
+
+/* The inspector tells where the row lies. */
+static source_plan plan_touched(const judgement *j, const judged_access *read, loop_source item,
+                                bool of_contents) {
+    const ir_node *node = read->access.node;
+    const ir_node *place = slice_place(j, node);
+    item.extent = EXTENT_TOUCHED;
+    item.place = place;
+    item.is_ahead = read->access.is_behind || (place && slice_is_ahead(node, place));
+    if (read->access.is_behind && !item.loop_count && !slice_is_safe_here(j, item.row, true))
+        return (source_plan){false, item}; /* the row may not be there where the call reads none */
+    const bool is_safe = item.base
+                             ? !read->access.is_conditional || base_can_be_read_before(j, item.base)
+                             : !of_contents && update_table_of(j, read->where.base);
+    return (source_plan){is_safe && slice_can_tell(j, &item, node, place), item};
+}
+
+/* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
+ * ones only. The object may end there. */
+static bool may_reach_beyond(const judged_access *read, const ir_node *row) {
+    return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
+           row->children[0]->kind == IR_CAST;
+}
+
+source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
+    source_plan plan = {0};
+    if (!read->access.lvalue || !read->access.is_exact || !read->where.base ||
+        read->where.is_of_locale)
+        return plan;
+    const ir_node *row = extent_of_bit_field(access_extent(read->access.lvalue), of_contents);
+    if (!row || !can_be_spelled(j, row) || !row->type || row->type->kind == IR_OTHER_TYPE)
+        return plan;
+    if (of_contents && may_reach_beyond(read, row))
+        return plan;
+    const ir_node *base = read->where.base;
+    bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
+    plan.source = (loop_source){.name = expression_text(j->an->memory, base),
+                                .base = base_is_fixed ? base : NULL,
+                                .row = row,
+                                .loop_count = read->access.loop_count,
+                                .loops = read->access.loops};
+    const source_plan touched = plan_touched(j, read, plan.source, of_contents);
+    bool is_certain = !of_contents || !read->access.is_conditional;
+    if (is_certain && !read->access.loop_count && is_safe_before(read, row) &&
+        !has_moving_load(j, row) && plan_known(j, read, touched.is_possible, &plan))
+        return plan;
+    return touched;
+}
+
+/* `k = find(...);` in a block: the variable, and the statement after, where it has its value. */
+static const ir_node *result_variable(const ir_node *call, const ir_node **after) {
+    const ir_node *assignment = call->parent;
+    const ir_node *statement = assignment ? assignment->parent : NULL;
+    if (!statement || assignment->kind != IR_ASSIGN || assignment->op != IR_OP_NONE ||
+        assignment->children[1] != call || assignment->children[0]->kind != IR_VARIABLE ||
+        !ir_type_equal(assignment->children[0]->type, call->type) ||
+        statement->kind != IR_EXPRESSION || !statement->parent ||
+        statement->parent->kind != IR_BLOCK)
+        return NULL;
+    const ir_node *block = statement->parent;
+    for (unsigned i = 0; i + 1 < block->child_count; i++)
+        if (block->children[i] == statement) {
+            *after = block->children[i + 1];
+            return assignment->children[0];
+        }
+    return NULL;
+}
+
+/* The last element that a search reads: told by the variable that keeps the result, so that the
+ * inspector need not search twice, or else by the call. */
+static bool plan_found(const judgement *j, const judged_access *read, source_plan *plan) {
+    const ir_node *after = NULL;
+    const ir_node *variable = result_variable(read->access.node, &after);
+    if (!variable || after->kind != IR_EXPRESSION)
+        return false;
+    ir_node *row = ir_substitute(j->an->memory, read->access.from, NULL, NULL);
+    row->children[1] = ir_substitute(j->an->memory, variable, NULL, NULL);
+    row->children[1]->parent = row;
+    plan->source.row = row;
+    plan->source.place = after;
+    return slice_can_tell(j, &plan->source, read->access.node, after);
+}
+
+static bool plan_search_end(const judgement *j, const judged_access *read, const ir_node *row,
+                            source_plan *plan) {
+    const ir_node *base = read->where.base;
+    const ir_node *place = slice_place(j, read->access.node);
+    plan->source = (loop_source){.name = expression_text(j->an->memory, base),
+                                 .base = base,
+                                 .row = row,
+                                 .extent = EXTENT_TOUCHED,
+                                 .place = place,
+                                 .is_subscript = true,
+                                 .needs_guard = read->needs_guard};
+    plan->is_possible = slice_can_tell(j, &plan->source, read->access.node, place);
+    return plan->is_possible;
+}
+
+bool source_plans_of_search(const judgement *j, const judged_access *read, source_plan *first,
+                            source_plan *last) {
+    const ir_node *base = read->where.base;
+    const ir_node *call = read->access.node;
+    if (!base || !is_fixed_base(j, base) || !can_be_spelled(j, base) ||
+        !base_can_be_read_before(j, base) || !can_be_spelled(j, read->access.from))
+        return false;
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (!expression_is_plain(call->children[i]))
+            return false;
+    if (!plan_search_end(j, read, read->access.from, first) ||
+        !plan_search_end(j, read, read->access.to, last))
+        return false;
+    source_plan kept = *last;
+    if (plan_found(j, read, &kept))
+        *last = kept;
+    return true;
+}
+
+/* ---- reads against arrays ---------------------------------------------------------------------
+ */
+
+/* A variable of the iteration, or one that no pointer leads to: nothing in the loop changes it
+ * behind the text. */
+static bool is_unreachable(const judgement *j, const location *where) {
+    const ir_variable *object = where->object;
+    if (!object || !variable_is_automatic(object) || object->function != j->function)
+        return false;
+    for (unsigned i = 0; i < j->arrays.count; i++)
+        if (j->arrays.items[i].where.object == object)
+            return false;
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == object)
+            return true;
+    const ir_node *declarator = variable_fact_of(j->an->facts, object)->declarator;
+    bool is_inside = declarator && ir_contains(j->loop, declarator);
+    return is_inside || !variable_escapes(j->an->facts, object);
+}
+
+/* Is the lvalue read whenever the expression is evaluated? */
+static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
+    if (expression_same(expression, lvalue))
+        return true;
+    const bool is_partly = expression->kind == IR_CONDITIONAL ||
+                           (expression->kind == IR_BINARY &&
+                            (expression->op == IR_OP_AND || expression->op == IR_OP_OR));
+    if (expression->kind == IR_SIZEOF || expression->kind == IR_OPAQUE)
+        return false;
+    for (unsigned i = 0; i < (is_partly ? 1 : expression->child_count); i++)
+        if (is_read_by(lvalue, expression->children[i]))
+            return true;
+    return false;
+}
+
+/* Does the update read the element, as what it is, before it writes it? Then the element is of that
+ * type already, and nothing that is read before as another. */
+static bool reads_first(const judgement *j, const access *update) {
+    const update_form *form = &update->form;
+    if (update->kind == ACCESS_UPDATE && form->has_operator)
+        return true;
+    if (update->callee)
+        return false;
+    if (update->kind == ACCESS_UPDATE && form->value && is_read_by(form->target, form->value))
+        return true;
+    for (unsigned i = 0; i < j->updates.count; i++) {
+        const ir_node *statement = j->updates.items[i].statement;
+        if (statement->kind == IR_IF && ir_contains(statement, update->node))
+            return is_read_by(update->lvalue, statement->children[0]);
+    }
+    return false;
+}
+
+/* Against every update of the array: they may be of different fields. */
+static overlap overlap_with_array(const judgement *j, const judged_access *read, unsigned array) {
+    overlap worst = OVERLAP_NO;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *update = &j->accesses[i];
+        if (update->class != CLASS_REDUCTION || update->array != array)
+            continue;
+        overlap meets = reads_first(j, &update->access)
+                            ? locations_overlap(&j->an->rules, &read->where, &update->where)
+                            : locations_overlap_store(&j->an->rules, &read->where, &update->where);
+        if (meets > worst)
+            worst = meets;
+    }
+    return worst;
+}
+
+static bool refuse_callee(judgement *j, const judged_access *read) {
+    const char *what = read->access.lvalue ? judgement_name(j, read->access.lvalue) : NULL;
+    const char *name = what ? arena_format(j->an->memory, "'%s', by its read of '%s',",
+                                           read->access.callee->name, what)
+                            : arena_format(j->an->memory, "'%s', by a pointer not followed,",
+                                           read->access.callee->name);
+    return judgement_refuse(j, REASON_CALLEE_READS, read->access.node, name);
+}
+
+static bool refuse_overlap(judgement *j, const judged_access *read, const judged_array *array) {
+    if (read->access.callee)
+        return refuse_callee(j, read);
+    return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
+}
+
+/* The extent can be told, or the loop is refused. */
+static bool judge_guard(judgement *j, judged_access *read) {
+    if (source_plan_of(j, read, false).is_possible) {
+        read->needs_guard = true;
+        return true;
+    }
+    if (read->access.callee)
+        return refuse_callee(j, read);
+    return judgement_refuse(j, REASON_MAY_ALIAS, read->access.node,
+                            judgement_name(j, read->access.lvalue));
+}
+
+static bool hangs_on(const location *a, const location *b) {
+    if (a->object || b->object)
+        return a->object == b->object;
+    return a->pointer && b->pointer && expression_same(a->pointer, b->pointer);
+}
+
+/* rows[i][c] read and rows[k][c] updated: the rows are those of one table, and lie in each other's
+ * way at least where i == k. */
+static bool is_of_same_table(const judgement *j, const judged_access *read,
+                             const judged_array *array) {
+    const ir_node *x = read->where.pointer, *y = array->where.pointer;
+    if (!array->array.is_scattered || !x || !y || x->kind != y->kind ||
+        (x->kind == IR_MEMBER && x->field != y->field))
+        return false;
+    const ir_node *table = update_table_of(j, x);
+    return table && expression_same(table, array->array.base);
+}
+
+bool judge_sources(judgement *j) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        judged_access *read = &j->accesses[i];
+        if (read->access.kind != ACCESS_READ || read->class == CLASS_SELF ||
+            read->class == CLASS_FORWARDED)
+            continue;
+        if (is_unreachable(j, &read->where)) {
+            read->class = CLASS_SCALAR;
+            continue;
+        }
+        read->class = CLASS_SHARED;
+        bool needs_guard = false;
+        for (unsigned k = 0; k < j->arrays.count; k++) {
+            judged_array *array = &j->arrays.items[k];
+            overlap meets = overlap_with_array(j, read, k);
+            if (meets == OVERLAP_SAME ||
+                (meets == OVERLAP_MAYBE && is_of_same_table(j, read, array)))
+                return refuse_overlap(j, read, array);
+            if (hangs_on(&read->where, &array->where))
+                array->array.is_interleaved = true; /* another field, read through the same base */
+            needs_guard |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
+        }
+        if (needs_guard && !judge_guard(j, read))
+            return false;
+    }
+    return true;
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Secondary induction variables: integers that each iteration moves by the same constant. */
+#ifndef ANALYSIS_INDUCTION_H
+#define ANALYSIS_INDUCTION_H
+
+#include "analysis/loop/judgement.h"
+
+/** Is the variable moved by one constant in each iteration: by `v++`, `v += c` and the like alone,
+ *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
+ *  the value that it has when an iteration begins; false: not, and nothing is changed. */
+bool induction_take(judgement *j, const ir_variable *variable);
+
+/** Takes what the header steps beside the counter: for (...; i++, q += 3). False: refused. */
+bool judge_header_steps(judgement *j);
+
+#endif

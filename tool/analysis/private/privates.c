@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Variables of the loop that are no arrays of its: private ones with their last values, and those
+ * that are only read. */
+#include "analysis/private/privates.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/private/live.h"
+
+/* k = e; as a statement, of which a copy can be followed by a note of when that was. */
+static bool is_statement(const ir_node *write, const ir_variable *variable) {
+    const ir_node *target = expression_written(write);
+    const ir_node *statement = write->parent;
+    return target && target->kind == IR_VARIABLE && target->variable == variable &&
+           (write->kind == IR_ASSIGN || write->kind == IR_UNARY) && statement &&
+           statement->kind == IR_EXPRESSION && statement->range.begin < statement->range.end &&
+           !(statement->parent->kind == IR_FOR && statement->parent->children[3] != statement);
+}
+
+/* Is every assignment in the loop such a statement? */
+static bool is_assigned_by_statements(const judgement *j, const ir_variable *variable) {
+    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    if (!ir_type_is_scalar(variable->type) || variable->type->is_volatile ||
+        variable->type->is_atomic)
+        return false;
+    for (unsigned i = 0; i < fact->writes.count; i++)
+        if (ir_contains(j->loop, fact->writes.items[i]) &&
+            !is_statement(fact->writes.items[i], variable))
+            return false;
+    return true;
+}
+
+static bool judge_last_value(judgement *j, private_variable *item) {
+    const ir_variable *variable = item->variable;
+    if (item->is_declared_inside || item->is_stepped)
+        return true;
+    if (variable_escapes(j->an->facts, variable))
+        return judgement_refuse(j, REASON_ESCAPES, j->loop, variable->name);
+    if (!variable_is_live_after(j->an->facts, j->loop, variable))
+        return true;
+    private_result result = must_write_check(j->an->prover, j->counted.body, variable);
+    item->is_live_after = result.assigned_at_end;
+    item->is_last_sought = !result.assigned_at_end && is_assigned_by_statements(j, variable);
+    return item->is_live_after || item->is_last_sought ||
+           judgement_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
+}
+
+static bool is_known(const judgement *j, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->captured.count; i++)
+        if (j->captured.items[i] == variable)
+            return true;
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (j->privates.items[i].variable == variable)
+            return true;
+    for (unsigned i = 0; i < j->scalars.count; i++)
+        if (j->scalars.items[i].variable == variable)
+            return true;
+    return variable == j->counted.counter;
+}
+
+/* Is a const variable named that may hold the address of a static object? gcc puts what it was
+ * initialised with in its place, `&deleted`, which would then be the address of a copy. */
+static bool names_constant_address(const ir_node *node) {
+    const ir_type *type = node->kind == IR_VARIABLE ? node->variable->type : NULL;
+    if (type && type->is_const && node->variable->storage != IR_PARAMETER &&
+        (type->kind == IR_POINTER || (type->kind == IR_INTEGER && type->size == 8)))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (names_constant_address(node->children[i]))
+            return true;
+    return false;
+}
+
+/* Of a record or scalar that the loop only reads each thread may have a copy, unless the loop asks
+ * for its address: `if (entry[t] == &deleted)`. */
+static bool may_be_copied(const judgement *j, const ir_variable *variable) {
+    if (variable_written_in(j->an->facts, j->loop, variable) ||
+        (!variable_is_automatic(variable) && names_constant_address(j->loop)))
+        return false;
+    if (variable->type->kind != IR_RECORD)
+        return ir_type_is_scalar(variable->type);
+    return !variable->address_taken && variable->storage != IR_THREAD_LOCAL;
+}
+
+/* The address of this thread's own object, which other threads would not name by it. */
+static bool takes_thread_local_address(const judgement *j, const ir_variable *variable) {
+    return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
+           variable_written_in(j->an->facts, j->loop, variable);
+}
+
+static bool capture(ir_node *node, void *context) {
+    judgement *j = context;
+    ir_variable *variable = node->variable;
+    if (node->kind != IR_VARIABLE || !variable || is_known(j, variable))
+        return true;
+    if (takes_thread_local_address(j, variable))
+        return judgement_refuse(j, REASON_THREAD_LOCAL, node, variable->name);
+    if (!may_be_copied(j, variable))
+        return true;
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    if (!declarator || !ir_contains(j->loop, declarator))
+        VECTOR_PUSH(j->an->memory, &j->captured, variable);
+    return true;
+}
+
+bool judge_privates(judgement *j) {
+    for (unsigned i = 0; i < j->privates.count; i++)
+        if (!judge_last_value(j, &j->privates.items[i]))
+            return false;
+    ir_walk((ir_node *)j->counted.body, capture, j);
+    ir_walk((ir_node *)j->counted.bound, capture, j);
+    j->counter_is_live_after = !j->counted.counter_is_declared_in_header &&
+                               (j->counted.counter->address_taken ||
+                                variable_is_live_after(j->an->facts, j->loop, j->counted.counter));
+    return j->why.id == REASON_NONE;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The spellings of a minimum and a maximum: if (R < v) R = v, R = v < R ? v : R, R = fmax(R, v).
+ */
+#ifndef ANALYSIS_EXTREMUM_H
+#define ANALYSIS_EXTREMUM_H
+
+#include "analysis/base/facts.h"
+
+typedef struct extremum {
+    const ir_node *target; /* NULL: the node is of none of these forms */
+    bool has_operator;     /* what is compared is what is stored: it is `op` */
+    reduction_operator op; /* REDUCTION_MINIMUM or REDUCTION_MAXIMUM */
+    bool commutes;         /* on integers of one type: the order of the updates does not matter. Of
+                              floating values it does, where one is NaN or zeros differ in sign */
+} extremum;
+
+/** Looks at an IR_IF or IR_ASSIGN; any other node has no target. */
+extremum extremum_of(const ir_node *node);
+
+#endif

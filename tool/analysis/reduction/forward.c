@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * A read may take the stored value where
+ * - it stands below the store in the block of the store, so that the store was executed before it
+ *   in this iteration, and is the same expression, of which nothing changes in between;
+ * - nothing else that the loop writes can be that element: by proof, for the guards of the run time
+ *   compare what is read with each array, this one included;
+ * - it is in the text, where another name can be put in its place.
+ * What other expressions read of the array is judged as ever: the same memory refuses the loop, and
+ * what may be the same is guarded.
+ */
+#include "analysis/reduction/forward.h"
+
+#include "analysis/base/expression.h"
+
+static bool has_type(const ir_type *type) {
+    return type && type->spelling && !type->is_volatile && !type->is_atomic &&
+           (type->kind == IR_INTEGER || type->kind == IR_FLOATING || type->kind == IR_COMPLEX ||
+            type->kind == IR_BOOLEAN);
+}
+
+/* Constants, and variables that nothing but the text can change. */
+static bool is_simple_subscript(const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return variable_is_automatic(node->variable) && !node->variable->address_taken &&
+               ir_type_is_scalar(node->type) && !node->type->is_volatile;
+    if (node->kind != IR_NUMBER && node->kind != IR_CAST && node->kind != IR_BINARY &&
+        (node->kind != IR_UNARY || node->op == IR_OP_DEREFERENCE || node->op == IR_OP_ADDRESS))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_simple_subscript(node->children[i]))
+            return false;
+    return expression_is_plain(node);
+}
+
+/* o[t], s->o[t].x, o[t][c]: only its subscripts change from one place to another. That the pointers
+ * on the way stay is judged of each array's base. */
+static bool is_simple_element(const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return true;
+    case IR_INDEX:
+        return is_simple_subscript(node->children[1]) && is_simple_element(node->children[0]);
+    case IR_MEMBER:
+        return is_simple_element(node->children[0]);
+    default:
+        return false;
+    }
+}
+
+/* Does anything at or below the node assign a variable of the subscripts? */
+static bool moves(const judgement *j, const ir_node *element, const ir_node *node) {
+    if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
+        variable_written_in(j->an->facts, node, element->variable))
+        return true;
+    for (unsigned i = 0; i < element->child_count; i++)
+        if (moves(j, element->children[i], node))
+            return true;
+    return false;
+}
+
+/* A way into the statement other than from its beginning: a label of a switch around it. */
+static bool has_entry(const ir_node *node) {
+    if (node->kind == IR_CASE || node->kind == IR_DEFAULT || node->kind == IR_LABEL)
+        return true;
+    for (unsigned i = 0; node->kind != IR_SWITCH && i < node->child_count; i++)
+        if (has_entry(node->children[i]))
+            return true;
+    return false;
+}
+
+static const ir_node *value_of(const judged_access *store) {
+    const ir_node *assignment = store->access.lvalue->parent;
+    return assignment && assignment->kind == IR_ASSIGN && assignment->op == IR_OP_NONE &&
+                   assignment->children[0] == store->access.lvalue
+               ? assignment->children[1]
+               : NULL;
+}
+
+/* The statement, in a block whose statements from there on are all passed in order, and leave the
+ * element's address as it is; or NULL. */
+static const ir_node *statement_of(const judgement *j, const judged_access *store) {
+    const ir_node *target = store->access.lvalue;
+    const ir_node *statement = value_of(store) ? target->parent->parent : NULL;
+    if (store->access.callee || store->access.kind != ACCESS_WRITE || !statement ||
+        statement->kind != IR_EXPRESSION || !has_type(target->type) ||
+        target->kind == IR_VARIABLE || !is_simple_element(target))
+        return NULL;
+    const ir_node *block = statement->parent;
+    if (!block || block->kind != IR_BLOCK || !ir_contains(j->counted.body, block))
+        return NULL;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *later = block->children[i];
+        if (later->id >= statement->id && later != j->counted.increment &&
+            !(j->counted.increment && ir_contains(later, j->counted.increment)) &&
+            (has_entry(later) || moves(j, target, later)))
+            return NULL;
+    }
+    return statement;
+}
+
+static bool is_below(const ir_node *statement, const ir_node *node) {
+    while (node && node->parent != statement->parent)
+        node = node->parent;
+    return node && node->id > statement->id;
+}
+
+/* A read that may take the value stored. */
+static bool is_taker(const judged_access *read, const ir_node *statement, const ir_node *target) {
+    return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
+           read->access.lvalue == read->access.node && read->access.is_exact &&
+           expression_same(read->access.lvalue, target) && is_below(statement, read->access.node);
+}
+
+/* Is each access that may be of the element a taker, or the store itself? */
+static bool is_alone(const judgement *j, const judged_access *store, const ir_node *statement) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other == store || is_taker(other, statement, store->access.lvalue))
+            continue;
+        const overlap meets = locations_overlap(&j->an->rules, &other->where, &store->where);
+        if (other->access.kind == ACCESS_READ ? meets == OVERLAP_SAME : meets != OVERLAP_NO)
+            return false;
+    }
+    return true;
+}
+
+/* Does the expression stand for nothing but the value wherever it is written: not for an address,
+ * and only where it is known to be read? */
+static bool is_read_everywhere(const judgement *j, const ir_node *statement, const ir_node *target,
+                               const ir_node *node) {
+    if (node != target && expression_same(node, target)) {
+        for (unsigned i = 0; i < j->access_count; i++)
+            if (j->accesses[i].access.node == node && is_taker(&j->accesses[i], statement, target))
+                return true;
+        return false;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_read_everywhere(j, statement, target, node->children[i]))
+            return false;
+    return true;
+}
+
+bool forward_take(judgement *j, const judged_access *store) {
+    const ir_node *target = store->access.lvalue;
+    const ir_node *statement = statement_of(j, store);
+    if (!statement || !is_alone(j, store, statement) ||
+        !is_read_everywhere(j, statement, target, j->loop))
+        return false;
+    for (unsigned i = 0; i < j->access_count; i++)
+        if (is_taker(&j->accesses[i], statement, target))
+            j->accesses[i].class = CLASS_FORWARDED;
+    const forwarded_store item = {statement, target, value_of(store)};
+    VECTOR_PUSH(j->an->memory, &j->forwards, item);
+    return true;
+}
+
+int forward_read(const judgement *j, const ir_node *node) {
+    for (unsigned i = 0; i < j->forwards.count; i++)
+        if (node != j->forwards.items[i].target &&
+            expression_same(node, j->forwards.items[i].target))
+            return (int)i;
+    return -1;
+}

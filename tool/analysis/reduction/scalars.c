@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * The value of a scalar that the loop accumulates into does not matter while the loop runs, where
+ * nothing else reads it: only the operands do. Each iteration keeps its own; after the loop they
+ * are applied one after the other, which gives what the sequential loop gives, bit for bit.
+ * Integers may be put together within an iteration as well: modulo 2^64 their sums do not depend on
+ * the order.
+ */
+#include "analysis/reduction/scalars.h"
+
+#include "analysis/base/expression.h"
+
+static bool is_operator(ir_operator op) {
+    return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY || op == IR_OP_BIT_AND ||
+           op == IR_OP_BIT_OR || op == IR_OP_BIT_XOR;
+}
+
+static bool is_variable(const ir_node *node, const ir_variable *variable) {
+    return node->kind == IR_VARIABLE && node->variable == variable;
+}
+
+/* s op= e, s = s op e, s = e + s, s++: fills operator and operand. */
+static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_update *found) {
+    if (assignment->kind == IR_UNARY) {
+        found->op = assignment->op == IR_OP_PRE_INCREMENT || assignment->op == IR_OP_POST_INCREMENT
+                        ? IR_OP_ADD
+                        : IR_OP_SUBTRACT;
+        return assignment->op >= IR_OP_PRE_INCREMENT && assignment->op <= IR_OP_POST_DECREMENT;
+    }
+    if (assignment->kind != IR_ASSIGN)
+        return false;
+    const ir_node *value = assignment->children[1];
+    found->op = assignment->op;
+    found->value = value;
+    if (assignment->op == IR_OP_NONE && value->kind == IR_BINARY) {
+        bool is_left = is_variable(value->children[0], s);
+        bool is_right = is_variable(value->children[1], s) &&
+                        (value->op == IR_OP_ADD || value->op == IR_OP_MULTIPLY);
+        if (!is_left && !is_right)
+            return false;
+        found->op = value->op;
+        found->value = value->children[is_left ? 1 : 0];
+    }
+    return is_operator(found->op) && !expression_mentions(found->value, s);
+}
+
+static bool is_narrow_floating(const ir_type *type) {
+    return type->kind == IR_FLOATING && (type->size == 4 || type->size == 8);
+}
+
+/* The type in which the operation is made: what the operand is converted to by it. Of integers all
+ * that counts is the operand modulo 2^64. */
+static bool find_operand_type(const ir_variable *s, scalar_update *found) {
+    const ir_type *value = found->value ? found->value->type : NULL;
+    bool value_is_integer =
+        !found->value || (value && (value->kind == IR_INTEGER || value->kind == IR_BOOLEAN));
+    if (s->type->is_volatile || s->type->is_atomic)
+        return false;
+    if (s->type->kind == IR_INTEGER) {
+        found->operand = OPERAND_INTEGER;
+        return value_is_integer && s->type->size <= 8 && (!value || value->size <= 8);
+    }
+    if (!is_narrow_floating(s->type) ||
+        (found->op != IR_OP_ADD && found->op != IR_OP_SUBTRACT && found->op != IR_OP_MULTIPLY))
+        return false;
+    if (!value_is_integer && (!value || !is_narrow_floating(value)))
+        return false;
+    bool is_double =
+        s->type->size == 8 || (value && value->kind == IR_FLOATING && value->size == 8);
+    found->operand = is_double ? OPERAND_DOUBLE : OPERAND_FLOAT;
+    return true;
+}
+
+/* do { ... } while (0), as macros have it. */
+static bool is_executed_once(const ir_node *loop) {
+    int64_t again;
+    return loop->kind == IR_DO && expression_constant(loop->children[1], &again) && !again;
+}
+
+/* At most once in each iteration. */
+static bool is_outside_inner_loops(const judgement *j, const ir_node *statement) {
+    for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
+        if (!outer || (ir_is_loop(outer) && !is_executed_once(outer)))
+            return false;
+    return true;
+}
+
+static bool has_other_write(const judgement *j, const ir_node *statement,
+                            const judged_access *write) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other != write && other->access.kind != ACCESS_READ &&
+            ir_contains(statement, other->access.node))
+            return true;
+    }
+    return false;
+}
+
+bool scalar_take_update(judgement *j, judged_access *write) {
+    const ir_node *target = write->access.lvalue;
+    if (write->access.callee || !target || target->kind != IR_VARIABLE || !target->parent)
+        return false;
+    const ir_node *assignment = target->parent;
+    const ir_node *statement = assignment->parent;
+    const ir_variable *s = target->variable;
+    scalar_update found = {.variable = target->variable, .statement = statement};
+    if (!statement || statement->kind != IR_EXPRESSION || ir_value_is_used(assignment) ||
+        statement->range.begin >= statement->range.end || !recognise(assignment, s, &found) ||
+        !find_operand_type(s, &found) || has_other_write(j, statement, write))
+        return false;
+    found.is_repeated = !is_outside_inner_loops(j, statement);
+    if (found.is_repeated && found.operand != OPERAND_INTEGER)
+        return false;
+    const ir_node *declarator = variable_fact_of(j->an->facts, s)->declarator;
+    if (s->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator)))
+        return false;
+    found.is_conditional = write->access.is_conditional || found.is_repeated;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        judged_access *read = &j->accesses[i];
+        if (read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
+            is_variable(read->access.lvalue, s) && ir_contains(statement, read->access.node))
+            read->class = CLASS_SELF;
+    }
+    write->class = CLASS_SELF;
+    VECTOR_PUSH(j->an->memory, &j->scalars, found);
+    return true;
+}
+
+static bool is_own_access(const judged_access *a, const ir_variable *s) {
+    return a->class == CLASS_SELF && a->access.lvalue && is_variable(a->access.lvalue, s);
+}
+
+/* Additions and subtractions commute with each other; else an operator does with itself alone. */
+static bool commute(ir_operator a, ir_operator b) {
+    const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
+    return a == b || (is_sum && (b == IR_OP_ADD || b == IR_OP_SUBTRACT));
+}
+
+/* What an iteration puts together must commute with all else that is done to the scalar. */
+static bool judge_repeated(judgement *j, const scalar_update *repeated) {
+    for (unsigned i = 0; i < j->scalars.count; i++) {
+        const scalar_update *other = &j->scalars.items[i];
+        if (other->variable == repeated->variable && !commute(other->op, repeated->op))
+            return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+                                    other->variable->name);
+    }
+    return true;
+}
+
+bool judge_scalars(judgement *j) {
+    for (unsigned k = 0; k < j->scalars.count; k++) {
+        const scalar_update *update = &j->scalars.items[k];
+        if (update->is_repeated && !judge_repeated(j, update))
+            return false;
+        const ir_node *assignment = update->statement->children[0];
+        location where = location_of(j->an->facts, assignment->children[0], j->loop);
+        for (unsigned i = 0; i < j->access_count; i++) {
+            const judged_access *a = &j->accesses[i];
+            if (!is_own_access(a, update->variable) &&
+                locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
+                return judgement_refuse(j, REASON_SCALAR_CARRIED, a->access.node,
+                                        update->variable->name);
+        }
+    }
+    return true;
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Scalars that a loop accumulates into beside its arrays: s += e, s -= e, s = s * e, count++. */
+#ifndef ANALYSIS_SCALARS_H
+#define ANALYSIS_SCALARS_H
+
+#include "analysis/loop/judgement.h"
+
+/** Takes the write as an update of a scalar whose operands are kept for each iteration and applied
+ *  in order after the loop. False: it is none; nothing is changed. */
+bool scalar_take_update(judgement *j, judged_access *write);
+
+/** To be asked when all writes are judged: nothing else of the loop reads or writes the scalars. */
+bool judge_scalars(judgement *j);
+
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/reduction/update_array.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/loop/bases.h"
+#include "analysis/loop/variation.h"
+
+/* ---- the base ------------------------------------------------------------------------------- */
+
+/* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: found through the definition.
+ */
+bool update_is_by_local_pointer(const judgement *j, const judged_access *update) {
+    const ir_node *target = update->access.form.target;
+    const ir_node *base = update->where.base;
+    const ir_variable *root = ir_root_variable(target);
+    return base && !ir_contains(target, base) && ir_contains(j->counted.body, base) && root &&
+           root->type->kind == IR_POINTER && variable_single_definition(j->an->facts, root);
+}
+
+static bool stays(const judgement *j, const ir_node *base) {
+    return base->type && base->type->kind == IR_ARRAY
+               ? variation_is_fixed(j->an->facts, j->loop, base)
+               : variation_is_invariant(j->an->facts, j->loop, base);
+}
+
+/* A table of the function's own into which the loop stores pointers: each iteration may have its
+ * own, computed from what is not compared when a plan is used again. */
+static bool is_filled_here(const judgement *j, const ir_node *table) {
+    const ir_variable *root = ir_root_variable(table);
+    for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
+        const judged_access *a = &j->accesses[i];
+        const ir_type *type = a->access.type ? ir_type_innermost(a->access.type) : NULL;
+        const bool may_be_pointer =
+            !type || (type->kind != IR_INTEGER && type->kind != IR_FLOATING) || type->size == 1;
+        if (a->access.kind != ACCESS_READ && a->where.object == root && may_be_pointer)
+            return true;
+    }
+    return false;
+}
+
+const ir_node *update_table_of(const judgement *j, const ir_node *base) {
+    enum { MOST_POINTERS = 8 };
+    const ir_node *table = base;
+    for (unsigned i = 0; table && i <= MOST_POINTERS; i++) {
+        if (stays(j, table))
+            return table == base || is_filled_here(j, table) ? NULL : table;
+        if (table->kind != IR_INDEX && table->kind != IR_MEMBER)
+            return NULL;
+        const location where = location_of(j->an->facts, table, j->loop);
+        if (where.is_punned || where.has_union || where.base == table)
+            return NULL;
+        table = where.base;
+    }
+    return NULL;
+}
+
+/* The elements are found anew in each iteration, through pointers out of a table that stays.
+ * What is written there is asked for by its address; nothing of it is evaluated before the
+ * loop. */
+static bool judge_table(judgement *j, const ir_node *base, const ir_node *target,
+                        const char *name) {
+    const ir_node *table = update_table_of(j, base);
+    if (!table)
+        return judgement_refuse(
+            j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES, target, name);
+    if (!ir_type_is_scalar(target->type)) /* an owner might have a part of it only */
+        return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
+    return true;
+}
+
+bool update_judge_base(judgement *j, const judged_access *update, const char *name) {
+    const ir_node *target = update->access.form.target;
+    const location *where = &update->where;
+    if (where->is_punned)
+        return judgement_refuse(j, REASON_TYPE_PUNNED, target, name);
+    if (!where->base || where->base == target || (!where->object && !where->pointer) ||
+        (!ir_contains(target, where->base) && !update_is_by_local_pointer(j, update)))
+        return judgement_refuse(j, REASON_BASE_VARIES, target, name);
+    if (!stays(j, where->base))
+        return where->base->kind == IR_INDEX || where->base->kind == IR_MEMBER
+                   ? judge_table(j, where->base, target, name)
+                   : judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
+    if (!base_can_be_read_before(j, where->base))
+        return judgement_refuse(j, REASON_BASE_CONDITIONAL, where->base, name);
+    const ir_type *type = where->base->type;
+    if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
+        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+    if (type->is_volatile || type->is_atomic)
+        return judgement_refuse(j, REASON_VOLATILE, target, name);
+    if (variation_is_fixed(j->an->facts, j->loop, target))
+        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+    return true;
+}
+
+/* Of s.b[i] and s->b[i] with an array b the base is all of s.b or s->b. */
+const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
+    const ir_node *last = base;
+    while (last != target && last->parent && last->parent->kind == IR_MEMBER)
+        last = last->parent;
+    return last != target && last->type && last->type->kind == IR_ARRAY ? last : base;
+}
+
+/* ---- the arrays -----------------------------------------------------------------------------
+ */
+
+static bool add_array(judgement *j, const judged_access *update, update_kind kind,
+                      unsigned *number) {
+    const ir_node *target = update->access.form.target;
+    const ir_node *table = update_table_of(j, update->where.base);
+    const ir_node *base = table ? table : update->where.base;
+    for (unsigned i = 0; i < j->arrays.count; i++) {
+        judged_array *known = &j->arrays.items[i];
+        if (known->array.is_scattered != (table != NULL) ||
+            !expression_same(known->array.base, base))
+            continue;
+        /* Behind one base lies one array; different fields of its elements do not meet. */
+        overlap meets = locations_overlap(&j->an->rules, &known->where, &update->where);
+        bool other_type = !ir_type_equal(known->array.element, update->access.type);
+        bool differs = known->array.op != kind.op || other_type;
+        if (meets != OVERLAP_NO && other_type)
+            return judgement_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
+        known->array.order_is_kept |= kind.needs_order || (meets != OVERLAP_NO && differs);
+        known->array.is_interleaved |= differs;
+        *number = i;
+        return true;
+    }
+    judged_array item = {.where = update->where, .first = target};
+    item.array = (reduction_array){.base = base,
+                                   .name = expression_text(j->an->memory, base),
+                                   .element = update->access.type,
+                                   .op = kind.op,
+                                   .order_is_kept = kind.needs_order || table,
+                                   .is_scattered = table};
+    *number = j->arrays.count;
+    VECTOR_PUSH(j->an->memory, &j->arrays, item);
+    return true;
+}
+
+/* Against the array's other updates: add_array compared with the first only, which may be of
+ * another field. */
+static bool judge_neighbours(judgement *j, const judged_access *update, update_kind kind,
+                             judged_array *array, unsigned number) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *other = &j->accesses[i];
+        if (other->class != CLASS_REDUCTION || other->array != number ||
+            locations_overlap(&j->an->rules, &other->where, &update->where) == OVERLAP_NO)
+            continue;
+        if (!ir_type_equal(other->where.type, update->where.type))
+            return judgement_refuse(j, REASON_TYPE_PUNNED, update->access.lvalue,
+                                    array->array.name);
+        if (other->op != kind.op)
+            array->array.order_is_kept = true;
+    }
+    return true;
+}
+
+bool update_array_find(judgement *j, const judged_access *update, update_kind kind,
+                       unsigned *number) {
+    return add_array(j, update, kind, number) &&
+           judge_neighbours(j, update, kind, &j->arrays.items[*number], *number);
+}
+
+void update_array_add(judgement *j, judged_access *update, update_kind kind,
+                      const ir_node *statement, const ir_node *target, unsigned number) {
+    update->class = CLASS_REDUCTION;
+    update->array = number;
+    update->op = kind.op;
+    for (unsigned i = 0; i < j->updates.count; i++)
+        if (j->updates.items[i].statement == statement)
+            return; /* if (R < v) R = v; else R = 0; is one update */
+    reduction_array *array = &j->arrays.items[number].array;
+    reduction_update item = {statement, target, access_row(target), number};
+    int64_t unit = item.row->type->size > 0 ? item.row->type->size : target->type->size;
+    if (unit > array->unit)
+        array->unit = unit;
+    VECTOR_PUSH(j->an->memory, &j->updates, item);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Updates made by a function that is given the address of an element or of a row:
+ *
+ *     add(&R[k], e);        add_vector(b[i], f);        raise(&cell[k].high, v);
+ *
+ * The function has a body here, writes nothing but what it is given, and no further than the row.
+ */
+#ifndef ANALYSIS_UPDATE_CALL_H
+#define ANALYSIS_UPDATE_CALL_H
+
+#include "analysis/loop/judgement.h"
+
+typedef struct update_call {
+    const ir_node *statement; /* NULL: the call is no update of this form */
+    const ir_node *target;    /* the element or row */
+    bool has_operator;        /* one operator, and the element is not read otherwise */
+    reduction_operator op;
+} update_call;
+
+/** `call`: an IR_CALL of the loop's text that writes something. */
+update_call update_call_of(const judgement *j, const ir_node *call);
+
+/** The reads, by the call, of the memory that it updates get CLASS_SELF. */
+void update_call_mark_reads(judgement *j, const update_call *update);
+
+#endif

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The updates of a loop, and the arrays that they go to. */
+#ifndef ANALYSIS_UPDATES_H
+#define ANALYSIS_UPDATES_H
+
+#include "analysis/loop/judgement.h"
+
+/** Finds updates and their arrays, decides which writes are private, refuses all others. */
+bool judge_updates(judgement *j);
+
+#endif
