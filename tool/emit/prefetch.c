@@ -92,12 +92,20 @@ static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
+/** Does the slice hold loops of functions that are called? */
+static bool has_source_loop(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].loop_count > 0)
+            return true;
+    return false;
+}
+
 /** Evaluated once more, a slice with floating-point work might set errno where the loop does not.
  */
 bool prefetches(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
     return loop->is_outlined && !facts->slice_has_floating_work &&
-           !has_open_loop(facts, facts->counted.body) &&
+           !has_open_loop(facts, facts->counted.body) && !has_source_loop(facts) &&
            work_of(facts->counted.body, 0) >= LEAST_WORK;
 }
 
