@@ -48,7 +48,7 @@ static void the_iteration_two_ahead_in_the_list(void **unused) {
 /* Nothing is told of it, and addresses need not be valid. */
 static void a_slice_without_a_worker_tells_nothing(void **unused) {
     (void)unused;
-    double *nowhere = (double *)(redcc_size)8;
+    double *nowhere = (double *)((redcc_size)1 << 20);
     redcc_probe *const redcc__probe = 0;
     redcc_worker *const redcc__worker = 0;
     REDCC_TOUCH(0, (const char *)nowhere, 8);
