@@ -238,6 +238,7 @@ static void take_settings(struct call *call, const struct settings *settings, in
         call->order = call->method->keeps;
     call->compensated = settings->compensated;
     call->validate = settings->validate;
+    call->prefetch = (int)settings->prefetch;
     call->tracks = settings->watch;
     call->memory_limit = settings->memory_limit;
     call->always_planned = is_always_planned(settings);
@@ -294,6 +295,9 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->reason = REASON_NONE;
     execution->woken = 0;
     redcc_run_begin(&execution->run);
+    execution->run.prefetches =
+        loop->flags & REDCC_PREFETCHES &&
+        redcc_prefetch_begins(&state->prefetching, (enum prefetch_setting)call->prefetch);
     redcc_bins_begin(&state->binning);
     execution->run.validated =
         call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;

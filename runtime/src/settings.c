@@ -117,6 +117,18 @@ static void read_watch(const char *value) {
         redcc_complain_of_unknown("REDCC_WATCH", value, names, 2);
 }
 
+static void read_prefetch(const char *value) {
+    static const char *const names[] = {"off", "auto", "on"};
+    settings.prefetch = PREFETCH_AUTO;
+    for (unsigned i = 0; value && *value && i < 3; i++)
+        if (strcmp(value, names[i]) == 0) {
+            settings.prefetch = (enum prefetch_setting)i;
+            return;
+        }
+    if (value && *value)
+        redcc_complain_of_unknown("REDCC_PREFETCH", value, names, 3);
+}
+
 /* Names with commas between them. */
 static void read_trace(const char *value) {
     while (value && *value) {
@@ -203,6 +215,7 @@ static void read_environment(void) {
     read_validate(redcc_environment("REDCC_VALIDATE"));
     take_methods();
     read_watch(redcc_environment("REDCC_WATCH"));
+    read_prefetch(redcc_environment("REDCC_PREFETCH"));
     read_trace(redcc_environment("REDCC_TRACE"));
     read_memory_limit(redcc_environment("REDCC_MEMORY_LIMIT"));
     if (!settings.method && !named.loops && !settings.compensated)

@@ -3,18 +3,20 @@
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
+#include "execute/prefetch.h"
 #include "plan/method.h"
 
 struct settings {
     const struct method *method; /* named, or asked for by REDCC_VALIDATE; NULL: auto */
     int parameter;               /* the method's */
     bool order_given;
-    redcc_order order;   /* where given */
-    bool compensated;    /* REDCC_SUM */
-    bool validate;       /* REDCC_VALIDATE */
-    bool watch;          /* REDCC_WATCH: where it can be done */
-    size_t memory_limit; /* bytes; 0: none */
-    char *report;        /* file name; NULL: none */
+    redcc_order order;              /* where given */
+    bool compensated;               /* REDCC_SUM */
+    bool validate;                  /* REDCC_VALIDATE */
+    bool watch;                     /* REDCC_WATCH: where it can be done */
+    enum prefetch_setting prefetch; /* REDCC_PREFETCH */
+    size_t memory_limit;            /* bytes; 0: none */
+    char *report;                   /* file name; NULL: none */
 };
 
 /** The settings; the environment is read at the first call. Stops the program with a message and

@@ -14,6 +14,7 @@
     X("REDCC_VALIDATE")                                                                            \
     X("REDCC_REPORT")                                                                              \
     X("REDCC_TRACE")                                                                               \
+    X("REDCC_PREFETCH")                                                                            \
     X("REDCC_WATCH")
 
 /** A variable of the environment; NULL: it is not set, or the program has more rights than who

@@ -74,6 +74,7 @@ static word_list headers_of(arena *a, const word_list *list, const char *source)
         const char *name = list->items[i];
         if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
             !ends_in(name, "/redcc/loop.h") && !ends_in(name, "/redcc/bins.h") &&
+            !ends_in(name, "/redcc/prefetch.h") && !ends_in(name, "/redcc/lanes.h") &&
             !is_listed(&headers, name))
             words_add(a, &headers, name);
     }

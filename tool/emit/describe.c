@@ -206,7 +206,8 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
                  {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
-                 {loop->bins != NULL, "REDCC_BINS_FLAG"}};
+                 {loop->bins != NULL, "REDCC_BINS_FLAG"},
+                 {prefetches(loop), "REDCC_PREFETCHES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)

@@ -39,7 +39,7 @@ static bool may_name_targets(const ir_unit *unit) {
 /** The head of the file. The serial and the parallel form of a loop give the same bits only where
  *  neither contracts a multiplication and an addition into one rounding; nor do inspector and
  *  executor. Free order without floating-point work in an inspector needs none of it. */
-static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
+static const char *prelude(arena *a, const ir_unit *unit, bool may_contract, unsigned lanes) {
     const char *contraction =
         may_contract ? ""
                      : arena_format(a,
@@ -49,16 +49,19 @@ static const char *prelude(arena *a, const ir_unit *unit, bool may_contract) {
                                     "#pragma GCC optimize(\"fp-contract=off\")\n"
                                     "#endif\n",
                                     may_name_targets(unit) ? "__GNUC__" : "__FP_FAST_FMA");
+    const char *width = lanes > 1 ? arena_format(a, "#define redcc_width %u\n", lanes) : "";
     return arena_format(a,
                         "#ifdef _OPENMP\n"
                         "#include <redcc/runtime.h>\n"
+                        "%s%s"
                         "REDCC_REQUIRE_VERSION(1);\n"
                         "#else\n"
                         "#define REDCC_SEQUENTIAL_DONE\n"
                         "#endif\n"
                         "%s"
                         "#line 1 %s\n",
-                        contraction, text_quoted(a, ir_position_of(unit, 0).file));
+                        width, lanes ? "#include <redcc/lanes.h>\n" : "", contraction,
+                        text_quoted(a, ir_position_of(unit, 0).file));
 }
 
 /** Why no loop of the file can be written; NULL: nothing forbids it. */
@@ -202,7 +205,10 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
 /** Adds the text of one loop; false, with *why set, where it cannot be written. */
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
                      const emit_options *options, loop_list *loops, reason *why) {
-    loop_form form = options->in_place && options->in_place[number] ? FORM_IN_PLACE : FORM_BINNED;
+    const unsigned left = options->leave ? options->leave[number] : 0;
+    loop_form form = left >= (options->lanes ? 2 : 1)    ? FORM_IN_PLACE
+                     : options->lanes > 0 && left == 0 ? FORM_LANES
+                                                         : FORM_BINNED;
     loop_piece front = {0}, block = {0};
     written_loop moved = {0};
     for (;; form++) {
@@ -245,10 +251,10 @@ static bool has_floating_slice(const analysis_result *analysis) {
 }
 
 /** The whole file; sets the places of the loops in it. */
-static void join(arena *a, const ir_unit *unit, bool may_contract, loop_list *loops,
+static void join(arena *a, const ir_unit *unit, bool may_contract, unsigned lanes, loop_list *loops,
                  emit_result *result) {
     const source *s = unit->source;
-    const char *head = prelude(a, unit, may_contract);
+    const char *head = prelude(a, unit, may_contract, lanes);
     uint32_t copied = strncmp(s->text, byte_order_mark, 3) == 0 ? 3 : 0;
     buffer out = {0};
     buffer_append(&out, s->text, copied);
@@ -308,7 +314,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     result.loops = loops.items;
     assert_pieces(unit, analysis, &loops);
     if (loops.count > 0)
-        join(a, unit, options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis), &loops,
-             &result);
+        join(a, unit, options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis),
+             options->lanes, &loops, &result);
     return result;
 }

@@ -16,8 +16,10 @@ typedef struct emit_options {
     emit_order order;
     bool order_is_explicit; /* asked for in so many words, not just the default */
     const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
-    const bool *in_place;   /* by verdict: do not move slice and body in front of the function.
-                               NULL: nowhere */
+    unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
+    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:
+                                   nor move slice and body in front of the function. Without
+                                   `lanes` 1 is as 2. NULL: 0 everywhere */
 } emit_options;
 
 /** A loop as it was written, or what of it stands in front of its function. */

@@ -445,6 +445,12 @@ static void declare_variables(const inspector *self, writer *out) {
     declare_forwards(loop, out, true);
 }
 
+static void tell_gathers(printer *p) {
+    inspector *self = (inspector *)p;
+    if (self->is_either)
+        write_gathers(self->loop, p->out, self->is_mentioned);
+}
+
 /** The statements follow the declarations, from `before` on, on their line: how much of the first
  *  one's indentation is to be left out. */
 static size_t goes_on(const inspector *self, writer *out, size_t before, const writer *slice) {
@@ -466,7 +472,8 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                                   .keep = facts->in_slice,
                                   .before = before_statement,
                                   .is_at_once = is_at_once,
-                                  .print_at_once = tell_at_once},
+                                  .print_at_once = tell_at_once,
+                                  .at_end = tell_gathers},
                       .loop = loop,
                       .probes = probes,
                       .is_either = is_either,

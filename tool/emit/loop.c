@@ -86,6 +86,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
+    if (prefetches(loop))
+        writer_line(out, "REDCC_PREFETCH;");
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);
@@ -223,11 +225,14 @@ bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const em
     loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
     writer out = {0};
     prepare_loop(&loop);
-    if (*form == FORM_BINNED && !loop.obstacle)
-        find_bins(&loop);
-    if (*form == FORM_BINNED && !loop.bins)
-        *form = FORM_SHORT;
-    for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++, loop.bins = NULL) {
+    for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++) {
+        loop.wants_lanes = *form == FORM_LANES;
+        loop.lanes_call = NULL;
+        loop.bins = NULL;
+        if (*form == FORM_BINNED)
+            find_bins(&loop);
+        if (*form == FORM_BINNED && !loop.bins)
+            continue;
         front->text = write_outlined(&loop, &front->replaced.begin);
         front->replaced.end = front->replaced.begin;
         if (front->text)

@@ -48,9 +48,12 @@ typedef struct loop_text {
 
     /* outline.c: slice and body are functions of their own */
     bool is_outlined;
-    bool is_outlinable;                 /* cleared by what finds that they cannot be */
-    const char *slice_call, *body_call; /* of iteration redcc__k */
-    struct bins_text *bins;             /* bins.c: its form for binning; NULL: it has none */
+    bool is_outlinable;                           /* cleared by what finds that they cannot be */
+    const char *slice_call, *body_call;           /* of iteration redcc__k */
+    const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
+    struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
+    bool wants_lanes;       /* a function for several iterations at once is asked for */
+    const char *lanes_call; /* of the iterations redcc__block; NULL: there is no such function */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -156,6 +159,18 @@ const char *bins_phase(loop_text *loop);
 /** stale.c: may the body be executed before what it reads is compared with what it writes? */
 bool is_harmless_when_stale(loop_text *loop);
 
+/** prefetch.c: does the executor prefetch what iterations to come touch? */
+bool prefetches(const loop_text *loop);
+/** At the end of the slice: rows that an iteration reads and the inspector is not told. Only
+ *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
+void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
+
+/** lanes.c: the function that executes several iterations at once, where it is asked for and the
+ *  body can be written so; sets lanes_call, or says in a comment why not. */
+void write_lanes(loop_text *loop, writer *out);
+/** outline.c: what the name of that function ends with. */
+const char *loop_lanes_name(loop_text *loop);
+
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
 /** Has each thread a copy of its own? */
@@ -232,8 +247,10 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** With slice and body in front of the function, if that is possible, and a form for bins. */
-typedef enum loop_form { FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
+/** With slice and body in front of the function: with a body for several iterations at once as well,
+ *  with a form for bins, with neither; and in place. Each is tried where the one before is not
+ *  possible. */
+typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
 
 /** loop.c: the loop's block, and what goes in front of the function (in place: nothing does); sets
  * *form to what was possible.

@@ -338,17 +338,26 @@ static void write_body(loop_text *loop, writer *out) {
     add_stand_ins(loop, &h);
     add_variables(loop, is_mentioned, true, &h);
     const unsigned count = facts->array_count;
-    loop->body_call = arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)",
-                                   outlined_name(loop, "body"), loop->bins ? "BINNED" : "BODY",
-                                   count, counter_argument(loop), take(loop->arena, &h.arguments));
-    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"),
-                loop->bins ? "BINNED" : "BODY", count,
-                counter_parameter(loop, body_reads(facts, facts->counted.counter)),
-                take(loop->arena, &h.parameters));
+    const char *kind = loop->bins ? "BINNED" : "BODY";
+    loop->body_arguments = take(loop->arena, &h.arguments);
+    loop->body_parameters = take(loop->arena, &h.parameters);
+    loop->body_call =
+        arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"), kind,
+                     count, counter_argument(loop), loop->body_arguments);
+    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"), kind,
+                count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
+                loop->body_parameters);
     out->depth = 1;
     write_iteration(loop, out, true);
     out->depth = 0;
-    writer_line(out, "} REDCC_QUIET_END");
+    writer_line(out, loop->wants_lanes ? "}" : "} REDCC_QUIET_END");
+    write_lanes(loop, out);
+    if (loop->wants_lanes)
+        writer_line(out, "REDCC_QUIET_END");
+}
+
+const char *loop_lanes_name(loop_text *loop) {
+    return outlined_name(loop, "lanes") + sizeof "redcc__" - 1;
 }
 
 static bool has_stepped(const loop_facts *facts) {

@@ -130,17 +130,19 @@ static bool has_kept_declarations(const printer *p, const ir_node *block) {
 
 void print_body(printer *p, const ir_node *body) {
     const bool is_block = body->kind == IR_BLOCK;
+    const bool has_braces = is_block && has_kept_declarations(p, body);
     if (p->before && is_block && p->before(p, body))
         return;
-    if (!is_block) {
-        print_statement(p, body);
-    } else if (has_kept_declarations(p, body)) {
+    if (has_braces)
         open_block(p, "{");
+    if (is_block)
         print_children(p, body);
+    else
+        print_statement(p, body);
+    if (p->at_end)
+        p->at_end(p);
+    if (has_braces)
         close_block(p, "}");
-    } else {
-        print_children(p, body);
-    }
 }
 
 /** The part of a control statement, between braces that its head has opened. */

@@ -20,8 +20,9 @@ struct printer {
      * initialisation, with what `print_at_once` prints for its body. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
-    const char *problem; /* the first thing that cannot be printed, or NULL */
-    bool continues;      /* a `continue` of the loop around the whole was printed */
+    void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
+    const char *problem;        /* the first thing that cannot be printed, or NULL */
+    bool continues;             /* a `continue` of the loop around the whole was printed */
     unsigned unkept_since_break, unkept_since_continue; /* control left out between a jump and what
                                                            it jumps to: start at 0 */
     size_t settled_end; /* length of the text when a jump, label or head of a switch had just been

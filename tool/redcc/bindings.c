@@ -58,18 +58,19 @@ static bool is_meant(const comparison *c, const ir_declared *found, const ir_dec
         return false;
     if (found->is_external && meant->is_external)
         return has_name(found);
-    if (found->file || meant->file)
-        return found->file && meant->file && strcmp(found->file, meant->file) == 0 &&
+    if (found->file)
+        return meant->file && strcmp(found->file, meant->file) == 0 &&
                found->offset == meant->offset;
     const int number = written_loop_at(c->written, found->offset);
     if (number < 0)
-        return place_before(c->written, found->offset) == meant->offset;
+        return !meant->file && place_before(c->written, found->offset) == meant->offset;
     const written_loop *loop = &c->written->loops[number];
     const origin *from = origin_at(loop, found->offset - loop->begin);
     if (!from || from->kind == ORIGIN_TYPE)
         return false;
     if (from->kind == ORIGIN_COPY)
-        return from->from + (found->offset - loop->begin - from->begin) == meant->offset;
+        return !meant->file &&
+               from->from + (found->offset - loop->begin - from->begin) == meant->offset;
     return from->meant == meant;
 }
 

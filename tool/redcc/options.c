@@ -27,6 +27,8 @@ const char options_help[] =
     "  --order=ORDER        what the result may differ from: serial (default: from nothing\n"
     "                       the sequential loop gives), fixed (the same in every run and at\n"
     "                       every number of threads), any\n"
+    "  --lanes=HOW          several iterations at once in vectors, where that can be done: off\n"
+    "                       (default), auto (as many as a register holds), 2, 4, 8\n"
     "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
     "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
@@ -63,6 +65,7 @@ typedef enum option_name {
     OPTION_EXPLAIN,
     OPTION_HELP,
     OPTION_IN_PROCESS,
+    OPTION_LANES,
     OPTION_ORDER,
     OPTION_PREDEFINED,
     OPTION_PURE,
@@ -86,6 +89,7 @@ static const struct long_option {
     {"--explain=", OPTION_EXPLAIN},
     {"--help", OPTION_HELP},
     {"--in-process", OPTION_IN_PROCESS},
+    {"--lanes=", OPTION_LANES},
     {"--order=", OPTION_ORDER},
     {"--predefined=", OPTION_PREDEFINED},
     {"--pure=", OPTION_PURE},
@@ -156,6 +160,16 @@ const char *options_order_word(emit_order order) {
     return order_words[order];
 }
 
+static const char *read_lanes(arena *a, options *o, const char *value) {
+    static const char *const words[] = {"off", "auto", "2", "4", "8"};
+    static const unsigned lanes[] = {0, 1, 2, 4, 8};
+    const int number = find_word(words, COUNT(words), value);
+    if (number < 0)
+        return arena_format(a, "--lanes takes off, auto, 2, 4 or 8, not '%s'", value);
+    o->lanes = lanes[number];
+    return NULL;
+}
+
 static const char *read_order(arena *a, options *o, const char *value) {
     const int number = find_word(order_words, COUNT(order_words), value);
     if (number < 0)
@@ -224,6 +238,8 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_IN_PROCESS:
         o->in_process = true;
         return NULL;
+    case OPTION_LANES:
+        return read_lanes(a, o, value);
     case OPTION_ORDER:
         return read_order(a, o, value);
     case OPTION_PREDEFINED:

@@ -21,6 +21,7 @@ typedef struct options {
     const char *explain; /* --explain: this reason; NULL: none */
     emit_order order;
     bool order_is_given;
+    unsigned lanes;      /* as of emit_options */
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool in_process;     /* no process of its own guards against a parser that crashes */
     bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;

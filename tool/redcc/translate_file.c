@@ -194,10 +194,10 @@ static void dump(const ir_unit *unit) {
 }
 
 /** Refuses the loops whose text is wrong; those of which part stands in front of their function are
- *  to be written in place first. */
+ *  to be written in a plainer form first. */
 static analysis_result without_wrong(arena *a, const analysis_result *judged,
                                      const emit_result *written, const reason *found,
-                                     bool *in_place) {
+                                     unsigned char *leave) {
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged->verdict_count + 1);
     for (unsigned i = 0; i < judged->verdict_count; i++)
         verdicts[i] = judged->verdicts[i];
@@ -206,7 +206,7 @@ static analysis_result without_wrong(arena *a, const analysis_result *judged,
         if (found[i].id == REASON_NONE)
             continue;
         if (written->loops[i].is_moved) {
-            in_place[written->loops[i].verdict] = true;
+            leave[written->loops[i].verdict]++;
             continue;
         }
         verdict->kind = VERDICT_REFUSE;
@@ -223,15 +223,15 @@ static analysis_result without_wrong(arena *a, const analysis_result *judged,
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
                                  const emit_options *how, bool is_kept, analysis_result *judged) {
-    bool *in_place = ARENA_ARRAY(a, bool, judged->verdict_count + 1);
+    unsigned char *leave = ARENA_ARRAY(a, unsigned char, judged->verdict_count + 1);
     emit_options own = *how;
-    own.in_place = in_place;
+    own.leave = leave;
     for (;;) {
         const emit_result written = emit_file(a, unit, judged, &own);
         reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
         if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
             return written;
-        *judged = without_wrong(a, judged, &written, found, in_place);
+        *judged = without_wrong(a, judged, &written, found, leave);
     }
 }
 
@@ -244,6 +244,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     const bool is_written = count_verdicts(&judged).transformed > 0;
     const emit_options how = {.order = o->order,
                               .order_is_explicit = o->order_is_given,
+                              .lanes = o->lanes,
                               .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
     const emit_result written =
         write_checked(a, unit, flags, &how, o->output || o->verify, &judged);

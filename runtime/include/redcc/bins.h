@@ -405,6 +405,7 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
     {                                                                                              \
         redcc_bins redcc__all[sizeof(redcc__streams) / sizeof(redcc_stream)];                      \
         redcc_worker redcc__worker;                                                                \
+        redcc_worker *const redcc__teller = &redcc__worker;                                        \
         redcc_int redcc__k;                                                                        \
         redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
         REDCC_INSPECT(redcc_call_of_slice)                                                         \
@@ -417,7 +418,7 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
                 REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,                 \
                                  redcc_call_of_body)                                               \
         }                                                                                          \
-        { redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE(redcc_chunk, redcc_call_of_body) }     \
+        { redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body) }     \
     }
 
 #endif

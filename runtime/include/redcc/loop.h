@@ -58,6 +58,8 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
 /** The loop's descriptor, perhaps the first member of a larger one. */
 #define REDCC_DESCRIPTOR ((redcc_loop *)(void *)&redcc__loop)
 
+#include "prefetch.h"
+
 /** Asks the runtime whether the loop is to run in parallel. */
 #define REDCC_ENTER(redcc_known)                                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower,                                                     \
@@ -69,15 +71,15 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 
-/** redcc__probe is 0 where addresses are told, and redcc__told 0 where all of them are, or says by
- *  its bits of which sources alone. Both are constants: each use of the function is compiled by
- *  itself. */
+/** redcc__probe is 0 where addresses are told, redcc__teller 0 where they are prefetched;
+ *  redcc__told is 0 where all of them are told, or says by its bits of which sources alone. All are
+ *  constants: each use of the function is compiled by itself. */
 #define REDCC_SLICE REDCC_INLINE void
 #define REDCC_SLICE_PARAMETERS                                                                     \
     redcc_probe *const redcc__probe __attribute__((__unused__)),                                   \
         redcc_worker *const redcc__worker __attribute__((__unused__)),                             \
         const redcc_u32 redcc__told __attribute__((__unused__))
-#define REDCC_SLICE_ARGUMENTS redcc__probe, &redcc__worker, redcc__told
+#define REDCC_SLICE_ARGUMENTS redcc__probe, redcc__teller, redcc__told
 #define REDCC_SLICE_NAMES redcc__probe, redcc__worker, redcc__told
 
 /** The iteration may update, or read, `redcc_n` bytes at an address. */
@@ -105,7 +107,9 @@ REDCC_INLINE void redcc_slice_touch(redcc_probe *probe, redcc_worker *worker, re
                                     redcc_u32 array, const void *address, redcc_size bytes) {
     if (told)
         return;
-    if (probe)
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (probe)
         redcc_probe_touch(probe, worker, array, address, bytes);
     else
         redcc_touch(worker, array, address, bytes);
@@ -115,7 +119,9 @@ REDCC_INLINE void redcc_slice_read(redcc_probe *probe, redcc_worker *worker, red
                                    redcc_u32 source, const void *address, redcc_size bytes) {
     if (told && !(told >> source & 1))
         return;
-    if (probe)
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (probe)
         redcc_probe_read(probe, worker, source, address, bytes);
     else
         redcc_read(worker, source, address, bytes);
@@ -126,7 +132,9 @@ REDCC_INLINE void redcc_slice_touch_row(redcc_probe *probe, redcc_worker *worker
                                         redcc_int row, redcc_size bytes) {
     if (told)
         return;
-    if (probe)
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (probe)
         redcc_probe_touch_row(probe, worker, array, base, row, bytes);
     else
         redcc_touch(worker, array, address, bytes);
@@ -137,7 +145,9 @@ REDCC_INLINE void redcc_slice_read_row(redcc_probe *probe, redcc_worker *worker,
                                        redcc_int row, redcc_size bytes) {
     if (told && !(told >> source & 1))
         return;
-    if (probe)
+    if (!worker)
+        redcc_prefetch((const char *)address, bytes);
+    else if (probe)
         redcc_probe_read_row(probe, worker, source, base, row, bytes);
     else
         redcc_read(worker, source, address, bytes);
@@ -147,7 +157,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
                                          redcc_u32 array, const char *first, const char *end) {
     if (told)
         return;
-    if (probe)
+    if (!worker)
+        redcc_prefetch((const char *)first, (redcc_size)(end - first));
+    else if (probe)
         redcc_probe_touch(probe, worker, array, first, (redcc_size)(end - first));
     else
         redcc_touch_span(worker, array, first, end);
@@ -216,21 +228,29 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
 
 /** Hands out chunks to execute, run by run, guarded or plain. */
-#define REDCC_EXECUTE(redcc_chunk, redcc_call_of_body)                                             \
+#define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     while (redcc_next(&redcc__worker)) {                                                           \
         redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
+        redcc_ahead redcc__ahead;                                                                  \
+        if (redcc__prefetches)                                                                     \
+            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.prefetches,             \
+                              REDCC_PREFETCH_DISTANCE);                                            \
         for (; redcc__run != redcc__worker.run_end; redcc__run++) {                                \
             const redcc_int redcc__end =                                                           \
                 redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;        \
             redcc__k = redcc__worker.origin + redcc__run->begin;                                   \
             if (!(redcc__run->count_and_guard & 1)) {                                              \
                 const int redcc__guarded = 0;                                                      \
-                for (; redcc__k < redcc__end; redcc__k++)                                          \
+                for (; redcc__k < redcc__end; redcc__k++) {                                        \
+                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
                     redcc_call_of_body;                                                            \
+                }                                                                                  \
             } else {                                                                               \
                 const int redcc__guarded = 1;                                                      \
-                for (; redcc__k < redcc__end; redcc__k++)                                          \
+                for (; redcc__k < redcc__end; redcc__k++) {                                        \
+                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
                     redcc_call_of_body;                                                            \
+                }                                                                                  \
             }                                                                                      \
         }                                                                                          \
     }
@@ -247,10 +267,11 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
         redcc_worker redcc__worker;                                                                \
+        redcc_worker *const redcc__teller = &redcc__worker;                                        \
         redcc_int redcc__k;                                                                        \
         redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
         REDCC_INSPECT(redcc_call_of_slice)                                                         \
-        REDCC_EXECUTE(redcc_chunk, redcc_call_of_body)                                             \
+        REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 
 /** gcc inlines a static function that is called at one place only; several copies of the place are

@@ -122,7 +122,9 @@ enum {
     /** Iterations that touch no element are to be executed as well. */
     REDCC_EVERY_ITERATION = 8,
     /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
-    REDCC_BINNED = 16
+    REDCC_BINNED = 16,
+    /** Its executor can prefetch what iterations to come touch (prefetch.h). */
+    REDCC_PREFETCHES = 32
 };
 
 /** A loop, as the translator knows it; one static object for each. */
@@ -224,7 +226,7 @@ typedef struct redcc_worker {
     const redcc_owner *owner; /* indexed as arrays */
     void *execution;          /* the runtime's, as what follows */
     int thread;
-    int stage;
+    int prefetches; /* set by redcc_next: is what iterations to come touch to be prefetched? */
     redcc_int position;
 } redcc_worker;
 

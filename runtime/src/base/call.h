@@ -29,6 +29,7 @@ struct call {
     redcc_order order;
     bool compensated;
     bool validate;
+    int prefetch;        /* an enum prefetch_setting, REDCC_PREFETCH */
     bool tracks;         /* writes to subscripts, where that can be done (REDCC_WATCH) */
     size_t memory_limit; /* bytes; 0: none */
     /* The threads. */

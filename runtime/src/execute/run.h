@@ -5,6 +5,7 @@
 
 #include "base/call.h"
 #include "execute/hook.h"
+#include "execute/prefetch.h"
 #include "execute/validate.h"
 #include "plan/plan.h"
 
@@ -14,6 +15,7 @@ enum { REDCC_RUNS = 128 };
 struct run {
     const struct call *call;
     struct plan *plan; /* NULL: none (yet) */
+    bool prefetches;   /* where it is of use */
     struct barrier *barrier;
     struct validated *validated; /* NULL: nothing is to be validated */
     struct validation validation;

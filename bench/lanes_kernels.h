@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef BENCH_LANES_KERNELS_H
+#define BENCH_LANES_KERNELS_H
+
+/** A triangle of a cloth: its corners, the blocks ii ij ik jj jk kk of the matrix, and how strains
+ *  along u and v follow from the corners' places. */
+struct element {
+    int vertex[3];
+    int block[6];
+    double u[3], v[3];
+    double area;
+};
+
+#define BENCH_LANES_KERNELS(X)                                                                     \
+    X(membrane, (int count, const struct element *element, const double(*x)[3], double(*b)[3],     \
+                 double(*a)[3][3]))                                                                \
+    X(contacts, (int count, const int(*pair)[2], const double(*x)[3], const double(*v)[3],         \
+                 const double *radius, double(*force)[3]))                                         \
+    X(springs, (int count, const int(*edge)[2], const double *rest, const double(*x)[3],           \
+                double(*force)[3]))
+
+/** As redcc translated it, and, serial_NAME, untouched. */
+#define BENCH_LANES_DECLARE(name, parameters)                                                      \
+    void name parameters;                                                                          \
+    void serial_##name parameters;
+BENCH_LANES_KERNELS(BENCH_LANES_DECLARE)
+
+#endif

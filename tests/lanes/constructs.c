@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Each construct that is written for vectors, in a loop of its own, and what is left alone; on random
+ * data with NaN, infinities, zeros of both signs and subnormals. */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { NODES = 300, COUNT = 1009 };
+
+struct element {
+    int node[3];
+    double weight[3];
+    double area;
+    short kind;
+};
+
+static struct element element[COUNT];
+static double x[NODES][3], scale[COUNT], force[NODES][3], block[NODES][3][3], single[NODES];
+static float small[COUNT];
+static const double factor = 1.25;
+
+/* ---- arithmetic ---- */
+
+static void lifted_arithmetic(int n, const struct element *restrict e, const double (*restrict p)[3],
+                              double (*restrict b)[3]) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        double d[3];
+        for (int c = 0; c < 3; c++)
+            d[c] = -p[i][c] + 2 * p[j][c] / e[t].area - (p[i][c] - 0.1) * factor;
+        for (int c = 0; c < 3; c++) {
+            b[i][c] += d[c];
+            b[j][c] -= d[c] * 0.5;
+        }
+    }
+}
+
+static void lifted_accumulation(int n, const struct element *restrict e,
+                                const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        double sum = 0, product = 1.0, list[3] = {1, p[i][0], e[t].kind};
+        for (int c = 2; c >= 0; c--) {
+            sum += p[i][c];
+            product *= p[i][c] + c;
+            sum -= list[c];
+            product /= 3;
+        }
+        b[i] += sum;
+        b[e[t].node[1]] += product;
+    }
+}
+
+static void lifted_declared_outside(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double (*restrict b)[3]) {
+    int t, i, c;
+    double d[3], half;
+    for (t = n - 1; t >= 0; t -= 2) {
+        i = e[t].node[2];
+        half = 0.5 * e[t].area;
+        for (c = 0; c < 3; c++)
+            d[c] = half * p[i][c];
+        for (c = 0; c < 3; c++)
+            b[i][c] += d[c];
+    }
+}
+
+static void lifted_integers(int n, const struct element *restrict e, const double (*restrict p)[3],
+                            double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        unsigned char low = (unsigned char)(e[t].node[0] * 7);
+        int i = e[t].node[1];
+        low += 200;
+        i ^= 1;
+        i %= NODES;
+        const double v = low * 0.25 + e[t].kind + p[i][low % 3];
+        b[i] += v;
+    }
+}
+
+static void lifted_zeros(int n, const struct element *restrict e, const double (*restrict p)[3],
+                         double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double zero = -0.0;
+        double other = p[0][0] > 1e300 ? 1.0 : -0.0;
+        other *= 1.0;
+        b[e[t].node[0]] += zero;
+        b[e[t].node[1]] += other;
+    }
+}
+
+static void lifted_roots(int n, const struct element *restrict e, const double (*restrict p)[3],
+                         double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        const double r = sqrt(p[i][0]) - fabs(p[i][1]);
+        b[i] += r;
+    }
+}
+
+static void lifted_selection(int n, const struct element *restrict e, const double (*restrict p)[3],
+                             double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        const double u = p[i][0], v = p[j][1];
+        const double least = u < v ? u : v, most = !(u >= v) || v != v ? v : u;
+        const double middle = u > 0.0 && v <= 1 ? u / v : -0.0;
+        b[i] += least;
+        b[j] += most - middle;
+    }
+}
+
+static void lifted_comparisons_kept(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        const double u = p[i][1], v = p[i][2];
+        const int less = u < v || !(u == u), both = u > 0.0 && v > 0.5;
+        const double inverse = less ? 1 / v : both ? u : -0.0;
+        b[i] += inverse + less - 2u * both;
+        if (less)
+            b[e[t].node[1]] += u;
+    }
+}
+
+/* ---- control ---- */
+
+static void lifted_uniform_conditions(int n, int flags, const struct element *restrict e,
+                                      const double (*restrict p)[3], double (*restrict b)[3][3]) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        double a[3][3] = {{0}};
+        for (int r = 0; r < 3; r++)
+            for (int c = r; c < 3; c++) {
+                if (r == c)
+                    a[r][c] = p[i][r];
+                else if (flags & 2)
+                    a[r][c] -= p[i][r] * p[i][c];
+                else
+                    a[r][c] = 7;
+                a[c][r] += r == c ? 0.5 : a[r][c];
+            }
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++)
+                b[i][r][c] += a[r][c];
+    }
+}
+
+static void lifted_condition_around_updates(int n, const struct element *restrict e,
+                                            const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        const double d = p[i][0] - p[j][0];
+        if (d > 0.25 && e[t].kind > 1) {
+            b[i] += d;
+            b[j] -= d;
+        } else if (d < 0.0)
+            b[j] += 2.0;
+    }
+}
+
+/* ---- functions ---- */
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static double clamped(double value, double most, int times) {
+    for (int k = 0; k < times; k++)
+        value = value > most ? most : value * 1.5;
+    return value;
+}
+
+static void matrix(const double (*p)[3], int i, int j, const double *w, double f[3],
+                   double df[3][3]) {
+    double n[3];
+    int place = 0;
+    for (int c = 0; c < 3; c++)
+        n[c] = w[0] * p[i][c] - w[1] * p[j][c];
+    const double length = sqrt(dot(n, n) + 1e-3), other = dot(n, p[i]);
+    for (int r = 0; r < 3; r++, place++) {
+        f[place] -= n[r] / length;
+        for (int c = 0; c < 3; c++)
+            df[r][c] += n[r] * n[c] / clamped(length * other, 3.0, 2);
+    }
+}
+
+static void lifted_functions(int n, const struct element *restrict e, const double (*restrict p)[3],
+                             double (*restrict b)[3], double (*restrict a)[3][3]) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        double f[3] = {0}, df[3][3] = {{0}};
+        matrix(p, i, j, e[t].weight, f, df);
+        matrix(p, j, i, &e[t].weight[1], f, df);
+        for (int c = 0; c < 3; c++)
+            b[i][c] += f[c];
+        const int k = e[t].node[2];
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++)
+                a[k][r][c] -= df[r][c];
+    }
+}
+
+/* ---- what is left alone ---- */
+
+static void plain_used_below(int n, const struct element *restrict e, const double (*restrict p)[3],
+                             double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int i = e[t].node[0];
+        double d = p[i][0];
+        b[i] += d;
+        i = e[t].node[1];
+        d = p[i][1];
+        b[i] -= d;
+    }
+}
+
+static void plain_varying_condition(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        double d = 1.0;
+        if (e[t].kind > 2)
+            d = p[i][0];
+        b[i] += d;
+    }
+}
+
+static void plain_floats(int n, const struct element *restrict e, const float *restrict s,
+                         double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d = s[t] * 0.1f;
+        b[e[t].node[0]] += d;
+    }
+}
+
+static void plain_subscript_from_double(int n, const struct element *restrict e,
+                                        const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d = e[t].area * 2;
+        const int c = (int)d & 1;
+        b[e[t].node[0]] += p[e[t].node[1]][c];
+    }
+}
+
+static void plain_effects_in_operands(int n, const struct element *restrict e,
+                                      const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        double d[2];
+        d[0] = p[e[t].node[0]][k++];
+        d[1] = p[e[t].node[0]][k++];
+        b[e[t].node[1]] += d[0] / d[1] + k;
+    }
+}
+
+static void plain_effects_in_updates(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        int k = 0;
+        const double d[3] = {p[e[t].node[0]][0], 2.0, 3.0};
+        b[e[t].node[1]] += d[k++];
+        b[e[t].node[2]] += d[k++];
+    }
+}
+
+static void plain_array_as_pointer(int n, const struct element *restrict e,
+                                   const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const double d[3] = {p[e[t].node[0]][0], 2.0, 3.0};
+        b[e[t].node[1]] += *(d + 1) + dot(d, d);
+    }
+}
+
+static void plain_length_of_loop(int n, const struct element *restrict e,
+                                 const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        double sum = 0;
+        for (int k = 0; k < e[t].kind; k++)
+            sum += p[e[t].node[0]][k % 3];
+        b[e[t].node[1]] += sum;
+    }
+}
+
+/* ---- data ---- */
+
+static uint64_t random_bits(void) {
+    static uint64_t state = 88172645463325252u;
+    state ^= state << 13;
+    state ^= state >> 7;
+    return state ^= state << 17;
+}
+
+static double odd_value(void) {
+    static const double odd[] = {NAN, INFINITY, -INFINITY, -0.0, 0.0, 4.9e-324, -1e-310, 1e308};
+    const uint64_t r = random_bits();
+    return r % 61 == 0 ? odd[r / 61 % 8] : (double)(int64_t)r * 0x1p-62;
+}
+
+static void print(const char *name, const double *v, size_t count) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &v[i], sizeof bits);
+        bits = v[i] != v[i] ? 1 : bits; /* which NaN it is no standard says */
+        hash = (hash ^ bits) * 0x100000001b3u;
+    }
+    printf("%s %016llx\n", name, (unsigned long long)hash);
+}
+
+/* -0.0 is the only value that any other leaves as it is. */
+static void begin(double *v, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        v[i] = -0.0;
+}
+
+#define P (const double(*)[3])x
+
+int main(void) {
+    for (int round = 0; round < 3; round++) {
+        for (int t = 0; t < COUNT; t++) {
+            for (int k = 0; k < 3; k++) {
+                element[t].node[k] = (int)((t * NODES / COUNT + random_bits() % 40) % NODES);
+                element[t].weight[k] = odd_value();
+            }
+            element[t].area = 1 + (double)(random_bits() % 1000) / 999;
+            element[t].kind = (short)(random_bits() % 5);
+            scale[t] = odd_value();
+            small[t] = (float)odd_value();
+        }
+        for (int i = 0; i < NODES; i++)
+            for (int c = 0; c < 3; c++)
+                x[i][c] = odd_value();
+#define EACH(call, array)                                                                          \
+    begin(&force[0][0], sizeof force / sizeof(double));                                            \
+    begin(&block[0][0][0], sizeof block / sizeof(double));                                         \
+    begin(single, NODES);                                                                          \
+    call;                                                                                          \
+    print(#call, (const double *)array, sizeof array / sizeof(double))
+        for (int n = COUNT - round * 500; n >= 0; n -= 503) {
+            EACH(lifted_arithmetic(n, element, P, force), force);
+            EACH(lifted_accumulation(n, element, P, single), single);
+            EACH(lifted_declared_outside(n, element, P, force), force);
+            EACH(lifted_integers(n, element, P, single), single);
+            EACH(lifted_zeros(n, element, P, single), single);
+            EACH(lifted_roots(n, element, P, single), single);
+            EACH(lifted_selection(n, element, P, single), single);
+            EACH(lifted_comparisons_kept(n, element, P, single), single);
+            EACH(lifted_uniform_conditions(n, round, element, P, block), block);
+            EACH(lifted_condition_around_updates(n, element, P, single), single);
+            EACH(lifted_functions(n, element, P, force, block), block);
+            print("force", &force[0][0], sizeof force / sizeof(double));
+            EACH(plain_used_below(n, element, P, single), single);
+            EACH(plain_varying_condition(n, element, P, single), single);
+            EACH(plain_floats(n, element, small, single), single);
+            EACH(plain_subscript_from_double(n, element, P, single), single);
+            EACH(plain_effects_in_operands(n, element, P, single), single);
+            EACH(plain_effects_in_updates(n, element, P, single), single);
+            EACH(plain_array_as_pointer(n, element, P, single), single);
+            EACH(plain_length_of_loop(n, element, P, single), single);
+        }
+    }
+    return 0;
+}

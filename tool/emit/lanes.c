@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The function that executes several iterations at once: what they compute, for all of them, and
+ * then their updates, iteration by iteration. No iteration reads what another one of them updates
+ * (or the loop could not run in parallel), so that the updates may come last; each element gets
+ * them in the order in which it got them before.
+ */
+#include "emit/lanes.h"
+
+#include "emit/origin.h"
+#include "emit/print.h"
+
+void lane_problem(lifter *l, const char *problem) {
+    if (!*l->problem)
+        *l->problem = problem;
+}
+
+/* ---- what updates ---------------------------------------------------------------------------- */
+
+static const reduction_update *update_at(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].statement == statement)
+            return &facts->updates[i];
+    return NULL;
+}
+
+static bool has_update(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(statement, facts->updates[i].statement))
+            return true;
+    return false;
+}
+
+static bool mentions(const ir_node *node, const ir_variable *variable) {
+    if (node->variable == variable && (node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** The variable that this node assigns, steps or declares, or NULL; *other is set where it assigns
+ *  something else. */
+static const ir_variable *assigned_by(const ir_node *node, bool *other) {
+    if (node->kind == IR_DECLARATOR)
+        return node->variable;
+    const bool is_step = node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
+                         node->op <= IR_OP_POST_DECREMENT;
+    if (node->kind != IR_ASSIGN && !is_step)
+        return NULL;
+    const ir_variable *root = ir_root_variable(node->children[0]);
+    *other |= node->children[0]->kind != IR_VARIABLE;
+    return root;
+}
+
+/** Does the `for` give the variable its first value? */
+static bool begins_with(const ir_node *loop, const ir_variable *variable) {
+    bool other = false;
+    const ir_node *first = loop->children[0];
+    if (first->kind == IR_DECLARATION) {
+        for (unsigned i = 0; i < first->child_count; i++)
+            if (first->children[i]->variable == variable && first->children[i]->child_count > 0)
+                return true;
+        return false;
+    }
+    return first->kind == IR_ASSIGN && first->op == IR_OP_NONE &&
+           assigned_by(first, &other) == variable;
+}
+
+/** Is each mention of the variable within a `for` that gives it its first value? Then it does not
+ *  matter which of two such loops comes first. */
+static bool is_counter_only(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_FOR && begins_with(node, variable))
+        return true;
+    if (node->kind == IR_DECLARATOR && node->variable == variable)
+        return node->child_count == 0;
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_counter_only(node->children[i], variable))
+            return false;
+    return true;
+}
+
+typedef struct update_check {
+    lifter *l;
+    const ir_node *body;
+} update_check;
+
+/** It is executed once for each lane: beside the element it must change nothing. */
+static void check_update(lifter *l, const ir_node *statement) {
+    const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
+    for (unsigned i = 0; is_plain && i < value->child_count; i++)
+        is_plain =
+            lane_is_plain(value->children[i]) && !lane_has_whole_lifted(l, value->children[i]);
+    if (!is_plain)
+        lane_problem(l, "an update has no form for vectors");
+}
+
+/** Around and beside updates: nothing but counters is assigned, nothing jumps. */
+static bool check_update_node(ir_node *node, void *context) {
+    const update_check *check = context;
+    lifter *l = check->l;
+    bool other = false;
+    if (update_at(l->loop->facts, node)) {
+        check_update(l, node);
+        return false;
+    }
+    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+        return false;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        lane_problem(l, "an array of the iteration is used as a pointer");
+    const ir_variable *variable = assigned_by(node, &other);
+    if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
+        node->kind == IR_BREAK || node->kind == IR_GOTO || node->kind == IR_LABEL ||
+        node->kind == IR_SWITCH || node->kind == IR_WHILE || node->kind == IR_DO ||
+        node->kind == IR_RETURN)
+        lane_problem(l, "a statement beside an update has no form for vectors");
+    if (variable && (l->class_of[variable->id] != LANE_UNIFORM || !lane_is_own(l, variable) ||
+                     !is_counter_only(check->body, variable)))
+        lane_problem(l, "a variable is assigned beside an update");
+    return true;
+}
+
+/** What comes below an update must not change what it reads: it is made later. */
+static void check_order(lifter *l, const ir_node *body) {
+    for (unsigned i = 0; i < l->loop->unit->variable_count; i++) {
+        const ir_variable *variable = l->loop->unit->variables[i];
+        if (!lane_is_own(l, variable) || is_counter_only(body, variable))
+            continue;
+        bool is_read = false;
+        for (unsigned k = 0; k < body->child_count; k++) {
+            const ir_node *statement = body->children[k];
+            if (has_update(l->loop->facts, statement))
+                is_read |= mentions(statement, variable);
+            else if (is_read && mentions(statement, variable))
+                lane_problem(l, "a variable is used again below an update");
+        }
+    }
+}
+
+typedef struct update_printer {
+    printer printer; /* first: the printer's hook gets at the rest through it */
+    lifter *l;
+} update_printer;
+
+static bool print_update(printer *p, const ir_node *statement) {
+    lifter *l = ((update_printer *)p)->l;
+    const reduction_update *update = update_at(l->loop->facts, statement);
+    if (!update)
+        return false;
+    const char *target = text_operand(p->arena, update->target, lane_rename, l);
+    const char *text = text_expression(p->arena, statement->children[0], lane_rename, l);
+    if (!target || !text) {
+        lane_problem(l, "an update cannot be spelled");
+        return true;
+    }
+    writer_line(p->out, "{ REDCC_UPDATE(%u, %s) %s; }", update->array,
+                macro_argument(p->arena, arena_format(p->arena, "&%s", target)), text);
+    return true;
+}
+
+static void write_update(lifter *l, const ir_node *statement, writer *out) {
+    update_check check = {l, l->scope};
+    ir_walk((ir_node *)statement, check_update_node, &check);
+    update_printer self = {.printer = {.arena = l->loop->arena, .out = out, .before = print_update},
+                           .l = l};
+    self.printer.rename = lane_rename;
+    self.printer.context = l;
+    print_statement(&self.printer, statement);
+    if (self.printer.problem)
+        lane_problem(l, self.printer.problem);
+}
+
+/* ---- the function ---------------------------------------------------------------------------- */
+
+static bool is_liftable(const loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    if (!loop->is_outlined || !loop->is_outlinable || facts->scalar_count > 0 ||
+        facts->forward_count > 0 || has_sought_values(facts) || has_last_values(facts) ||
+        loop->options->order == EMIT_ORDER_ANY || facts->counted.body->kind != IR_BLOCK)
+        return false;
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (facts->arrays[i].is_scattered || !loop->arrays[i].local)
+            return false;
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].is_stepped)
+            return false;
+    return true;
+}
+
+static void declare_outer(lifter *l) {
+    const loop_facts *facts = l->loop->facts;
+    const ir_variable *counter = facts->counted.counter;
+    arena *a = l->loop->arena;
+    for (unsigned i = 0; i < facts->private_count; i++) {
+        const ir_variable *variable = facts->privates[i].variable;
+        if (facts->privates[i].is_declared_inside || !mentions(l->scope, variable))
+            continue;
+        lane_declare(l, variable);
+    }
+    writer_line(l->out, "int redcc__l;");
+    writer_line(l->out, "(void)redcc__guarded;");
+    lane_declare(l, counter);
+    writer_line(l->out,
+                "REDCC_EACH_LANE %s[redcc__l] = (%s)(redcc__lower + %lld * "
+                "redcc__block->k[redcc__l]);",
+                origin_variable(a, counter), lane_type(l, counter->type),
+                (long long)facts->counted.step);
+}
+
+static void write_function_body(lifter *l) {
+    const ir_node *body = l->scope;
+    const loop_facts *facts = l->loop->facts;
+    writer updates = {.depth = 2};
+    declare_outer(l);
+    for (unsigned i = 0; i < body->child_count; i++)
+        if (has_update(facts, body->children[i]))
+            write_update(l, body->children[i], &updates);
+        else
+            lane_statement(l, body->children[i]);
+    check_order(l, body);
+    writer_line(l->out, "REDCC_EACH_LANE {");
+    writer_line(l->out, "    const int redcc__guarded = redcc__block->guarded[redcc__l];");
+    buffer_text(&l->out->out, writer_text(l->loop->arena, &updates));
+    writer_line(l->out, "}");
+}
+
+void write_lanes(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    arena *a = loop->arena;
+    lane_clone_list clones = {0};
+    writer front = {0}, text = {.depth = 1};
+    const char *problem = NULL;
+    lifter l = {.loop = loop,
+                .scope = facts->counted.body,
+                .class_of = ARENA_ARRAY(a, lane_class, loop->unit->variable_count + 1),
+                .clones = &clones,
+                .front = &front,
+                .out = &text,
+                .problem = &problem};
+    loop->lanes_call = NULL;
+    if (!loop->wants_lanes)
+        return;
+    if (is_liftable(loop)) {
+        lane_classify(&l);
+        write_function_body(&l);
+    } else {
+        lane_problem(&l, "the loop leaves more than its updates");
+    }
+    if (problem) {
+        writer_line(out, "/* redcc: one iteration at a time: %s */", problem);
+        return;
+    }
+    loop->lanes_call =
+        arena_format(a, "redcc__%s(REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s)",
+                     loop_lanes_name(loop), facts->array_count, loop->body_arguments);
+    buffer_text(&out->out, writer_text(a, &front));
+    writer_line(out,
+                "REDCC_BODY redcc__%s(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
+                "redcc__block, const redcc_int redcc__lower%s) {",
+                loop_lanes_name(loop), facts->array_count, loop->body_parameters);
+    buffer_text(&out->out, writer_text(a, &text));
+    writer_line(out, "}");
+}

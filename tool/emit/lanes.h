@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
+ * written once more for vectors.
+ *
+ * A body is taken apart into what computes and what updates. Each variable of the iteration is of a
+ * class; expressions follow from the classes of what they mention. Control is the same for all
+ * lanes, but for conditions around updates, which are made lane by lane.
+ */
+#ifndef EMIT_LANES_H
+#define EMIT_LANES_H
+
+#include "emit/loop.h"
+
+typedef enum lane_class {
+    LANE_UNIFORM, /* the same in all lanes: a scalar */
+    LANE_VARYING, /* an integer or pointer of each lane: an array of them */
+    LANE_MASK,    /* a constant integer that is a comparison of doubles: a mask, -1 for 1 */
+    LANE_LIFTED   /* a double, or an array of them, of each lane: vectors */
+} lane_class;
+
+/** A function written for vectors, with parameters of these classes. */
+typedef struct lane_clone {
+    const ir_function *function;
+    const lane_class *classes; /* [parameter_count] */
+    const char *name;
+} lane_clone;
+
+typedef VECTOR(lane_clone) lane_clone_list;
+
+typedef struct lifter {
+    loop_text *loop;
+    const ir_function *function; /* that is being written; NULL: the loop's body */
+    const ir_node *scope;        /* its body */
+    lane_class *class_of;        /* by variable */
+    lane_clone_list *clones;
+    writer *front; /* functions that must stand in front */
+    writer *out;
+    const char **problem; /* the first one; NULL: none */
+    unsigned depth;       /* of calls */
+} lifter;
+
+/** An expression of doubles: its text, a primary expression; a vector, or a scalar that is the same
+ *  for all lanes. */
+typedef struct lifted {
+    const char *text;
+    bool is_vector;
+} lifted;
+
+/** Records why the body cannot be written for vectors, unless there is a reason already. */
+void lane_problem(lifter *l, const char *problem);
+
+/** lanes_class.c: gives each variable of the scope its class. */
+void lane_classify(lifter *l);
+/** Is it a variable of the iteration, or of the function being written? */
+bool lane_is_own(const lifter *l, const ir_variable *variable);
+bool lane_is_uniform(const lifter *l, const ir_node *node);
+/** No call, no assignment in it. */
+bool lane_is_plain(const ir_node *node);
+/** Is it 1 or 0: a comparison, or several with && || and !? */
+bool lane_is_truth(const ir_node *node);
+/** Is a lifted variable mentioned other than for one of its elements? */
+bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
+bool lane_mentions_lifted(const lifter *l, const ir_node *node);
+/** The lifted variable whose element or value this is, or NULL. */
+const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);
+bool lane_is_double(const ir_type *type);
+
+/** lanes_expression.c: the expression for all lanes. */
+lifted lane_expression(lifter *l, const ir_node *node);
+/** The same as a vector, also where all lanes are the same. */
+const char *lane_vector(lifter *l, const ir_node *node);
+/** Which lanes a condition on doubles holds for. */
+const char *lane_mask(lifter *l, const ir_node *node);
+/** The text of lane redcc__l; of a uniform expression its own. */
+const char *lane_scalar(lifter *l, const ir_node *node);
+/** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
+const char *lane_rename(const ir_node *node, void *context);
+/** The call of a function written for vectors. */
+const char *lane_call(lifter *l, const ir_node *call);
+
+/** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
+void lane_declare(lifter *l, const ir_variable *variable);
+/** The type without qualifiers of its own. */
+const char *lane_type(lifter *l, const ir_type *type);
+/** Writes what the statement computes, for all lanes. */
+void lane_statement(lifter *l, const ir_node *statement);
+
+#endif

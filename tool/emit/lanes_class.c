@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Which variables are the same for all lanes, and what becomes of the others. */
+#include "emit/lanes.h"
+
+bool lane_is_double(const ir_type *type) {
+    return type && type->kind == IR_FLOATING && type->size == 8;
+}
+
+bool lane_is_own(const lifter *l, const ir_variable *variable) {
+    const loop_facts *facts = l->loop->facts;
+    if (l->function)
+        return variable->function == l->function;
+    if (variable == facts->counted.counter)
+        return true;
+    for (unsigned i = 0; i < facts->private_count; i++)
+        if (facts->privates[i].variable == variable)
+            return true;
+    const ir_range body = facts->counted.body->range;
+    return variable->function == facts->function && variable->storage == IR_LOCAL &&
+           variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
+           variable->range.begin < body.end;
+}
+
+bool lane_is_uniform(const lifter *l, const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return l->class_of[node->variable->id] == LANE_UNIFORM;
+    case IR_CALL:
+    case IR_ASSIGN:
+    case IR_OPAQUE:
+    case IR_STRING:
+    case IR_FUNCTION:
+    case IR_INITIALIZERS:
+        return false;
+    case IR_UNARY:
+        if (node->op >= IR_OP_PRE_INCREMENT && node->op <= IR_OP_POST_DECREMENT)
+            return false;
+        break;
+    case IR_SIZEOF:
+        return true;
+    default:
+        break;
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!lane_is_uniform(l, node->children[i]))
+            return false;
+    return true;
+}
+
+bool lane_mentions_lifted(const lifter *l, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_mentions_lifted(l, node->children[i]))
+            return true;
+    return false;
+}
+
+const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node) {
+    for (;;) {
+        if (node->kind == IR_VARIABLE)
+            return l->class_of[node->variable->id] == LANE_LIFTED ? node->variable : NULL;
+        if (node->kind == IR_INDEX && lane_is_uniform(l, node->children[1]))
+            node = node->children[0];
+        else if (node->kind == IR_UNARY &&
+                 (node->op == IR_OP_DEREFERENCE || node->op == IR_OP_ADDRESS))
+            node = node->children[0];
+        else
+            return NULL;
+    }
+}
+
+bool lane_is_plain(const ir_node *node) {
+    if (node->kind == IR_CALL || node->kind == IR_ASSIGN || node->kind == IR_OPAQUE ||
+        node->kind == IR_STRING || node->kind == IR_INITIALIZERS ||
+        (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!lane_is_plain(node->children[i]))
+            return false;
+    return true;
+}
+
+bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
+    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+        return false;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_has_whole_lifted(l, node->children[i]))
+            return true;
+    return false;
+}
+
+/** What becomes of a variable of that type, at first. */
+static lane_class first_class(lifter *l, const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    const ir_type *innermost = ir_type_innermost(type);
+    if (type->is_volatile || type->is_atomic || innermost->is_volatile || innermost->is_atomic ||
+        variable->storage == IR_STATIC_LOCAL || variable->storage == IR_THREAD_LOCAL)
+        lane_problem(l, "a variable is volatile, atomic or static");
+    if (lane_is_double(innermost) && type->size > 0)
+        return LANE_LIFTED;
+    if (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN && type->kind != IR_POINTER)
+        lane_problem(l,
+                     "a variable is neither an integer, a pointer, a double nor an array of them");
+    return LANE_UNIFORM;
+}
+
+bool lane_is_truth(const ir_node *node) {
+    return (node->kind == IR_UNARY && node->op == IR_OP_NOT) ||
+           (node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_OR);
+}
+
+static bool find_mask(ir_node *node, void *context) {
+    lifter *l = context;
+    if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
+        node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
+        lane_is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
+        l->class_of[node->variable->id] = LANE_MASK;
+    return true;
+}
+
+typedef struct spreading {
+    lifter *l;
+    bool has_changed;
+} spreading;
+
+static void spread(spreading *s, const ir_variable *variable, const ir_node *value) {
+    lifter *l = s->l;
+    if (!lane_is_own(l, variable) || l->class_of[variable->id] != LANE_UNIFORM)
+        return;
+    if (variable->type->kind == IR_POINTER && lane_mentions_lifted(l, value))
+        lane_problem(l, "a pointer leads to a variable of the iteration");
+    if (lane_is_uniform(l, value))
+        return;
+    if (variable->storage == IR_PARAMETER && l->function)
+        lane_problem(l, "a parameter that is the same for all iterations gets another value");
+    l->class_of[variable->id] = LANE_VARYING;
+    s->has_changed = true;
+}
+
+static bool spread_node(ir_node *node, void *context) {
+    if (node->kind == IR_ASSIGN && node->children[0]->kind == IR_VARIABLE)
+        spread(context, node->children[0]->variable, node->children[1]);
+    if (node->kind == IR_DECLARATOR && node->child_count > 0)
+        spread(context, node->variable, node->children[0]);
+    return true;
+}
+
+typedef struct listing {
+    lifter *l;
+    bool *is_listed;
+} listing;
+
+static bool list_node(ir_node *node, void *context) {
+    const listing *it = context;
+    const ir_variable *variable = node->variable;
+    const bool is_variable = node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR;
+    if (!is_variable || it->is_listed[variable->id] || !lane_is_own(it->l, variable) ||
+        variable->storage == IR_PARAMETER)
+        return true;
+    it->is_listed[variable->id] = true;
+    it->l->class_of[variable->id] =
+        variable == it->l->loop->facts->counted.counter && !it->l->function
+            ? LANE_VARYING
+            : first_class(it->l, variable);
+    return true;
+}
+
+/** Parameters have theirs already. */
+void lane_classify(lifter *l) {
+    listing list = {l, ARENA_ARRAY(l->loop->arena, bool, l->loop->unit->variable_count + 1)};
+    spreading s = {.l = l, .has_changed = true};
+    ir_walk((ir_node *)l->scope, list_node, &list);
+    ir_walk((ir_node *)l->scope, find_mask, l);
+    while (s.has_changed) {
+        s.has_changed = false;
+        ir_walk((ir_node *)l->scope, spread_node, &s);
+    }
+}

@@ -1,0 +1,429 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Statements that compute, for all lanes, and the functions that they call. Control must be the
+ * same for all lanes: loops and conditions on what is uniform.
+ */
+#include <string.h>
+
+#include "emit/lanes.h"
+#include "emit/origin.h"
+
+enum { MOST_DEPTH = 8 /* of calls */ };
+
+/* ---- declarations --------------------------------------------------------------------------- */
+
+/** Without the variable's own qualifiers: each lane's is assigned. */
+const char *lane_type(lifter *l, const ir_type *type) {
+    arena *a = l->loop->arena;
+    ir_type *plain = ARENA_NEW(a, ir_type);
+    *plain = *type;
+    plain->is_const = plain->is_restrict = false;
+    const char *spelling = ir_type_default_spelling(a, plain);
+    if (!spelling) {
+        lane_problem(l, "a type cannot be spelled");
+        return "int";
+    }
+    return arena_format(a, "__typeof__(%s)", origin_spelling(a, type, spelling));
+}
+
+/** "[3][3]". */
+static const char *extents(lifter *l, const ir_type *type) {
+    const char *text = "";
+    for (; type->kind == IR_ARRAY; type = type->target) {
+        if (type->count <= 0)
+            lane_problem(l, "an array has no constant length");
+        text = arena_format(l->loop->arena, "%s[%lld]", text, (long long)type->count);
+    }
+    return text;
+}
+
+static bool is_zero(const ir_node *node) {
+    if (node->kind == IR_INITIALIZERS) {
+        for (unsigned i = 0; i < node->child_count; i++)
+            if (!is_zero(node->children[i]))
+                return false;
+        return !(node->flags & IR_DESIGNATED);
+    }
+    if (node->flags & IR_HAS_VALUE)
+        return node->value == 0;
+    return node->kind == IR_NUMBER && node->text && strspn(node->text, "0.") == strlen(node->text);
+}
+
+/** " = {{{0}}}": all lanes of all elements. */
+static const char *zeros(lifter *l, const ir_type *type) {
+    const char *text = "{0}";
+    for (; type->kind == IR_ARRAY; type = type->target)
+        text = arena_format(l->loop->arena, "{%s}", text);
+    return text;
+}
+
+/** The initialiser of an array: zeros, or a value for each element of one row. */
+static const char *array_initialiser(lifter *l, const ir_type *type, const ir_node *value) {
+    arena *a = l->loop->arena;
+    if (value->kind == IR_INITIALIZERS && is_zero(value))
+        return zeros(l, type);
+    if (value->kind != IR_INITIALIZERS || value->flags & IR_DESIGNATED ||
+        (int64_t)value->child_count != type->count || type->target->kind == IR_ARRAY) {
+        lane_problem(l, "an array is initialised in a way that has no form for vectors");
+        return "{{0}}";
+    }
+    const char *text = NULL;
+    for (unsigned i = 0; i < value->child_count; i++)
+        text = text ? arena_format(a, "%s, %s", text, lane_vector(l, value->children[i]))
+                    : lane_vector(l, value->children[i]);
+    return arena_format(a, "{%s}", text);
+}
+
+static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node *value) {
+    const char *name = origin_declarator(l->loop->arena, variable);
+    const char *of = extents(l, variable->type);
+    if (!value)
+        writer_line(l->out, "redcc_vector %s%s;", name, of);
+    else if (variable->type->kind == IR_ARRAY)
+        writer_line(l->out, "redcc_vector %s%s = %s;", name, of,
+                    array_initialiser(l, variable->type, value));
+    else
+        writer_line(l->out, "redcc_vector %s = %s;", name, lane_vector(l, value));
+}
+
+/** A statement of each lane, the user's own with the lane's variables. */
+static const char *lane_text(lifter *l, const ir_node *value) {
+    if (!lane_is_plain(value))
+        lane_problem(l, "an operand has an effect of its own");
+    if (lane_mentions_lifted(l, value))
+        lane_problem(l, "a subscript or an integer depends on a double of the iteration");
+    return lane_scalar(l, value);
+}
+
+static void declare_own(lifter *l, const ir_variable *variable, const ir_node *value) {
+    arena *a = l->loop->arena;
+    const char *name = origin_declarator(a, variable);
+    switch (l->class_of[variable->id]) {
+    case LANE_LIFTED:
+        declare_lifted(l, variable, value);
+        break;
+    case LANE_MASK:
+        writer_line(l->out, "redcc_mask %s = %s;", name, lane_mask(l, value));
+        break;
+    case LANE_VARYING:
+        writer_line(l->out, "%s %s[redcc_width];", lane_type(l, variable->type), name);
+        if (value)
+            writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
+                        lane_text(l, value));
+        break;
+    case LANE_UNIFORM:
+        if (value)
+            writer_line(l->out, "%s %s = %s;", lane_type(l, variable->type), name,
+                        lane_scalar(l, value));
+        else
+            writer_line(l->out, "%s %s;", lane_type(l, variable->type), name);
+        break;
+    }
+}
+
+void lane_declare(lifter *l, const ir_variable *variable) {
+    declare_own(l, variable, NULL);
+}
+
+/* ---- calls ---------------------------------------------------------------------------------- */
+
+/** Of what class is the parameter, with this argument? */
+static lane_class parameter_class(lifter *l, const ir_variable *parameter, const ir_node *value) {
+    const ir_type *type = parameter->type;
+    if (type->is_volatile || type->is_atomic)
+        lane_problem(l, "a parameter is volatile or atomic");
+    if (lane_is_double(type))
+        return LANE_LIFTED;
+    if (type->kind == IR_POINTER && lane_lifted_root(l, value)) {
+        if (!lane_is_double(ir_type_innermost(type->target)))
+            lane_problem(l, "a variable of the iteration is passed as something else");
+        return LANE_LIFTED;
+    }
+    if ((type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN) ||
+        lane_mentions_lifted(l, value))
+        lane_problem(l, "an argument has no form for vectors");
+    return lane_is_uniform(l, value) ? LANE_UNIFORM : LANE_VARYING;
+}
+
+static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_class class) {
+    arena *a = l->loop->arena;
+    const ir_type *type = parameter->type;
+    const char *name = origin_declarator(a, parameter);
+    if (class == LANE_VARYING)
+        return arena_format(a, "%s *%s", lane_type(l, type), name);
+    if (class == LANE_UNIFORM)
+        return arena_format(a, "%s %s", lane_type(l, type), name);
+    if (type->kind != IR_POINTER)
+        return arena_format(a, "redcc_vector %s", name);
+    return arena_format(a, "redcc_vector (*%s)%s", name, extents(l, type->target));
+}
+
+static const char *argument_text(lifter *l, const ir_variable *parameter, lane_class class,
+                                 const ir_node *value) {
+    arena *a = l->loop->arena;
+    if (class == LANE_UNIFORM)
+        return lane_scalar(l, value);
+    if (class == LANE_VARYING)
+        return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
+                            lane_text(l, value));
+    if (parameter->type->kind != IR_POINTER)
+        return lane_vector(l, value);
+    const char *text = text_operand(a, value, NULL, NULL);
+    if (!text)
+        lane_problem(l, "an argument cannot be spelled");
+    return text ? text : "0";
+}
+
+static void write_parameters(lifter *l, const ir_function *function, const lane_class *classes,
+                             const char *name) {
+    buffer head = {0};
+    for (unsigned i = 0; i < function->parameter_count; i++) {
+        const ir_variable *parameter = function->parameters[i];
+        l->class_of[parameter->id] = classes[i];
+        buffer_format(&head, "%s%s __attribute__((__unused__))", i > 0 ? ", " : "",
+                      parameter_text(l, parameter, classes[i]));
+    }
+    writer_line(l->out, "REDCC_INLINE %s %s(%s) {",
+                lane_is_double(function->type->target) ? "redcc_vector" : "void", name,
+                head.data ? head.data : "void");
+    buffer_free(&head);
+}
+
+/** The function for vectors, in front of what is being written. */
+static void write_clone(lifter *l, const ir_function *function, const lane_class *classes,
+                        const char *name) {
+    writer text = {0};
+    lifter inner = *l;
+    inner.function = function;
+    inner.scope = function->body;
+    inner.depth = l->depth + 1;
+    inner.out = &text;
+    write_parameters(&inner, function, classes, name);
+    lane_classify(&inner);
+    text.depth = 1;
+    writer_line(&text, "int redcc__l __attribute__((__unused__));");
+    for (unsigned i = 0; i < function->body->child_count; i++) {
+        const ir_node *statement = function->body->children[i];
+        const bool is_last = i + 1 == function->body->child_count;
+        if (statement->kind == IR_RETURN && is_last && statement->child_count > 0)
+            writer_line(&text, "return %s;", lane_vector(&inner, statement->children[0]));
+        else if (statement->kind != IR_RETURN || !is_last)
+            lane_statement(&inner, statement);
+    }
+    text.depth = 0;
+    writer_line(&text, "}");
+    buffer_text(&l->front->out, writer_text(l->loop->arena, &text));
+}
+
+static bool can_be_cloned(lifter *l, const ir_function *function, const ir_node *call) {
+    const ir_type *result = function->type->target;
+    const ir_node *body = function->body;
+    if (function->is_variadic || function->is_noreturn || l->depth >= MOST_DEPTH ||
+        call->child_count != function->parameter_count + 1 ||
+        (result->kind != IR_VOID && !lane_is_double(result)))
+        return false;
+    return result->kind == IR_VOID ||
+           (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
+}
+
+static const char *clone_of(lifter *l, const ir_function *function, const lane_class *classes) {
+    arena *a = l->loop->arena;
+    const size_t bytes = function->parameter_count * sizeof *classes;
+    for (unsigned i = 0; i < l->clones->count; i++) {
+        const lane_clone *it = &l->clones->items[i];
+        if (it->function == function && (!bytes || memcmp(it->classes, classes, bytes) == 0))
+            return it->name;
+    }
+    const lane_clone clone = {
+        function, classes,
+        arena_format(a, "redcc__%u_%s", l->clones->count + 1, loop_lanes_name(l->loop))};
+    VECTOR_PUSH(a, l->clones, clone);
+    write_clone(l, function, classes, clone.name);
+    return clone.name;
+}
+
+const char *lane_call(lifter *l, const ir_node *call) {
+    arena *a = l->loop->arena;
+    const ir_function *function = call->children[0]->function;
+    if (!can_be_cloned(l, function, call)) {
+        lane_problem(l, "a function that is called has no form for vectors");
+        return "redcc_same(0.0)";
+    }
+    lane_class *classes = ARENA_ARRAY(a, lane_class, function->parameter_count + 1);
+    const char *arguments = "";
+    for (unsigned i = 0; i < function->parameter_count; i++) {
+        const ir_variable *parameter = function->parameters[i];
+        const ir_node *value = call->children[i + 1];
+        classes[i] = parameter_class(l, parameter, value);
+        arguments = arena_format(a, "%s%s%s", arguments, i > 0 ? ", " : "",
+                                 argument_text(l, parameter, classes[i], value));
+    }
+    return arena_format(a, "%s(%s)", clone_of(l, function, classes), arguments);
+}
+
+/* ---- statements ----------------------------------------------------------------------------- */
+
+static bool is_step(const ir_node *node) {
+    return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
+           node->op <= IR_OP_POST_DECREMENT;
+}
+
+static const char *assignment_operator(ir_operator op) {
+    switch (op) {
+    case IR_OP_NONE:
+        return "=";
+    case IR_OP_ADD:
+        return "+=";
+    case IR_OP_SUBTRACT:
+        return "-=";
+    case IR_OP_MULTIPLY:
+        return "*=";
+    case IR_OP_DIVIDE:
+        return "/=";
+    default:
+        return NULL;
+    }
+}
+
+static void assign_lifted(lifter *l, const ir_node *node) {
+    const char *op = assignment_operator(node->op);
+    const lifted target = lane_expression(l, node->children[0]);
+    if (!op)
+        lane_problem(l, "an operator has no form for vectors");
+    else if (node->op == IR_OP_NONE)
+        writer_line(l->out, "%s = %s;", target.text, lane_vector(l, node->children[1]));
+    else
+        writer_line(l->out, "%s %s %s;", target.text, op,
+                    lane_expression(l, node->children[1]).text);
+}
+
+/** Of an own integer or pointer: for each lane, or once. */
+static const char *assignment_of(lifter *l, const ir_node *node) {
+    const ir_node *target = node->children[0];
+    if (target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
+        l->class_of[target->variable->id] == LANE_LIFTED ||
+        (!is_step(node) && node->kind != IR_ASSIGN)) {
+        lane_problem(l, "a statement has no form for vectors");
+        return "(void)0";
+    }
+    if (node->kind == IR_ASSIGN && !lane_is_plain(node->children[1]))
+        lane_problem(l, "an operand has an effect of its own");
+    if (node->kind == IR_ASSIGN && lane_mentions_lifted(l, node->children[1]))
+        lane_problem(l, "a subscript or an integer depends on a double of the iteration");
+    const char *text = text_expression(l->loop->arena, node, lane_rename, l);
+    if (!text)
+        lane_problem(l, "an expression cannot be spelled");
+    return text ? text : "(void)0";
+}
+
+static void write_expression(lifter *l, const ir_node *node) {
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+        node->children[0]->function->body) {
+        writer_line(l->out, "%s;", lane_call(l, node));
+        return;
+    }
+    if (node->kind == IR_ASSIGN && lane_is_double(node->children[0]->type) &&
+        lane_lifted_root(l, node->children[0])) {
+        assign_lifted(l, node);
+        return;
+    }
+    const char *text = assignment_of(l, node);
+    const ir_node *target = node->children[0];
+    const bool varies =
+        target && target->kind == IR_VARIABLE && l->class_of[target->variable->id] == LANE_VARYING;
+    writer_line(l->out, "%s%s;", varies ? "REDCC_EACH_LANE " : "", text);
+}
+
+static void write_part(lifter *l, const ir_node *part) {
+    l->out->depth++;
+    if (part->kind != IR_BLOCK)
+        lane_statement(l, part);
+    for (unsigned i = 0; part->kind == IR_BLOCK && i < part->child_count; i++)
+        lane_statement(l, part->children[i]);
+    l->out->depth--;
+    writer_line(l->out, "}");
+}
+
+static bool is_uniform_step(lifter *l, const ir_node *node) {
+    if (node->kind == IR_EMPTY)
+        return true;
+    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA)
+        return is_uniform_step(l, node->children[0]) && is_uniform_step(l, node->children[1]);
+    return (is_step(node) || node->kind == IR_ASSIGN) && node->children[0]->kind == IR_VARIABLE &&
+           lane_is_own(l, node->children[0]->variable) &&
+           l->class_of[node->children[0]->variable->id] == LANE_UNIFORM &&
+           (is_step(node) || lane_is_uniform(l, node->children[1]));
+}
+
+/** In a block of its own, with what its header declares. */
+static void write_for(lifter *l, const ir_node *node) {
+    arena *a = l->loop->arena;
+    const ir_node *first = node->children[0], *condition = node->children[1],
+                  *step = node->children[2];
+    const bool declares = first->kind == IR_DECLARATION;
+    bool is_uniform = (condition->kind == IR_EMPTY || lane_is_uniform(l, condition)) &&
+                      is_uniform_step(l, step) && (declares || is_uniform_step(l, first));
+    for (unsigned i = 0; declares && i < first->child_count; i++)
+        is_uniform &= l->class_of[first->children[i]->variable->id] == LANE_UNIFORM;
+    if (!is_uniform || condition->kind == IR_EMPTY) {
+        lane_problem(l, "a loop inside is not the same for all iterations");
+        return;
+    }
+    writer_line(l->out, "{");
+    l->out->depth++;
+    if (declares)
+        lane_statement(l, first);
+    const char *begin = declares || first->kind == IR_EMPTY ? "" : lane_scalar(l, first);
+    const char *next = step->kind == IR_EMPTY ? "" : text_expression(a, step, lane_rename, l);
+    if (!next)
+        lane_problem(l, "an expression cannot be spelled");
+    writer_line(l->out, "for (%s; %s; %s) {", begin, lane_scalar(l, condition), next ? next : "");
+    write_part(l, node->children[3]);
+    l->out->depth--;
+    writer_line(l->out, "}");
+}
+
+static void write_if(lifter *l, const ir_node *node) {
+    if (!lane_is_uniform(l, node->children[0])) {
+        lane_problem(l, "a condition is not the same for all iterations");
+        return;
+    }
+    writer_line(l->out, "if (%s) {", lane_scalar(l, node->children[0]));
+    write_part(l, node->children[1]);
+    if (node->child_count < 3)
+        return;
+    writer_line(l->out, "else {");
+    write_part(l, node->children[2]);
+}
+
+void lane_statement(lifter *l, const ir_node *statement) {
+    switch (statement->kind) {
+    case IR_EMPTY:
+        break;
+    case IR_BLOCK:
+        writer_line(l->out, "{");
+        write_part(l, statement);
+        break;
+    case IR_DECLARATION:
+        for (unsigned i = 0; i < statement->child_count; i++) {
+            const ir_node *declarator = statement->children[i];
+            if (!lane_is_own(l, declarator->variable))
+                lane_problem(l, "a declaration has no form for vectors");
+            else
+                declare_own(l, declarator->variable, ir_child(declarator, 0));
+        }
+        break;
+    case IR_EXPRESSION:
+        write_expression(l, statement->children[0]);
+        break;
+    case IR_FOR:
+        write_for(l, statement);
+        break;
+    case IR_IF:
+        write_if(l, statement);
+        break;
+    default:
+        lane_problem(l, "a statement has no form for vectors");
+        break;
+    }
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Which executors prefetch what iterations to come touch (redcc/prefetch.h): those whose iterations
+ * are long beside the slice, which is evaluated once more for it. A static estimate decides what is
+ * compiled; the runtime measures whether it pays.
+ */
+#include "emit/loop.h"
+#include "emit/origin.h"
+#include "emit/syntax.h"
+#include "support/vector.h"
+
+enum {
+    LEAST_WORK =
+        300,        /* operations an iteration: what is lighter loses by it unless it is shuffled */
+    DEAR = 8,       /* a division, a square root, a call of mathematics */
+    SOME = 4,       /* iterations of a loop inside, where the text does not say how many */
+    MOST_DEPTH = 8, /* of calls */
+    MOST_WORK = 10000 /* more need not be told apart */
+};
+
+static bool has_integer(const ir_node *node, int64_t *value) {
+    if (!node || !(node->flags & IR_HAS_VALUE))
+        return false;
+    *value = node->value;
+    return true;
+}
+
+static const ir_node *first_value(const ir_node *initialisation) {
+    if (initialisation->kind == IR_DECLARATION)
+        initialisation = ir_child(initialisation, 0);
+    else if (initialisation->kind == IR_EXPRESSION)
+        initialisation = ir_child(initialisation, 0);
+    if (initialisation->kind == IR_DECLARATOR)
+        return ir_child(initialisation, 0);
+    return initialisation->kind == IR_ASSIGN ? ir_child(initialisation, 1) : NULL;
+}
+
+/** Of `for (c = 0; c < 3; c++)` 3; 0: the text does not say it. */
+static int64_t constant_trip(const ir_node *loop) {
+    int64_t first, bound;
+    if (loop->kind != IR_FOR)
+        return 0;
+    const ir_node *condition = loop->children[1];
+    if (condition->kind != IR_BINARY || !has_integer(first_value(loop->children[0]), &first) ||
+        !has_integer(condition->children[1], &bound))
+        return 0;
+    const int64_t trip = bound - first + (condition->op == IR_OP_LESS_EQUAL);
+    return (condition->op == IR_OP_LESS || condition->op == IR_OP_LESS_EQUAL) && trip > 0 &&
+                   trip <= MOST_WORK
+               ? trip
+               : 0;
+}
+
+static bool is_floating(const ir_type *type) {
+    return type && (type->kind == IR_FLOATING || type->kind == IR_COMPLEX);
+}
+
+static int64_t own_work(const ir_node *node) {
+    const bool is_operation = node->kind == IR_BINARY || node->kind == IR_ASSIGN;
+    if (node->kind == IR_CALL)
+        return is_floating(node->type) ? DEAR : 0;
+    if (node->kind == IR_UNARY)
+        return node->op == IR_OP_MINUS && is_floating(node->type);
+    if (!is_operation || node->op == IR_OP_NONE || !is_floating(node->children[0]->type))
+        return 0;
+    return node->op == IR_OP_DIVIDE ? DEAR : 1;
+}
+
+static int64_t work_of(const ir_node *node, int depth) {
+    int64_t work = own_work(node);
+    const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION
+                                    ? node->children[0]->function
+                                    : NULL;
+    if (callee && callee->body && depth < MOST_DEPTH)
+        work += work_of(callee->body, depth + 1);
+    for (unsigned i = 0; i < node->child_count && work < MOST_WORK; i++)
+        work += work_of(node->children[i], depth);
+    if (ir_is_loop(node)) {
+        const int64_t trip = constant_trip(node);
+        work *= trip ? trip : SOME;
+    }
+    return work < MOST_WORK ? work : MOST_WORK;
+}
+
+/** Does the slice hold a loop whose length the text does not say? Twice it may be too dear. */
+static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
+    if (ir_is_loop(node) && facts->in_slice[node->id] && !constant_trip(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_open_loop(facts, node->children[i]))
+            return true;
+    return false;
+}
+
+/** Does the slice hold loops of functions that are called? */
+static bool has_source_loop(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].loop_count > 0)
+            return true;
+    return false;
+}
+
+/** Evaluated once more, a slice with floating-point work might set errno where the loop does not.
+ */
+bool prefetches(const loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    return loop->is_outlined && !facts->slice_has_floating_work &&
+           !has_open_loop(facts, facts->counted.body) && !has_source_loop(facts) &&
+           work_of(facts->counted.body, 0) >= LEAST_WORK;
+}
+
+/* ---- gathers that the inspector need not tell ------------------------------------------------ */
+
+/** base[subscript], two variables of the loop's function. */
+typedef struct gather {
+    const ir_variable *base, *subscript;
+} gather;
+
+typedef VECTOR(gather) gather_list;
+
+/** What a function's parameters are called with: variables of the loop's function, or NULL. */
+typedef struct frame {
+    const struct frame *caller; /* NULL: the loop itself */
+    const ir_function *function;
+    const ir_node *call;
+    int depth;
+} frame;
+
+static const ir_variable *resolve(const frame *in, const ir_node *node) {
+    while (node && node->kind == IR_CAST)
+        node = ir_child(node, 0);
+    if (!node || node->kind != IR_VARIABLE)
+        return NULL;
+    if (!in->caller)
+        return node->variable;
+    for (unsigned i = 0; i < in->function->parameter_count; i++)
+        if (in->function->parameters[i] == node->variable)
+            return resolve(in->caller, ir_child(in->call, i + 1));
+    return NULL;
+}
+
+static void list_gathers(arena *a, const frame *in, const ir_node *node, gather_list *list) {
+    if (node->kind == IR_INDEX) {
+        const gather one = {resolve(in, node->children[0]), resolve(in, node->children[1])};
+        bool is_new = one.base && one.subscript;
+        for (unsigned i = 0; i < list->count; i++)
+            is_new &= list->items[i].base != one.base || list->items[i].subscript != one.subscript;
+        if (is_new)
+            VECTOR_PUSH(a, list, one);
+    }
+    if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
+        node->children[0]->function->body && in->depth < MOST_DEPTH) {
+        const ir_function *callee = node->children[0]->function;
+        const frame inner = {in, callee, node, in->depth + 1};
+        list_gathers(a, &inner, callee->body, list);
+    }
+    for (unsigned i = 0; i < node->child_count; i++)
+        list_gathers(a, in, node->children[i], list);
+}
+
+/** Has each iteration of the slice given it a value when it comes to its end? */
+static bool is_computed(const loop_facts *facts, const ir_variable *variable) {
+    const ir_node *body = facts->counted.body;
+    for (unsigned i = 0; body->kind == IR_BLOCK && i < body->child_count; i++) {
+        const ir_node *statement = body->children[i];
+        const ir_node *value = ir_child(statement, 0);
+        if (statement->kind == IR_EXPRESSION && facts->in_slice[statement->id] &&
+            value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
+            value->children[0]->kind == IR_VARIABLE && value->children[0]->variable == variable)
+            return true;
+        for (unsigned k = 0; statement->kind == IR_DECLARATION && k < statement->child_count; k++)
+            if (statement->children[k]->variable == variable &&
+                statement->children[k]->child_count > 0 &&
+                facts->in_slice[statement->children[k]->id])
+                return true;
+    }
+    return false;
+}
+
+static bool is_row_of(const ir_node *row, const gather *one) {
+    return row->kind == IR_INDEX && row->children[0]->kind == IR_VARIABLE &&
+           row->children[0]->variable == one->base && row->children[1]->kind == IR_VARIABLE &&
+           row->children[1]->variable == one->subscript;
+}
+
+static bool is_told(const loop_facts *facts, const gather *one) {
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].extent == EXTENT_TOUCHED && is_row_of(facts->sources[i].row, one))
+            return true;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (is_row_of(facts->updates[i].row, one))
+            return true;
+    return false;
+}
+
+static bool is_rows(const loop_facts *facts, const ir_variable *base) {
+    const ir_type *type = base->type;
+    if (type->kind != IR_POINTER || !type->target || type->target->size <= 0)
+        return false;
+    for (unsigned i = 0; i < facts->captured_count; i++)
+        if (facts->captured[i] == base)
+            return true;
+    return false;
+}
+
+static bool has_continue(const loop_facts *facts, const ir_node *node) {
+    if (node->kind == IR_CONTINUE && facts->in_slice[node->id])
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_continue(facts, node->children[i]))
+            return true;
+    return false;
+}
+
+/** An iteration that goes on with the next one skips the end of the slice. */
+void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
+    const loop_facts *facts = loop->facts;
+    const frame top = {.call = facts->loop};
+    gather_list list = {0};
+    if (!prefetches(loop) || has_continue(facts, facts->counted.body))
+        return;
+    list_gathers(loop->arena, &top, facts->counted.body, &list);
+    writer_fill(out, true);
+    for (unsigned i = 0; i < list.count; i++) {
+        const gather *one = &list.items[i];
+        if (!is_rows(facts, one->base) || !is_mentioned[one->subscript->id] ||
+            !is_computed(facts, one->subscript) || is_told(facts, one))
+            continue;
+        is_mentioned[one->base->id] = true;
+        writer_line(out, "REDCC_AHEAD(%s, %s);", origin_variable(loop->arena, one->base),
+                    origin_variable(loop->arena, one->subscript));
+    }
+    writer_fill(out, false);
+}
