@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What to do where the conjugate gradients do not converge, or take many times the work of a direct
- *  solution: solve directly (solver_direct.h), for slivers and the like make a system that takes
- *  them thousands or millions of iterations. */
+/** What to do where the conjugate gradients do not converge, or take many times the work of a
+ * direct solution: solve directly (solver_direct.h), for slivers and the like make a system that
+ * takes them thousands or millions of iterations. */
 #ifndef FABRIC_SOLVER_FALLBACK_H
 #define FABRIC_SOLVER_FALLBACK_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each construct that is written for vectors, in a loop of its own, and what is left alone; on random
- * data with NaN, infinities, zeros of both signs and subnormals. */
+/* Each construct that is written for vectors, in a loop of its own, and what is left alone; on
+ * random data with NaN, infinities, zeros of both signs and subnormals. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -22,8 +22,8 @@ static const double factor = 1.25;
 
 /* ---- arithmetic ---- */
 
-static void lifted_arithmetic(int n, const struct element *restrict e, const double (*restrict p)[3],
-                              double (*restrict b)[3]) {
+static void lifted_arithmetic(int n, const struct element *restrict e,
+                              const double (*restrict p)[3], double (*restrict b)[3]) {
     for (int t = 0; t < n; t++) {
         const int i = e[t].node[0], j = e[t].node[1];
         double d[3];
@@ -315,7 +315,7 @@ static void begin(double *v, size_t count) {
         v[i] = -0.0;
 }
 
-#define P (const double(*)[3])x
+#define P (const double(*)[3]) x
 
 int main(void) {
     for (int round = 0; round < 3; round++) {

@@ -51,6 +51,7 @@ static void a_slice_without_a_worker_tells_nothing(void **unused) {
     double *nowhere = (double *)((redcc_size)1 << 20);
     redcc_probe *const redcc__probe = 0;
     redcc_worker *const redcc__worker = 0;
+    const redcc_u32 redcc__told = 0;
     REDCC_TOUCH(0, (const char *)nowhere, 8);
     REDCC_READ(0, (const char *)nowhere, 1000000);
     REDCC_TOUCH_ROW(0, nowhere, 1000);

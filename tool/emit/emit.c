@@ -206,9 +206,9 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
 static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
                      const emit_options *options, loop_list *loops, reason *why) {
     const unsigned left = options->leave ? options->leave[number] : 0;
-    loop_form form = left >= (options->lanes ? 2 : 1)    ? FORM_IN_PLACE
+    loop_form form = left >= (options->lanes ? 2 : 1)  ? FORM_IN_PLACE
                      : options->lanes > 0 && left == 0 ? FORM_LANES
-                                                         : FORM_BINNED;
+                                                       : FORM_BINNED;
     loop_piece front = {0}, block = {0};
     written_loop moved = {0};
     for (;; form++) {

@@ -247,8 +247,8 @@ typedef struct loop_piece {
     ir_range replaced;
 } loop_piece;
 
-/** With slice and body in front of the function: with a body for several iterations at once as well,
- *  with a form for bins, with neither; and in place. Each is tried where the one before is not
+/** With slice and body in front of the function: with a body for several iterations at once as
+ * well, with a form for bins, with neither; and in place. Each is tried where the one before is not
  *  possible. */
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
 

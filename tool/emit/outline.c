@@ -342,10 +342,10 @@ static void write_body(loop_text *loop, writer *out) {
     loop->body_arguments = take(loop->arena, &h.arguments);
     loop->body_parameters = take(loop->arena, &h.parameters);
     loop->body_call =
-        arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"), kind,
-                     count, counter_argument(loop), loop->body_arguments);
-    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"), kind,
-                count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
+        arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
+                     kind, count, counter_argument(loop), loop->body_arguments);
+    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"),
+                kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->body_parameters);
     out->depth = 1;
     write_iteration(loop, out, true);

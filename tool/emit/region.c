@@ -207,8 +207,9 @@ void write_region(loop_text *loop, writer *out) {
     if (loop->is_outlined) {
         const char *kind = loop->bins ? "_BINNED" : loop->lanes_call ? "_LANES" : "";
         writer_line(out, "REDCC_THREADS(%s)", firstprivate_clause(loop));
-        writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s%s", kind, loop->facts->array_count,
-                    loop->bins ? bins_phase(loop) : "", loop->bins ? "," : "");
+        writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s%s", kind,
+                    loop->facts->array_count, loop->bins ? bins_phase(loop) : "",
+                    loop->bins ? "," : "");
         writer_line(out, "        %s,", loop->slice_call);
         writer_line(out, "        %s%s%s)", loop->body_call, loop->lanes_call ? ", " : "",
                     loop->lanes_call ? loop->lanes_call : "");

@@ -418,7 +418,10 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
                 REDCC_PUSH_CHUNK(redcc_bins_n, REDCC_IN_BINS, redcc_call_of_slice,                 \
                                  redcc_call_of_body)                                               \
         }                                                                                          \
-        { redcc_bins_n##_OF(REDCC_NO_BINS_OF) REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body) }     \
+        {                                                                                          \
+            redcc_bins_n##_OF(REDCC_NO_BINS_OF)                                                    \
+                REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                \
+        }                                                                                          \
     }
 
 #endif

@@ -372,8 +372,8 @@ static double cpu_of(stage *on, int steps) {
     return (double)(clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/* What takes the conjugate gradients thousands of iterations is solved directly: it takes about as long as where the
- * scene asks for the direct solution, and ends in the same place. */
+/* What takes the conjugate gradients thousands of iterations is solved directly: it takes about as
+ * long as where the scene asks for the direct solution, and ends in the same place. */
 static void S40_ribbon_of_800_to_1(void **state) {
     (void)state;
     enum { steps = 100 };
@@ -406,7 +406,8 @@ static void S40_ribbon_of_800_to_1(void **state) {
 enum { around = 24, rings = 9 };
 static const double tube_radius = 0.05, tube_length = 0.2; /* m */
 
-/* A tube along z with open ends, of quadrilaterals in two; with a slit along one side or without. */
+/* A tube along z with open ends, of quadrilaterals in two; with a slit along one side or without.
+ */
 static mesh tube(int has_slit) {
     double material[around * rings][2];
     int triangle[2 * around * (rings - 1)][3], count = 0;
@@ -422,8 +423,8 @@ static mesh tube(int has_slit) {
             memcpy(triangle[count++], right, sizeof right);
             memcpy(triangle[count++], left, sizeof left);
         }
-    mesh m = cloth_of(around * rings, (const double(*)[2])material, count,
-                      (const int(*)[3])triangle);
+    mesh m =
+        cloth_of(around * rings, (const double(*)[2])material, count, (const int(*)[3])triangle);
     for (int i = 0; i < m.vertex_count; i++) {
         const double angle = 2 * acos(-1) * (i % around) / (int)around;
         m.position[i][0] = tube_radius * cos(angle);
@@ -458,8 +459,8 @@ static void radii(const stage *on, double *least, double *most) {
     }
 }
 
-/* A slit tube whose angles are at rest stays as it is, to the rounding; one of cloth that is flat at
- * rest unrolls. */
+/* A slit tube whose angles are at rest stays as it is, to the rounding; one of cloth that is flat
+ * at rest unrolls. */
 static void S41_tube_keeps_its_shape(void **state) {
     (void)state;
     double least, most;

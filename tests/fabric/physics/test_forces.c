@@ -488,8 +488,8 @@ static void test_drag_is_force_per_area(void **state) {
     bench_end(&b);
 }
 
-/* With the same coefficient across and along the cloth, drag is the same in all directions, on a sheet
- * of any slope: force and derivative are those of each vertex' share of the area. */
+/* With the same coefficient across and along the cloth, drag is the same in all directions, on a
+ * sheet of any slope: force and derivative are those of each vertex' share of the area. */
 static void test_drag_along_makes_it_whole(void **state) {
     (void)state;
     const double none[3] = {0, 0, 0}, wind[3] = {3, -1, 2}, h = 0.5, drag = 0.3;
@@ -521,10 +521,10 @@ static void test_drag_along_makes_it_whole(void **state) {
                 assert_near(row[c], r == c ? h * drag * area[i] : 0, 1e-16);
             work += force * v[i][r];
         }
-    assert_near(drag_work(&b.triangles, drag, wind, h, constant(b.m.position), constant(v)) +
-                    drag_work_along(&b.triangles, drag, wind, h, constant(b.m.position),
-                                    constant(v)),
-                work, 1e-14);
+    assert_near(
+        drag_work(&b.triangles, drag, wind, h, constant(b.m.position), constant(v)) +
+            drag_work_along(&b.triangles, drag, wind, h, constant(b.m.position), constant(v)),
+        work, 1e-14);
     free(v);
     free(area);
     bench_end(&b);
