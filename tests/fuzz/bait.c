@@ -66,7 +66,7 @@ static void read_bytes(kernel *k) {
     put(k, &k->locals, "    unsigned char *%s = (unsigned char *)%s;\n", name, a->base);
     const char *at = subscript(k);
     if (chance(k, 50)) {
-        a->has_bits_flipped = true;
+        a->is_no_integer = true;
         put(k, &k->body, "%s[(%s) * sizeof *%s] ^= 1;\n", name, at, a->base);
         return;
     }
@@ -83,12 +83,13 @@ static void store_plainly(kernel *k) {
 }
 
 static void other_operator(kernel *k) {
-    array a = *any_reduction(k);
-    const char *where = place(k, &a, subscript(k));
-    if (is_integer(&a)) {
+    array *a = any_reduction(k);
+    const char *where = place(k, a, subscript(k));
+    if (is_integer(a)) {
         static const char *const operations[] = {"|=", "&=", "^=", "-=", "/=", "%="};
         put(k, &k->body, "%s %s %d;\n", where, operations[below(k, 6)], 1 + below(k, 30));
-    } else {
+    } else { /* halved often enough its sums are rounded */
+        a->is_no_integer = true;
         put(k, &k->body, below(k, 2) ? "%s *= 0.5;\n" : "%s /= 2;\n", where);
     }
 }

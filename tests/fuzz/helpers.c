@@ -124,7 +124,7 @@ static void put_search(kernel *k, const char *function) {
 void call_of_helper(kernel *k) {
     const array *a = any_reduction(k);
     const bool is_updated =
-        a->type == E_DOUBLE && a->shape == SHAPE_FLAT && !a->has_bits_flipped && chance(k, 15);
+        a->type == E_DOUBLE && a->shape == SHAPE_FLAT && !a->is_no_integer && chance(k, 15);
     const char *function = new_name(k, "helper");
     const array *lists[] = {&k->chain, &k->flag, &k->far};
     const char *list = lists[below(k, 2)]->base;

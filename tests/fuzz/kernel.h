@@ -61,7 +61,7 @@ typedef struct array {
     storage storage;
     const char *operation; /* of a reduction array: "+", "*", "&", "|", "^", "<", ">" */
     bool is_member;        /* the object is a member of one that holds others as well */
-    bool has_bits_flipped; /* its floating values are no small integers any more */
+    bool is_no_integer;    /* its floating values are no small integers any more */
 } array;
 
 enum { MOST_NAMES = 24, REDUCTIONS = 2, SUBSCRIPTS = 2 };

@@ -291,7 +291,7 @@ static bool shows_order(kernel *k, const char *object) {
     for (int i = 0; i < REDUCTIONS; i++) {
         const array *a = &k->reduction[i];
         const bool is_inexact = elements[a->type].is_floating &&
-                                (a->type == E_FLOAT || *a->operation != '+' || a->has_bits_flipped);
+                                (a->type == E_FLOAT || *a->operation != '+' || a->is_no_integer);
         const bool is_given = strncmp(a->given, object, length) == 0 &&
                               (a->given[length] == 0 || a->given[length] == ' ');
         if (is_inexact && (is_given || strcmp(a->object, object) == 0))

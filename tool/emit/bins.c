@@ -243,7 +243,7 @@ static bool is_read_elsewhere(const loop_text *loop, const ir_node *node) {
 static bool take_apart(loop_text *loop, struct bins_text *bins, unsigned number) {
     site *self = &bins->sites[number];
     self->update = &loop->facts->updates[number];
-    return is_in_step(loop, self->update->target, self->update->array) &&
+    return !self->update->last && is_in_step(loop, self->update->target, self->update->array) &&
            (self->update->statement->kind == IR_EXPRESSION ||
             self->update->statement->kind == IR_IF) &&
            gather(loop, self, self->update->statement, true) && fits_record(bins, self);

@@ -231,7 +231,7 @@ static void tell_account(const simulation *sim, char *error) {
     for (int k = 0; k < STEP_VERDICT_COUNT; k++)
         if (sim->monitor.let_pass[k] > 0)
             length += snprintf(error + length, (size_t)(256 - length), ", %ld let pass: %s",
-                               sim->monitor.let_pass[k], monitor_verdict_name(k));
+                               sim->monitor.let_pass[k], monitor_verdict_name((monitor_verdict)k));
 }
 
 static int run(const mesh *m, const scene *s, int steps, char *error) {
