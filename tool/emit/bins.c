@@ -255,7 +255,7 @@ static bool find_told_sources(const loop_text *loop, struct bins_text *bins) {
     for (unsigned i = 0; i < loop->facts->source_count; i++) {
         const loop_source *read = &loop->facts->sources[i];
         if (read->needs_guard && read->extent == EXTENT_TOUCHED)
-            bins->told_sources |= 1ul << loop->source_number[i];
+            bins->told_sources |= (uint32_t)1 << loop->source_number[i];
     }
     return true;
 }
