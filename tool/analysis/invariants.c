@@ -66,7 +66,8 @@ static void assert_updates(const loop_facts *facts) {
         const reduction_update *update = &facts->updates[i];
         assert(update->array < facts->array_count);
         assert(is_in_loop(facts, update->statement));
-        assert(update->statement->kind == IR_EXPRESSION || update->statement->kind == IR_IF);
+        assert(update->statement->kind == IR_EXPRESSION || update->statement->kind == IR_IF ||
+               (update->last && update->statement->kind == IR_DECLARATOR));
         assert(update->target && ir_is_expression(update->target));
         assert(update->row && ir_is_expression(update->row));
     }

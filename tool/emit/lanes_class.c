@@ -12,13 +12,7 @@ bool lane_is_own(const lifter *l, const ir_variable *variable) {
         return variable->function == l->function;
     if (variable == facts->counted.counter)
         return true;
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].variable == variable)
-            return true;
-    const ir_range body = facts->counted.body->range;
-    return variable->function == facts->function && variable->storage == IR_LOCAL &&
-           variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
-           variable->range.begin < body.end;
+    return is_declared_in(facts, variable);
 }
 
 bool lane_is_uniform(const lifter *l, const ir_node *node) {

@@ -168,6 +168,8 @@ void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
 /** lanes.c: the function that executes several iterations at once, where it is asked for and the
  *  body can be written so; sets lanes_call, or says in a comment why not. */
 void write_lanes(loop_text *loop, writer *out);
+/** outline.c: is it the iteration's own, or declared in the body? */
+bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
 /** outline.c: what the name of that function ends with. */
 const char *loop_lanes_name(loop_text *loop);
 

@@ -135,7 +135,7 @@ static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
 }
 
-static bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
+bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; i < facts->private_count; i++)
         if (facts->privates[i].variable == variable)
             return true;
@@ -324,7 +324,7 @@ static void write_slice(loop_text *loop, writer *out) {
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", outlined_name(loop, "slice"),
                 counter_parameter(loop, is_used), take(loop->arena, &h.parameters));
     if (statements.out.length > 0)
-        statements.out.length--; /* the line goes on */
+        buffer_shorten(&statements.out, 1); /* the line goes on */
     buffer_text(&out->out, writer_text(loop->arena, &statements));
     writer_line(out, " }");
 }

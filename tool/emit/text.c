@@ -45,7 +45,7 @@ static void join_line(writer *w, size_t begin) {
     }
     data[begin - 1] = ' ';
     memmove(data + begin, data + text, w->out.length - text);
-    w->out.length -= text - begin;
+    buffer_shorten(&w->out, text - begin);
 }
 
 void writer_line(writer *w, const char *format, ...) {

@@ -8,6 +8,7 @@ typedef struct checker {
     const ir_unit *unit;
     const ir_function *function;
     unsigned next_id;
+    bool nests_ranges;   /* else a node may lie elsewhere than its parent */
     const char *problem; /* the first one */
 } checker;
 
@@ -91,7 +92,7 @@ static bool check_range(checker *c, const ir_node *node) {
     if (node->range.begin > node->range.end || node->range.end > c->unit->source->length)
         return complain(c, node, "its range is not inside the file");
     const ir_node *parent = node->parent;
-    if (parent == NULL || node->range.begin == node->range.end ||
+    if (!c->nests_ranges || parent == NULL || node->range.begin == node->range.end ||
         parent->range.begin == parent->range.end)
         return true;
     if (node->range.begin < parent->range.begin || node->range.end > parent->range.end)
@@ -140,8 +141,9 @@ static bool check_node(checker *c, const ir_node *node) {
     return check_reference(c, node);
 }
 
-static const char *check_body(arena *a, const ir_unit *unit, const ir_function *function) {
-    checker c = {.arena = a, .unit = unit, .function = function};
+static const char *check_body(arena *a, const ir_unit *unit, const ir_function *function,
+                              bool nests_ranges) {
+    checker c = {.arena = a, .unit = unit, .function = function, .nests_ranges = nests_ranges};
     if (function->body->kind != IR_BLOCK || function->body->parent != NULL)
         return arena_format(a, "function %s: its body is no block, or has a parent",
                             function->name);
@@ -151,7 +153,8 @@ static const char *check_body(arena *a, const ir_unit *unit, const ir_function *
     return c.problem;
 }
 
-static const char *check_one_function(arena *a, const ir_unit *unit, unsigned index) {
+static const char *check_one_function(arena *a, const ir_unit *unit, unsigned index,
+                                      bool nests_ranges) {
     const ir_function *f = unit->functions[index];
     if (f->id != index)
         return arena_format(a, "function %s: its id is not its place", f->name);
@@ -167,7 +170,7 @@ static const char *check_one_function(arena *a, const ir_unit *unit, unsigned in
                                 "function %s: parameter %u is an array or a function, which C "
                                 "makes a pointer",
                                 f->name, i);
-    return f->body != NULL ? check_body(a, unit, f) : NULL;
+    return f->body != NULL ? check_body(a, unit, f, nests_ranges) : NULL;
 }
 
 static const char *check_one_variable(arena *a, const ir_unit *unit, unsigned index) {
@@ -198,11 +201,19 @@ static const char *check_directives(arena *a, const ir_unit *unit) {
     return NULL;
 }
 
-const char *ir_check(arena *a, const ir_unit *unit) {
+static const char *check(arena *a, const ir_unit *unit, bool nests_ranges) {
     const char *problem = check_directives(a, unit);
     for (unsigned i = 0; problem == NULL && i < unit->variable_count; i++)
         problem = check_one_variable(a, unit, i);
     for (unsigned i = 0; problem == NULL && i < unit->function_count; i++)
-        problem = check_one_function(a, unit, i);
+        problem = check_one_function(a, unit, i, nests_ranges);
     return problem;
+}
+
+const char *ir_check(arena *a, const ir_unit *unit) {
+    return check(a, unit, true);
+}
+
+const char *ir_check_parsed(arena *a, const ir_unit *unit) {
+    return check(a, unit, false);
 }

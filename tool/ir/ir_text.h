@@ -16,4 +16,8 @@ void ir_print_node(buffer *out, const ir_node *node);
  *  inside the file). Returns NULL, or what is wrong, in the arena. */
 const char *ir_check(arena *a, const ir_unit *unit);
 
+/** As ir_check, but for the nesting of ranges: where a macro uses a parameter twice, libclang may
+ * say of a node that it lies outside its parent. */
+const char *ir_check_parsed(arena *a, const ir_unit *unit);
+
 #endif

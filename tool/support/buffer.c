@@ -55,6 +55,14 @@ void buffer_format(buffer *b, const char *format, ...) {
     va_end(again);
 }
 
+void buffer_shorten(buffer *b, size_t count) {
+    assert(count <= b->length);
+    if (count == 0)
+        return;
+    b->length -= count;
+    b->data[b->length] = 0;
+}
+
 void buffer_free(buffer *b) {
     free(b->data);
     *b = (buffer){0};

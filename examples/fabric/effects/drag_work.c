@@ -18,17 +18,6 @@ static double work_of(const int corner[3], double factor, const double wind[3],
     return work;
 }
 
-double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
-                 const double (*x)[3], const double (*v)[3]) {
-    double sum[CHUNK_SUM_MOST] = {0};
-    const int count = e->count;
-#pragma omp parallel for schedule(static)
-    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
-        for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++)
-            sum[chunk] += work_of(e->vertex[t], h * drag, wind, x, v);
-    return chunk_sum_all(count, sum);
-}
-
 static double work_along_of(const int corner[3], double factor, const double wind[3],
                             const double (*x)[3], const double (*v)[3]) {
     double one[3], other[3], cross[3], work = 0;
@@ -46,13 +35,26 @@ static double work_along_of(const int corner[3], double factor, const double win
     return work;
 }
 
-double drag_work_along(const triangle_elements *e, double drag, const double wind[3], double h,
-                       const double (*x)[3], const double (*v)[3]) {
+typedef double corner_work(const int corner[3], double factor, const double wind[3],
+                           const double (*x)[3], const double (*v)[3]);
+
+static double sum_up(corner_work *work_of_one, const triangle_elements *e, double factor,
+                     const double wind[3], const double (*x)[3], const double (*v)[3]) {
     double sum[CHUNK_SUM_MOST] = {0};
     const int count = e->count;
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
         for (int t = chunk * chunk_sum_length(count); t < chunk_sum_end(count, chunk); t++)
-            sum[chunk] += work_along_of(e->vertex[t], h * drag, wind, x, v);
+            sum[chunk] += work_of_one(e->vertex[t], factor, wind, x, v);
     return chunk_sum_all(count, sum);
+}
+
+double drag_work(const triangle_elements *e, double drag, const double wind[3], double h,
+                 const double (*x)[3], const double (*v)[3]) {
+    return sum_up(work_of, e, h * drag, wind, x, v);
+}
+
+double drag_work_along(const triangle_elements *e, double drag, const double wind[3], double h,
+                       const double (*x)[3], const double (*v)[3]) {
+    return sum_up(work_along_of, e, h * drag, wind, x, v);
 }
