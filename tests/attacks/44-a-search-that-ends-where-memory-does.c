@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A search in a row always finds what it looks for, and the tables end with the page that holds the
  * last element that it reads: the row's end, as its bounds have it, lies behind. The inspector tells
- * where the whole row lies, but nothing of it may be read that the program does not read. */
+ * where the whole row lies, but nothing of it may be read that the program does not read. covers: row 80 */
 #define _DEFAULT_SOURCE
 #include <stdio.h>
 #include <string.h>

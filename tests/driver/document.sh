@@ -22,7 +22,7 @@ finish_block() {
       printf '%s' "$text" >"$name" ;;
     sh)
       command=$text
-      printed=$(bash -euo pipefail -c "$command" 2>"$work/errors") ||
+      printed=$(bash -euo pipefail -c "$command" </dev/null 2>"$work/errors") ||
         fail "status $? of: $command$printed $(cat "$work/errors")" ;;
     text)
       expect_equal "$command" "${text%$'\n'}" "$printed" ;;

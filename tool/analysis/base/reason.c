@@ -58,6 +58,7 @@ static const char *const advices[REASON_COUNT] = {
         "make it static, hide it (-fvisibility=hidden), or say that what takes its "
         "place does the same (-fno-semantic-interposition)",
     [REASON_THREAD_STATE] = "call it before the loop",
+    [REASON_MESSAGE_PASSING] = "exchange messages before the loop or after it",
     [REASON_INEXACT_OPTION] =
         "compile this file without the option, or give up the bits: --order=any",
     [REASON_IN_MACRO] = "write the loop and its updates out",

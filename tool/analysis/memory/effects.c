@@ -285,7 +285,9 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     const ir_function *function = callee->function;
     bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
-    if (function->is_noreturn) {
+    if (library_is_message_passing(function)) { /* whatever else is said of it */
+        access_problem_add(w, REASON_MESSAGE_PASSING, call, function->name);
+    } else if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
     } else if (function->body && !function->is_weak) {

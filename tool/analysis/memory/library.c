@@ -158,3 +158,8 @@ bool library_tells_of_thread(const ir_function *function) {
     return function->is_attribute_const &&
            (function->parameter_count == 0 || !result || result->kind == IR_POINTER);
 }
+
+bool library_is_message_passing(const ir_function *function) {
+    return !function->body &&
+           (strncmp(function->name, "MPI_", 4) == 0 || strncmp(function->name, "PMPI_", 5) == 0);
+}

@@ -29,6 +29,11 @@ bool library_is_locale_table(const ir_node *call);
  *  without a known body, by what it is declared to be. */
 bool library_tells_of_thread(const ir_function *function);
 
+/** Is it MPI's? By its name, which the standard reserves (MPI 4.0, 2.5: MPI_ and PMPI_), and
+ * without a body here. A program may let only the thread that began MPI call it
+ * (MPI_THREAD_FUNNELED). */
+bool library_is_message_passing(const ir_function *function);
+
 /** The function of the C library, or of the compiler, that is called by this declaration; NULL: it
  *  is the program's own, or another one. `unit` is the one that declares it. */
 const library_function *library_find(const ir_unit *unit, const ir_function *function);
