@@ -1,15 +1,16 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Instructions of the parallel region in the short form of the generated code, against the long form
-# that redcc wrote at first (bench/generated/kernels-long.txt), by valgrind's callgrind; and lines of
-# either. Counts do not depend on what else the machine does.
+# that redcc wrote at first (bench/generated/kernels-long.txt), by valgrind's callgrind. Counts do not
+# depend on what else the machine does. And the lines of each loop's short form, the user's loop
+# included and the file's head not, beside those asked for; fabric's loop over hinges among them.
 . bench/common.sh
 csv=$results/generated.csv
 command -v valgrind >/dev/null || { echo "generated: no valgrind, nothing is measured"; exit 0; }
 cp bench/generated/kernels.c "$work/kernels.c"
 cp bench/generated/kernels-long.txt "$work/long.c"
 (cd "$work" && "$build/tool/redcc" kernels.c -o short.c 2>/dev/null)
-kernels=(springs histogram columns)
+kernels=(springs histogram columns leaving)
 
 # instructions FORM KERNEL COMPILER LEVEL: of all functions that OpenMP's threads execute
 instructions() {
@@ -28,7 +29,7 @@ for compiler in gcc clang-19; do
       "$compiler" "$level" -g -fopenmp -Iruntime/include "$work/$form.c" \
         "$build/runtime/libredcc_rt.a" -lm -o "$work/$form"
     done
-    for i in 0 1 2; do
+    for i in 0 1 2 3; do
       long=$(instructions long "$i") short=$(instructions short "$i")
       cmp -s "$work/long.out" "$work/short.out" || { echo "generated: other bits"; exit 1; }
       ratio=$(awk "BEGIN { printf \"%.4f\", $short / $long }")
@@ -37,7 +38,19 @@ for compiler in gcc clang-19; do
     done
   done
 done
-source_lines=$(wc -l <"$work/kernels.c")
-for form in long short; do
-  echo "$form form: $(($(wc -l <"$work/$form.c") - source_lines)) lines more than the source's $source_lines"
-done
+
+# lines FILE: of each loop's text, what stands in front of its function included
+lines() {
+  awk '/^\/\* redcc: what an iteration/ { in_front = 1; count++ }
+    /\{ \/\* redcc: in parallel/ { in_block = 1 }
+    in_front || in_block { count++ }
+    in_front && /^#line/ && ended { in_front = 0 }
+    { ended = in_front && /^#endif/ }
+    in_block && /REDCC_SEQUENTIAL_DONE/ { print count; in_block = count = 0 }' "$1"
+}
+"$build/tool/redcc" examples/fabric/effects/hinge.c -Iexamples/fabric -o "$work/hinge.c" 2>/dev/null
+table=$results/generated-lines.csv
+echo "loop,lines,asked" >"$table"
+paste -d , <(printf '%s\n' "${kernels[@]}" fabric-hinge) <(lines "$work/short.c" && lines "$work/hinge.c") \
+  <(printf '%s\n' 45 32 40 "" 150) >>"$table"
+cat "$table"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* For bench/generated.sh: springs, a histogram and y = A x by columns; the argument says which. The
+/* For bench/generated.sh: springs, a histogram, y = A x by columns, and a loop that leaves a value
+ * behind, whose body stays in its block; the argument says which. The
  * long form of the generated code that redcc wrote at first, kernels-long.txt, is made of this. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,6 +35,16 @@ void spmv(int n, const int *colptr, const int *row, const double *val, const dou
     for (int j = 0; j < n; j++)
         for (int k = colptr[j]; k < colptr[j + 1]; k++)
             y[row[k]] += val[k] * x[j];
+}
+double leaving(int n, const int (*edge)[2], const double *x, double *h);
+double leaving(int n, const int (*edge)[2], const double *x, double *h) {
+    double e = 0;
+    for (int t = 0; t < n; t++) {
+        e = x[edge[t][1]] * 3;
+        h[edge[t][0]] += e;
+        h[edge[t][1]] -= e;
+    }
+    return e;
 }
 int main(int argc, char **argv) {
     enum { N = 40000, E = 100000 };
@@ -72,6 +83,8 @@ int main(int argc, char **argv) {
             hist(E, v, h);
         if (which == 2)
             spmv(N, colptr, row, val, xx, y);
+        if (which == 3)
+            y[k] += leaving(E, (const int(*)[2])edge, xx, y);
     }
     printf("%a %d %a\n", b[7][1], h[3], y[77]);
     return 0;

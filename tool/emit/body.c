@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The executor's body: the user's bytes, with the bases of the reduction arrays replaced where they
- * are not shadowed, and in the guarded form each update asking first whether the thread owns the
- * element. Statements that a macro makes up are printed from the IR where something in them must
- * change; all others keep every byte.
+ * are not shadowed, and each update asking first whether the thread owns the element, in runs that
+ * are guarded. Statements that a macro makes up are printed from the IR where something in them
+ * must change; all others keep every byte.
  */
 #include <string.h>
 
@@ -16,7 +16,6 @@
 typedef struct body_copy {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool is_guarded;
     edit_list edits;
     VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
     const ir_node *within;           /* the statement that the printer is inside of */
@@ -35,7 +34,7 @@ static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
 }
 
-/** `{ if (redcc_owns(...)) `: what goes before an update. */
+/** `{ if (!redcc__guarded || redcc_owns(...)) `: what goes before an update. */
 static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *target = text_operand(loop->arena, update->target, local_name, loop);
     if (!target) {
@@ -49,9 +48,8 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     if (loop->is_outlined)
         return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
                             brace);
-    return arena_format(loop->arena, "{ if (redcc_owns(&%s, &%s)) %s",
-                        loop->arrays[update->array].owner, target,
-                        needs_braces(update) ? "{ " : "");
+    return arena_format(loop->arena, "{ if (!redcc__guarded || redcc_owns(&%s, &%s)) %s",
+                        loop->arrays[update->array].owner, target, brace);
 }
 
 static const char *guard_end(const reduction_update *update) {
@@ -88,11 +86,9 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
         return false;
     const reduction_update *update = update_of(loop->facts, statement);
     write_forward(loop, out, store, local_name, loop);
-    if (copy->is_guarded)
-        writer_line(out, "%s", guard_text(loop, update));
+    writer_line(out, "%s", guard_text(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
-    if (copy->is_guarded)
-        writer_line(out, "%s", guard_end(update));
+    writer_line(out, "%s", guard_end(update));
     return true;
 }
 
@@ -115,7 +111,7 @@ static bool print_guard(printer *p, const ir_node *statement) {
     if (print_operand(copy, statement) || print_forward(copy, statement) ||
         print_noted(copy, statement))
         return true;
-    if (!copy->is_guarded || copy->within == statement)
+    if (copy->within == statement)
         return false;
     const reduction_update *update = update_of(copy->loop->facts, statement);
     if (!update)
@@ -302,11 +298,9 @@ static const char *copied_text(body_copy *copy) {
     if (has_sought_values(loop->facts))
         choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
-    if (copy->is_guarded)
-        choose_printed_updates(copy);
+    choose_printed_updates(copy);
     visit_names(copy, body, replace_name);
-    if (copy->is_guarded)
-        guard_updates(copy);
+    guard_updates(copy);
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
@@ -379,16 +373,14 @@ static bool has_continue(const ir_node *node) {
     return false;
 }
 
-void write_iteration(loop_text *loop, writer *out, bool is_guarded) {
+void write_iteration(loop_text *loop, writer *out) {
     const ir_node *body = loop->facts->counted.body;
     body_copy copy = {.printer = {.arena = loop->arena,
                                   .rename = local_name,
                                   .context = loop,
                                   .before = print_guard},
-                      .loop = loop,
-                      .is_guarded = is_guarded};
-    if (!is_guarded)
-        check_updates(loop);
+                      .loop = loop};
+    check_updates(loop);
     if (loop->is_outlined)
         writer_fill(out, true);
     declare_variables(loop, out);

@@ -224,7 +224,7 @@ void declare_inlined(loop_text *loop, writer *out);
 bool is_declared_plainly(const ir_unit *unit, const ir_function *function);
 
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */
-void write_iteration(loop_text *loop, writer *out, bool is_guarded);
+void write_iteration(loop_text *loop, writer *out);
 /** The declaration of a private variable, of an iteration or of its slice. */
 const char *private_declaration(loop_text *loop, const ir_variable *variable);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);

@@ -348,7 +348,7 @@ static void write_body(loop_text *loop, writer *out) {
                 kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->body_parameters);
     out->depth = 1;
-    write_iteration(loop, out, true);
+    write_iteration(loop, out);
     out->depth = 0;
     writer_line(out, loop->wants_lanes ? "}" : "} REDCC_QUIET_END");
     write_lanes(loop, out);

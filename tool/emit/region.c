@@ -169,17 +169,14 @@ static void declare_chunk(loop_text *loop, writer *out) {
 static void write_run(loop_text *loop, writer *out) {
     writer_line(out, "const redcc_int redcc__end = redcc__worker.origin + redcc__run->begin");
     writer_line(out, "                             + redcc__run->count_and_guard / 2;");
-    writer_line(out, "redcc__k = redcc__worker.origin + redcc__run->begin;");
-    writer_line(out, "if (!(redcc__run->count_and_guard & 1))");
-    for (int is_guarded = 0; is_guarded < 2; is_guarded++) {
-        if (is_guarded)
-            writer_line(out, "else");
-        writer_line(out, "    for (; redcc__k < redcc__end; redcc__k++) {");
-        out->depth += 2;
-        write_iteration(loop, out, is_guarded);
-        out->depth -= 2;
-        writer_line(out, "    }");
-    }
+    writer_line(out, "int redcc__guarded;");
+    writer_line(out, "REDCC_PLAIN_OR_GUARDED");
+    writer_line(out, "for (redcc__k = redcc__worker.origin + redcc__run->begin; "
+                     "redcc__k < redcc__end; redcc__k++) {");
+    out->depth++;
+    write_iteration(loop, out);
+    out->depth--;
+    writer_line(out, "}");
     if (has_last_values(loop->facts)) {
         writer_line(out, "if (redcc__end == redcc__trip && redcc_claims_last(&redcc__worker)) {");
         out->depth++;
