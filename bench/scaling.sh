@@ -3,6 +3,7 @@
 # How the two loops of bench/loops.c go with the threads: `auto` timed at 1, 2, 4, ... threads up to
 # the cores there are; beyond, what the schedules of the methods that keep the order serial say
 # (length.h), which leaves memory and barriers out of account.
+#   WARM=15 MODELLED="2 8 16 33 64"   seconds of executions before `auto` is timed; thread counts, or none
 . bench/common.sh
 cores=$(nproc)
 cmake --build --preset release --target bench_loops >/dev/null
@@ -21,7 +22,7 @@ for ((threads = 1; threads <= cores; threads *= 2)); do
   run measured "$threads" "${WARM:-15}"
 done
 for method in localwrite localwrite-steal graph-localwrite wavefront; do
-  for threads in 2 8 16 33 64; do
+  for threads in ${MODELLED-2 8 16 33 64}; do
     OMP_WAIT_POLICY=passive REDCC_METHOD=$method run modelled "$threads" 0
   done
 done
