@@ -84,6 +84,24 @@ static double part_done(const struct execution *execution) {
     return execution->advice.way == WAY_GRAPH ? swept / 3 : swept;
 }
 
+static void trace_outcome(const struct loop_state *state, const redcc_loop *loop,
+                          const struct outcome *outcome) {
+    static const char *const results[] = {
+        [RESULT_SEQUENTIAL] = "sequential", [RESULT_PARALLEL] = "in parallel",
+        [RESULT_UNATTRACTIVE] = "a look",   [RESULT_STOPPED] = "an inspection stopped",
+        [RESULT_CHANGED] = "a plan lost",   [RESULT_REFUSED] = "a plan refused"};
+    redcc_trace(TRACE_CHOICE, loop, "%s: %.3g s, set-up %.3g s; may lose %.3g s",
+                results[outcome->result], outcome->seconds, outcome->set_up,
+                redcc_credit(&state->chooser.state));
+}
+
+void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
+                     const struct outcome *outcome, enum reason reason) {
+    redcc_tell(&state->chooser, outcome, reason);
+    redcc_note_rule(&state->reported.statistics, redcc_advice_rule(&state->chooser, outcome->trip));
+    trace_outcome(state, loop, outcome);
+}
+
 static void account_refused(struct execution *execution, double now) {
     struct loop_state *state = execution->state;
     struct statistics *statistics = &state->reported.statistics;
@@ -106,8 +124,7 @@ static void account_refused(struct execution *execution, double now) {
                                     .trip = trip,
                                     .seconds = now - execution->call.entered,
                                     .done = part_done(execution)};
-    redcc_tell(&state->chooser, &outcome, execution->reason);
-    redcc_note_rule(statistics, redcc_advice_rule(&state->chooser, trip));
+    redcc_tell_auto(state, execution->call.request.loop, &outcome, execution->reason);
 }
 
 static const char *came_by(const struct execution *execution) {
@@ -153,8 +170,7 @@ static void tell_auto(struct execution *execution, double now) {
                                     .trip = plan->trip,
                                     .seconds = now - (built ? ready : entered),
                                     .set_up = built ? ready - entered : 0};
-    redcc_tell(&state->chooser, &outcome, REASON_NONE);
-    redcc_note_rule(&state->reported.statistics, redcc_advice_rule(&state->chooser, plan->trip));
+    redcc_tell_auto(state, execution->call.request.loop, &outcome, REASON_NONE);
 }
 
 void redcc_count_lost(struct execution *execution) {
@@ -169,9 +185,9 @@ void redcc_count_lost(struct execution *execution) {
 static void tell_team(struct execution *execution) {
     const struct call *call = &execution->call;
     const double woken = execution->woken;
-    if (!call->method)
+    if (!call->method && !execution->advice.alone)
         redcc_tell_team(&execution->state->chooser, call->asked, call->threads,
-                        woken > 0 ? woken - call->entered : 0);
+                        woken > 0 ? woken - call->entered : 0, call->starts);
 }
 
 static void account_execution(struct execution *execution, double now) {
@@ -239,8 +255,7 @@ static void account_binned(struct execution *execution, double now) {
     if (call->method)
         return;
     const struct outcome outcome = {RESULT_PARALLEL, WAY_BINS, trip, now - call->entered, 0, 0};
-    redcc_tell(&state->chooser, &outcome, REASON_NONE);
-    redcc_note_rule(statistics, redcc_advice_rule(&state->chooser, trip));
+    redcc_tell_auto(state, call->request.loop, &outcome, REASON_NONE);
 }
 
 bool redcc_account(struct execution *execution) {

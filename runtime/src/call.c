@@ -278,6 +278,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         call->parameter = redcc_method_binning.usual;
     }
     call->planned = threads;
+    call->starts = !alone && redcc_team_grows(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->always_planned || call->in_bins ? 1 : 2))
@@ -286,7 +287,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     if (!redcc_threads_ensure(state, loop, threads))
         return false;
     call->asked = call->threads = threads;
-    call->planned = alone ? call->planned : threads;
+    if (!alone)
+        call->planned = threads;
     execution->inspection.inspector = state->inspector;
     execution->inspection.route = ROUTE_SERIAL;
     execution->inspected = execution->binned = false;
@@ -371,8 +373,8 @@ void redcc_sequential_done(redcc_loop *loop) {
     enum reason reason;
     if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
         redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
-        redcc_tell(
-            &state->chooser,
+        redcc_tell_auto(
+            state, loop,
             &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
             REASON_NONE);
         if (loop->source_count <= MOST_SOURCES)

@@ -86,6 +86,10 @@ void redcc_threads_end(struct loop_state *state);
  *  done. */
 bool redcc_account(struct execution *execution);
 
+/** Tells auto what came of a call; reason: why there was no plan, or NONE. */
+void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
+                     const struct outcome *outcome, enum reason reason);
+
 /** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
 void redcc_note_no_memory(redcc_loop *loop);
 

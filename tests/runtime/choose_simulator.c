@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { THREADS = 2, PLANS = 4 };
 
@@ -20,7 +21,8 @@ struct simulation {
     struct kept_plan plan[PLANS];
     int clock;
     int steady;
-    int last;       /* subscripts of the call before; -1: none */
+    int met[PLANS]; /* subscripts, last met first; -1: none */
+    bool started;   /* the threads */
     double excess;  /* the largest that one execution may have over the sequential one */
     double lent;    /* the largest loan, seconds */
     double longest; /* sequential execution, seconds */
@@ -48,13 +50,28 @@ static void keep_plan(struct simulation *it, struct kept_plan plan) {
     place->used = ++it->clock;
 }
 
+static bool note_met(struct simulation *it, int subscripts) {
+    int at = 0;
+    while (at < PLANS - 1 && it->met[at] != subscripts)
+        at++;
+    const bool met = it->met[at] == subscripts;
+    memmove(it->met + 1, it->met, (size_t)at * sizeof *it->met);
+    it->met[0] = subscripts;
+    return met;
+}
+
+static double start_left(const struct simulation *it) {
+    return it->started ? 0 : it->trace->start;
+}
+
 static struct situation situation_of(struct simulation *it, const struct simulated_call *call) {
-    const bool hidden = it->trace->hidden, same = call->subscripts == it->last;
-    it->steady = hidden || same ? it->steady + 1 : 0;
-    it->last = call->subscripts;
+    const bool hidden = it->trace->hidden, same = call->subscripts == it->met[0];
+    const bool met = note_met(it, call->subscripts);
+    it->steady = hidden || met ? it->steady + 1 : 0;
     struct situation now = {.trip = call->trip,
                             .threads = THREADS,
                             .wake = it->trace->wake,
+                            .start = start_left(it),
                             .steady = it->steady,
                             .verified = it->trace->compared && same};
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
@@ -85,7 +102,9 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
         if (plan)
             plan->used = ++it->clock;
         it->so_far.parallel++;
-        tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], 0, 0});
+        const double seconds = call->execution[way] + start_left(it);
+        it->started = true;
+        tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, seconds, 0, 0});
         return;
     }
     plan->way = WAY_SEQUENTIAL;
@@ -94,21 +113,22 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
     run_sequentially(it, call, true);
 }
 
+/* spent: seconds of the inspection so far. */
 static void make_plan(struct simulation *it, const struct simulated_call *call, enum way way,
-                      double deadline) {
+                      double spent, double deadline) {
     const struct trace *trace = it->trace;
     const double rest = trace->set_up[way] * (double)call->trip;
     it->so_far.set_ups++;
     if (rest > deadline) {
-        tell(it, (struct outcome){RESULT_STOPPED, way, call->trip,
-                                  trace->look + deadline + trace->block, 0, deadline / rest});
+        tell(it, (struct outcome){RESULT_STOPPED, way, call->trip, spent + deadline + trace->block,
+                                  0, deadline / rest});
         run_sequentially(it, call, true);
         return;
     }
     it->so_far.parallel++;
     keep_plan(it, (struct kept_plan){way, call->subscripts, call->trip, 0});
-    tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way],
-                              trace->look + rest, 0});
+    tell(it,
+         (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], spent + rest, 0});
 }
 
 static void note_loan(struct simulation *it, const struct simulated_call *call) {
@@ -116,30 +136,45 @@ static void note_loan(struct simulation *it, const struct simulated_call *call) 
     it->longest = fmax(it->longest, call->sequential);
 }
 
+static void end_look(struct simulation *it, const struct simulated_call *call, double spent) {
+    tell(it, (struct outcome){RESULT_UNATTRACTIVE, WAY_SEQUENTIAL, call->trip, spent, 0, 0});
+    run_sequentially(it, call, true);
+}
+
 static void inspect(struct simulation *it, const struct simulated_call *call,
-                    const struct situation *now, double deadline) {
+                    const struct situation *now, struct decision entry) {
     const struct trace *trace = it->trace;
     struct prospect prospect[WAY_COUNT] = {{0}};
-    if (trace->look > deadline) {
+    const double spent = trace->look + (entry.alone ? 0 : start_left(it));
+    struct situation there = *now;
+    if (!entry.alone) {
+        it->started = true;
+        there.start = 0;
+    }
+    if (spent > entry.deadline) {
         tell(it, (struct outcome){RESULT_STOPPED, WAY_SEQUENTIAL, call->trip,
-                                  deadline + trace->block, 0, 0});
+                                  entry.deadline + trace->block, 0, 0});
         run_sequentially(it, call, true);
         return;
     }
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const double trip = (double)call->trip;
         prospect[way].possible = trace->possible[way];
-        prospect[way].set_up = trace->look + trace->set_up[way] * trip * trace->set_up_error;
+        prospect[way].set_up = spent + trace->set_up[way] * trip * trace->set_up_error;
         prospect[way].execution = call->execution[way] / trip * trace->execution_error;
     }
-    const struct decision decision = redcc_pick_way(it->state, now, prospect, trace->look);
-    note_loan(it, call);
-    if (decision.action == ACTION_INSPECT) {
-        make_plan(it, call, decision.way, decision.deadline);
+    if (entry.alone) {
+        it->so_far.looks++;
+        redcc_note_prospects(it->state, call->trip, prospect, spent);
+        end_look(it, call, spent);
         return;
     }
-    tell(it, (struct outcome){RESULT_UNATTRACTIVE, WAY_SEQUENTIAL, call->trip, trace->look, 0, 0});
-    run_sequentially(it, call, true);
+    const struct decision decision = redcc_pick_way(it->state, &there, prospect, spent);
+    note_loan(it, call);
+    if (decision.action == ACTION_INSPECT)
+        make_plan(it, call, decision.way, spent, decision.deadline);
+    else
+        end_look(it, call, spent);
 }
 
 static void carry_out(struct simulation *it, const struct simulated_call *call) {
@@ -151,7 +186,7 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
         run_sequentially(it, call, decision.timed);
         break;
     case ACTION_INSPECT:
-        inspect(it, call, &now, decision.deadline);
+        inspect(it, call, &now, decision);
         break;
     case ACTION_REUSE:
         run_by_plan(it, call, decision.way);
@@ -186,12 +221,14 @@ static double best_in_hindsight(const struct trace *trace, double sequential) {
 }
 
 struct simulated simulate(const struct trace *trace) {
-    struct simulation it = {.trace = trace, .state = calloc(1, sizeof *it.state), .last = -1};
+    struct simulation it = {
+        .trace = trace, .state = calloc(1, sizeof *it.state), .met = {-1, -1, -1, -1}};
     struct simulated *result = &it.so_far;
     for (int c = 0; c < trace->count; c++) {
         result->sequential += trace->call[c].sequential;
         widen_allowance(&it, &trace->call[c]);
         carry_out(&it, &trace->call[c]);
+        result->slowest = fmax(result->slowest, result->total / result->sequential);
         result->allowance = it.excess + it.lent;
         result->loan = it.lent / it.longest;
         const double ratio = (result->total - result->allowance) / result->sequential;

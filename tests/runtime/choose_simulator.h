@@ -29,6 +29,7 @@ struct trace {
     double look;              /**< seconds of a sample */
     double check;             /**< of a sequential execution: to find that subscripts changed */
     double wake;              /**< seconds */
+    double start;             /**< seconds that starting the threads takes, once */
     double block;             /**< seconds by which a deadline is passed */
     bool hidden;              /**< a sample of the subscripts does not show that they changed */
     bool compared;            /**< all of them are compared with those of the call before */
@@ -39,9 +40,11 @@ struct simulated {
     double sequential;   /**< seconds of the sequential program */
     double best;         /**< of the best single way in hindsight, its set-ups included */
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
+    double slowest;      /**< largest of total / sequential, nothing allowed for */
     double allowance;    /**< the bound's additive constant: the largest excess of one execution
                               over the sequential one, a block, and the largest loan */
     double loan;         /**< the largest, over the longest sequential execution */
+    int looks;           /**< by one thread */
     int set_ups;         /**< begun */
     int parallel;        /**< executions by a plan */
 };

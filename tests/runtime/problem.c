@@ -152,4 +152,5 @@ void problem_tell_slow(redcc_loop *loop, long trip, double seconds) {
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         size->prospect[way].learned = 40 * all;
     size->rest.calls += 4000;
+    state->chooser.steady += 4000;
 }

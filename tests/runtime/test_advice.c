@@ -102,7 +102,7 @@ static void the_first_call_is_sequential_and_timed(void **state) {
     assert_true(size_of(called)->sequential.recent[0] > 0);
 }
 
-/* Nothing is begun while it may cost more than a twentieth of the time so far. */
+/* Nothing is begun while it may cost more than the credit. */
 static void nothing_is_begun_without_credit(void **state) {
     struct called *called = *state;
     for (int call = 0; call < 10; call++)
@@ -135,7 +135,7 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
     struct loop_state *loop = called->described.loop.state;
     called->problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
     loop->chooser.state.ledger.overhead =  /* next to no credit, and no loan while less than that */
-        0.05 * loop->chooser.state.ledger.sequential - 1e-9;
+        loop->chooser.state.ledger.sequential / 32 - 1e-9;
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_CHANGED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_CHANGED]), 1);

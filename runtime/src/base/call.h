@@ -35,6 +35,7 @@ struct call {
     /* The threads. */
     bool always_planned; /* one thread executes by the plan as well */
     int asked;
+    bool starts;                        /* some of them were not there */
     int threads;                        /* that came */
     int planned;                        /* that a plan would be for: a look is one thread's */
     struct float_control float_control; /* of the thread that entered */

@@ -4,10 +4,13 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "base/system.h"
+#include "base/team.h"
+#include "base/trace.h"
 #include "choose/prospects.h"
 #include "plan/copies.h"
 
 #include <stdatomic.h>
+#include <string.h>
 
 static const double better = 0.95;    /* of the sequential loop, or a plan is not worth making */
 static const double uneven = 1.25;    /* of an equal share of the iterations */
@@ -19,10 +22,6 @@ static const double frequent = 0.25;       /* runs, of the iterations */
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
 static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execution */
-/* Seconds: starting threads and waiting for their end takes up to some 5 ms on a busy machine. A
- * loop whose execution is shorter than some of these is looked at by one thread: most are not worth
- * more than that look. */
-static const double light = 10e-3;
 /* Bytes of arrays that no cache holds: random updates of smaller ones are no faster in bins
  * (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
 static const double beyond_caches = 32e6, copied_most = 4e6;
@@ -44,17 +43,30 @@ enum {
 static const double first_wake = 10e-6, most_wake = 50e-6;
 static _Atomic double wake;
 
+/* Seconds that starting threads takes. Before it was measured: 0.1 to 1.6 ms where cores are free,
+ * 2 to 6 ms where other processes want them. */
+static const double first_start = 1.5e-3;
+static _Atomic double start;
+
 static double wake_seconds(void) {
     const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
     return measured > 0 ? measured : first_wake;
 }
 
-void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds) {
-    const bool first = chooser->asked != asked; /* threads are started */
+static double start_seconds(int threads) {
+    const double measured = atomic_load_explicit(&start, memory_order_relaxed);
+    return !redcc_team_grows(threads) ? 0 : measured > 0 ? measured : first_start;
+}
+
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, bool started) {
     chooser->asked = asked;
     chooser->came = came;
-    if (first || seconds <= 0)
+    if (seconds <= 0)
         return;
+    if (started) {
+        atomic_store_explicit(&start, seconds, memory_order_relaxed);
+        return;
+    }
     const double now = seconds < most_wake ? seconds : most_wake, before = wake_seconds();
     atomic_store_explicit(&wake, before + (now - before) / 8, memory_order_relaxed);
 }
@@ -107,12 +119,23 @@ static bool are_the_same(const struct chooser *chooser, const struct request *re
            redcc_fingerprint_equal(all, chooser->all);
 }
 
+/* Was it met in one of the last calls? A loop that is called for a few arrays in turn keeps a plan
+ * for each. */
+static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
+    int at = 0;
+    while (at < REDCC_PLANS - 1 && chooser->sampled[at] != sampled)
+        at++;
+    const bool met = chooser->sampled[at] == sampled;
+    memmove(chooser->sampled + 1, chooser->sampled, (size_t)at * sizeof *chooser->sampled);
+    chooser->sampled[0] = sampled;
+    return met;
+}
+
 static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) {
-    const uint64_t sampled = reuse->sampled;
-    chooser->steady = sampled == 0 ? -1 : chooser->sampled == sampled ? chooser->steady + 1 : 0;
-    chooser->sampled = sampled;
+    const uint64_t sampled = reuse->sampled, before = chooser->sampled[0];
+    chooser->steady = sampled == 0 ? -1 : note_sampled(chooser, sampled) ? chooser->steady + 1 : 0;
     chooser->verified = chooser->remembered ? are_the_same(chooser, &reuse->call->request)
-                                            : chooser->verified && chooser->steady > 0;
+                                            : chooser->verified && sampled && sampled == before;
     chooser->remembered = false;
 }
 
@@ -125,8 +148,10 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
 
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
     const int came = chooser->asked == threads && chooser->came > 0 ? chooser->came : threads;
-    struct situation now = {
-        .trip = reuse->call->request.trip, .threads = threads, .wake = wake_seconds()};
+    struct situation now = {.trip = reuse->call->request.trip,
+                            .threads = threads,
+                            .wake = wake_seconds(),
+                            .start = start_seconds(threads)};
     unsigned fits, changed;
     redcc_reuse_sample(reuse);
     redcc_reuse_survey(reuse, came, &fits, &changed);
@@ -142,6 +167,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     const struct decision decision = redcc_decide(&chooser->state, &now);
     struct advice advice = {.action = decision.action,
                             .way = decision.way,
+                            .alone = decision.alone,
                             .timed = decision.timed,
                             .skipped_calls = chooser->skipped,
                             .rule = decision.rule};
@@ -150,8 +176,6 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
         advice.reason = reason_for(chooser, decision.rule);
     else if (decision.action == ACTION_INSPECT)
         advice.deadline = reuse->call->entered + decision.deadline;
-    advice.alone =
-        decision.rule == RULE_LOOKING && redcc_usual_sequential(&chooser->state, now.trip) < light;
     return advice;
 }
 
@@ -237,8 +261,23 @@ static void find_bins(const struct inspection *inspection, const struct estimate
     findings->bin_bytes = is_copied ? bytes : 0;
 }
 
+static void trace_prospects(const struct findings *findings, const struct prospect *prospect,
+                            const redcc_loop *loop) {
+    static const char *const names[WAY_COUNT] = {[WAY_COPIES] = "copies",
+                                                 [WAY_INDEX] = "owners by index",
+                                                 [WAY_GRAPH] = "owners by graph",
+                                                 [WAY_BINS] = "bins"};
+    const double trip = (double)findings->trip;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        if (prospect[way].possible)
+            redcc_trace(TRACE_CHOICE, loop,
+                        "expected by %s: %.3g s, set-up %.3g s; sequential %.3g s", names[way],
+                        prospect[way].execution * trip, prospect[way].set_up,
+                        findings->sequential * trip);
+}
+
 static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
-                                const struct estimate *estimate) {
+                                const struct estimate *estimate, bool alone) {
     const struct call *call = inspection->call;
     struct prospect prospect[WAY_COUNT];
     struct findings findings = begin_findings(chooser, inspection);
@@ -247,6 +286,11 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
     find_bins(inspection, estimate, &findings);
     redcc_estimate_prospects(&findings, prospect);
+    trace_prospects(&findings, prospect, call->request.loop);
+    if (alone) { /* whatever is worth a set-up is set up at another call */
+        redcc_note_prospects(&chooser->state, findings.trip, prospect, findings.spent);
+        return (struct decision){.action = ACTION_SEQUENTIAL};
+    }
     const struct situation now = {.trip = findings.trip,
                                   .threads = call->planned,
                                   .wake = wake_seconds(),
@@ -264,13 +308,11 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                : call->method->by_graph ? ROUTE_GRAPH
                                         : ROUTE_OWNERS;
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
-    const struct decision decision = pick_way(chooser, inspection, estimate);
+    const struct decision decision = pick_way(chooser, inspection, estimate, entry->alone);
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_stealable(partition);
     entry->way = decision.way;
-    if (entry->alone)
-        entry->way = WAY_SEQUENTIAL; /* whatever is worth a set-up is set up at the next call */
-    if (decision.action != ACTION_INSPECT || entry->alone)
+    if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
     entry->deadline = inspection->deadline = redcc_seconds() + decision.deadline;
     if (entry->way != WAY_COPIES)

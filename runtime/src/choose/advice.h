@@ -24,9 +24,9 @@
 /** What auto knows of a loop; zeroes at first. */
 struct chooser {
     struct choice_state state;
-    uint64_t sampled;       /* of the subscripts, in the call before (redcc_reuse_sample) */
-    int steady;             /* calls in a row that had the same */
-    struct fingerprint all; /* of all subscripts, after the last call; where remembered */
+    uint64_t sampled[REDCC_PLANS]; /* of the subscripts, last met first (redcc_reuse_sample) */
+    int steady;                    /* calls in a row that had one of these */
+    struct fingerprint all;        /* of all subscripts, after the last call; where remembered */
     bool remembered;
     bool verified;       /* all were compared once, and the samples have been the same since */
     int asked, came;     /* threads, in the last parallel region */
@@ -93,9 +93,9 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 /** What came of a call, and what it took; reason: why there was no plan, or NONE. */
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason);
 
-/** So many threads came where `asked` were asked for, and waking them took `seconds`; 0: not known.
- *  Thread-safe but for the chooser. */
-void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds);
+/** So many threads came where `asked` were asked for, and waking them took `seconds`, or, started,
+ *  to start some of them; 0: not known. Thread-safe but for the chooser. */
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, bool started);
 
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);

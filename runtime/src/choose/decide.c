@@ -3,30 +3,33 @@
 
 #include <assert.h>
 
-/* The bound's e: of the sequential time, what trials may cost. At a twentieth a program that is
- * never worth it is slower by less than two runs of it differ on a machine that others use (5 to 15
- * %, script/bench choice). */
-static const double share = 0.05;
+/* The bound's e: of the sequential time, what trials may cost. At a 32nd a loop that is never worth
+ * it is slower by 3 % at the most, and by less than 5 where trials overrun: two runs of it differ
+ * by as much on a machine that others use (5 to 15 %, script/bench choice). */
+static const double share = 1.0 / 32;
 /* Reserved for an execution by a plan that is not clearly the faster way, of a sequential one.
  * LOCALWRITE on loops without runs took up to 1.6 times the sequential loop, but there estimates
  * say so; else no more than 1.25 times. */
 static const double reserve = 0.25;
-/* Before any sample was taken: 1024 iterations of some touches, 0.2 to 0.7 ms where data is
- * shuffled, and starting threads. */
+/* Before any sample was taken: 1024 iterations of some touches, 0.2 to 0.9 ms where data is
+ * shuffled. */
 static const double first_look = 1e-3;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
 static const double unknown = 4;
 
-/* A loan is at most so many executions: what cutting the access graph of a heavy loop takes. */
+/* A loan is twice what the set-up is expected to cost, and at most so many executions: twice what
+ * cutting the access graph of a heavy loop takes. */
 static const double loan_most = 1.25;
 /* It is given where so many executions by the plan are expected to repay the set-up, and all
  * subscripts were compared with those of the call before; */
-static const double repaid_within = 3;
+static const double repaid_within = 1.5;
 /* where their samples were the same in so many calls in a row, so many, */
 enum { SURE = 8 };
 static const double repaid_by_sample = 2;
 /* or where the first one will: then it does not matter whether the subscripts stay. */
 static const double repaid_at_once = 0.9;
+/* Threads are started for a look as well where look and start take so much of an execution. */
+static const double started_most = 1.0 / 12;
 /* Executions that count when ways are compared for a loan: with less each, the second execution
  * could not tell a plan that is used ten times from one that is used twice. */
 static const double soon = 8;
@@ -69,27 +72,34 @@ static double set_up_of(const struct prospect *prospect) {
     return prospect->learned > 0 ? prospect->learned : prospect->set_up;
 }
 
-/* How many executions a plan made now may serve: as many as there were (rent or buy); where plans
- * were ended by other subscripts, as many as the last one, until that is long ago. */
-static double horizon_of(const struct size_state *size) {
+/* Seconds of a set-up, and of starting threads where they are not there. */
+static double cost_of(const struct size_state *size, const struct situation *now, enum way way) {
+    return set_up_of(&size->prospect[way]) + now->start;
+}
+
+/* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
+ * alone where the subscripts were not yet met; where plans were ended by other subscripts, as many
+ * as the last one, until that is long ago. */
+static double horizon_of(const struct size_state *size, const struct situation *now) {
     const struct set_ups *it = &size->set_ups;
     const long since = (size->rest.calls - it->begun) / 8;
-    return (double)(it->lifetime == 0      ? size->rest.calls
-                    : it->lifetime > since ? it->lifetime
-                                           : since);
+    const bool is_new = now->steady >= 0 && now->steady < STEADY;
+    if (it->lifetime == 0)
+        return is_new ? 1 : (double)size->rest.calls;
+    return (double)(it->lifetime > since ? it->lifetime : since);
 }
 
 /* The way that is the cheapest, set-up included, over the executions to come; of those that the
  * credit allows and that are better than `current` seconds an iteration. SEQUENTIAL: none. */
 static enum way best_way(const struct choice_state *state, const struct size_state *size,
                          const struct situation *now, double current) {
-    const double horizon = horizon_of(size) * (double)now->trip;
+    const double horizon = horizon_of(size, now) * (double)now->trip;
     const double factor = redcc_next_factor(&size->set_ups) * (now->steady < 0 ? unknown : 1);
     enum way best = WAY_SEQUENTIAL;
     double least_cost = current * horizon;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
         const struct prospect *it = &size->prospect[way];
-        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double set_up = cost_of(size, now, way), each = redcc_expected(size, way);
         const double cost = set_up + each * horizon;
         if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
             set_up > room_for(state, size, now->trip, way) || set_up * factor > size->set_ups.since)
@@ -106,6 +116,12 @@ static bool may_borrow(const struct choice_state *state, const struct size_state
            (state->ledger.loan > 0 || redcc_credit(state) >= 0);
 }
 
+/* What is spent of a loan already stays lent. */
+static void lend(struct choice_state *state, double seconds) {
+    if (state->ledger.loan < seconds)
+        state->ledger.loan = seconds;
+}
+
 /* The best way that is worth a loan; SEQUENTIAL: none. */
 static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
@@ -116,7 +132,7 @@ static enum way borrowing_way(const struct size_state *size, const struct situat
     double least_cost = usual * soon * trip;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
         const struct prospect *it = &size->prospect[way];
-        const double set_up = set_up_of(it), each = redcc_expected(size, way);
+        const double set_up = cost_of(size, now, way), each = redcc_expected(size, way);
         const double cost = set_up + each * soon * trip;
         if (!it->possible || each >= redcc_clear * usual || cost >= least_cost ||
             set_up > loan_most * usual * trip || set_up > repaid * (usual - each) * trip)
@@ -131,7 +147,8 @@ static enum way borrowing_way(const struct size_state *size, const struct situat
  */
 static bool may_bin(const struct choice_state *state, const struct size_state *size,
                     const struct situation *now) {
-    return size->prospect[WAY_BINS].possible && room_for(state, size, now->trip, WAY_BINS) >= 0;
+    return size->prospect[WAY_BINS].possible &&
+           room_for(state, size, now->trip, WAY_BINS) >= now->start;
 }
 
 /* Of the plans kept for these subscripts, the one with the least expected time below `least_each`
@@ -158,7 +175,8 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
                               const struct situation *now, double current) {
     enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
     if (way != WAY_SEQUENTIAL)
-        state->ledger.loan = loan_most * redcc_usual(&size->sequential) * (double)now->trip;
+        lend(state, least_of(2 * cost_of(size, now, way),
+                             loan_most * redcc_usual(&size->sequential) * (double)now->trip));
     else
         way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
@@ -168,17 +186,29 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
-                             .deadline = least_of(2 * set_up_of(&size->prospect[way]), allowed),
+                             .deadline = least_of(2 * cost_of(size, now, way), allowed),
                              .rule = RULE_SET_UP};
 }
 
-static struct decision look(struct choice_state *state, struct size_state *size) {
-    const double cost = size->look > 0 ? size->look : first_look, allowed = redcc_credit(state);
+/* By all threads, so that a set-up can follow at once, where the credit covers starting them; where
+ * the subscripts stay and that is little beside an execution, it is lent. Else by one thread: most
+ * light loops are not worth more than the look. */
+static struct decision look(struct choice_state *state, struct size_state *size,
+                            const struct situation *now) {
+    const double cost = size->look > 0 ? size->look : first_look;
+    const double usual = redcc_usual(&size->sequential) * (double)now->trip;
     assert(cost > 0);
-    if (allowed < cost || size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)
+    if (redcc_credit(state) < cost ||
+        size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)
         return sequentially(size, RULE_SAVING);
+    if (redcc_credit(state) < cost + now->start && now->verified && may_borrow(state, size) &&
+        cost + now->start <= started_most * usual)
+        lend(state, now->start);
     size->rule = RULE_LOOKING;
-    return (struct decision){.action = ACTION_INSPECT, .deadline = allowed, .rule = RULE_LOOKING};
+    return (struct decision){.action = ACTION_INSPECT,
+                             .alone = redcc_credit(state) < cost + now->start,
+                             .deadline = redcc_credit(state),
+                             .rule = RULE_LOOKING};
 }
 
 /* The plan in use is for other subscripts: what was lent for it is still owed, but no more may be
@@ -203,7 +233,7 @@ static struct decision decide_saving(struct choice_state *state, struct size_sta
     if (keeps_changing(size, now))
         return sequentially(size, RULE_CHANGING);
     return size->looked ? set_up(state, size, now, redcc_usual(&size->sequential))
-                        : look(state, size);
+                        : look(state, size, now);
 }
 
 static struct decision decide_comparing(struct choice_state *state, struct size_state *size,
@@ -349,14 +379,20 @@ static void note_prospect(struct prospect *known, const struct prospect *found) 
         known->execution = before.execution;
 }
 
-struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
-                               const struct prospect *prospect, double spent) {
-    struct size_state *size = redcc_size_of(state, now->trip);
+void redcc_note_prospects(struct choice_state *state, long long trip,
+                          const struct prospect *prospect, double spent) {
+    struct size_state *size = redcc_size_of(state, trip);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         note_prospect(&size->prospect[way], &prospect[way]);
     size->looked = true;
     size->look = spent;
     size->looked_at = redcc_usual(&size->sequential);
+}
+
+struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
+                               const struct prospect *prospect, double spent) {
+    struct size_state *size = redcc_size_of(state, now->trip);
+    redcc_note_prospects(state, now->trip, prospect, spent);
     const double current = size->stand == STAND_PARALLEL ? size->prospect[size->way].execution
                                                          : redcc_usual(&size->sequential);
     struct decision decision = set_up(state, size, now, current);

@@ -7,7 +7,7 @@
  *     redcc_observe    what came of it, and what it took
  *
  * No clock, no threads, no allocation: seconds come in with what is observed. Everything that may
- * take longer than the sequential loop is paid from the credit: a twentieth of the time that the
+ * take longer than the sequential loop is paid from the credit: a 32nd of the time that the
  * loop has taken, what was gained, and, for a plan that is expected to repay it soon, one loan.
  * Used by one thread at a time.
  */
@@ -42,22 +42,24 @@ struct situation {
     long long trip; /**< iterations */
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
+    double start;   /**< seconds that starting those that are not there takes; 0: all are */
     enum kept_match kept[WAY_COUNT];
-    int steady; /**< calls in a row whose sampled subscripts were those of the call before; -1: not
-                     known */
+    int steady;    /**< calls in a row whose sampled subscripts were those of one of the last calls;
+                        -1: not known */
     bool verified; /**< all subscripts were compared with those of the call before: they are the
                         same */
 };
 
 enum action {
     ACTION_SEQUENTIAL, /**< the original loop */
-    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way says */
+    ACTION_INSPECT,    /**< a sample, then as redcc_pick_way says; alone: the sample only */
     ACTION_REUSE       /**< a kept plan, of way `way` */
 };
 
 struct decision {
     enum action action;
     enum way way;
+    bool alone;      /**< INSPECT: by one thread, for redcc_note_prospects; no thread is started */
     bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
     double deadline; /**< INSPECT: seconds after which it must be given up */
     enum rule rule;
@@ -167,6 +169,11 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
  *  ACTION_SEQUENTIAL: none, and the inspection ends here (RESULT_UNATTRACTIVE). */
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct prospect *prospect, double spent);
+
+/** An inspection by one thread has sampled the loop, and ends here (RESULT_UNATTRACTIVE): notes the
+ *  prospects [WAY_COUNT]. */
+void redcc_note_prospects(struct choice_state *state, long long trip,
+                          const struct prospect *prospect, double spent);
 
 /** Takes in an outcome; of each decision exactly one with what was decided, then, where that
  *  failed, one more of the sequential loop if it is timed. */

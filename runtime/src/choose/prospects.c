@@ -5,9 +5,9 @@
  * what executions take, comes in their place as soon as it is known. */
 static const double touch_told = 1e-9; /* of a thread: a touch, where iterations follow alike, */
 static const double iteration_apart = 45e-9; /* one that has other owners than the last: 37 to 60 */
-static const double touch_kept = 5e-9;       /* told and kept, of a thread; */
-static const double graph_row = 16e-9; /* cutting owners from what is kept, a row: of a thread, */
-static const double graph_row_alone = 3e-9; /* and while the others wait */
+static const double touch_kept = 7e-9;       /* told and kept, of a thread; */
+static const double graph_row = 32e-9; /* cutting owners from what is kept, a row: of a thread, */
+static const double graph_row_alone = 6e-9; /* and while the others wait */
 static const double touch_range = 1e-9;     /* to tell a touch for its extent alone */
 static const double frequent = 0.25; /* runs, of the iterations: all touches are told apart */
 static const double run_begun = 3e-9;

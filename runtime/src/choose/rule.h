@@ -15,11 +15,12 @@
     X(RULE_SHORT, "short", "an execution takes less than 50 times as long as waking the threads",  \
       "the original loop; timed again after 16 calls, then at doubling distances up to 1024")      \
     X(RULE_SAVING, "saving",                                                                       \
-      "a trial is worth it, but it may cost more than a twentieth of the time that the loop has "  \
+      "a trial is worth it, but it may cost more than a 32nd of the time that the loop has "       \
       "taken so far and would not repay a loan at once, or its like has failed lately",            \
       "the original loop")                                                                         \
     X(RULE_LOOKING, "looking", "the credit allows a sample; what may be gained is not known",      \
-      "a sample, and what follows from it")                                                        \
+      "a sample, and what follows from it; by one thread alone, where starting the others may "    \
+      "cost too much")                                                                             \
     X(RULE_SET_UP, "set-up",                                                                       \
       "a way is expected to pay for its set-up, which credit or loan allow",                       \
       "an inspection with a deadline, and a plan")                                                 \
