@@ -2,7 +2,7 @@
 # The sources of the cloth's physics, with simulation.h as its face.
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
-    simulation.c simulation_state.c simulation_archive.c archive.c integrator.c newton.c forces.c motion.c collision.c pin.c shape.c constraint.c solver.c solver_precondition.c
+    simulation.c team.c simulation_state.c simulation_archive.c archive.c integrator.c newton.c forces.c motion.c collision.c pin.c shape.c constraint.c solver.c solver_precondition.c
     solver_factor.c solver_domains.c solver_packed.c solver_direct.c solver_fallback.c
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c

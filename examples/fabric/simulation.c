@@ -132,8 +132,25 @@ void updateSystem(simulation *sim) {
 static void run_phase(simulation *sim, int index, void (*run)(simulation *)) {
     const double start = clock_seconds();
     run(sim);
-    sim->phases[index].seconds += clock_seconds() - start;
+    const double end = clock_seconds();
+    sim->phases[index].seconds += end - start;
     sim->phases[index].calls++;
+    team_look(&sim->team, end);
+}
+
+/* The four phases, by as many threads as make them fastest. */
+static void run_round(simulation *sim) {
+    const double begun = clock_seconds(), solved = sim->phases[PHASE_SOLVE].seconds;
+    const long iterations = sim->iterations;
+    team_begin(&sim->team, begun);
+    run_phase(sim, PHASE_FORCES, evaluateForces);
+    run_phase(sim, PHASE_COLLISIONS, collisionDetection);
+    run_phase(sim, PHASE_SOLVE, solveSystem);
+    run_phase(sim, PHASE_UPDATE, updateSystem);
+    const team_round round = {.seconds = clock_seconds() - begun,
+                              .solve_seconds = sim->phases[PHASE_SOLVE].seconds - solved,
+                              .iterations = sim->iterations - iterations};
+    team_end(&sim->team, &round);
 }
 
 static void complain(const simulation *sim, char *error) {
@@ -143,6 +160,14 @@ static void complain(const simulation *sim, char *error) {
         where = "no finite state";
     snprintf(error, 256, "%s after %g s, even in steps of %g s: %s %g, limit %g", where,
              simulation_time(sim), sim->h, monitor_verdict_name(sim->verdict), m->value, m->limit);
+}
+
+void simulation_choose_threads(simulation *sim) {
+    team_choose(&sim->team);
+}
+
+int simulation_threads(const simulation *sim) {
+    return team_threads(&sim->team);
 }
 
 int simulation_step(simulation *sim, char *error) {
@@ -155,10 +180,7 @@ int simulation_step(simulation *sim, char *error) {
     while (sim->frame == frame) {
         const int shortest = sim->ticks == 1;
         plan_follow(sim);
-        run_phase(sim, PHASE_FORCES, evaluateForces);
-        run_phase(sim, PHASE_COLLISIONS, collisionDetection);
-        run_phase(sim, PHASE_SOLVE, solveSystem);
-        run_phase(sim, PHASE_UPDATE, updateSystem);
+        run_round(sim);
         if (!sim->accepted && shortest) {
             complain(sim, error);
             return -1;

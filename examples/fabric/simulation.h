@@ -49,6 +49,12 @@ void updateSystem(simulation *sim);
  *  run. */
 void simulation_make_room(simulation *sim);
 
+/** From now on each step is given as many threads as make it fastest, up to what OpenMP would give
+ *  (team.h), in place of all of these. The bits are the same. */
+void simulation_choose_threads(simulation *sim);
+/** How many that are at present; 0: all. */
+int simulation_threads(const simulation *sim);
+
 /** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
  *  error[256]: no state within the scene's limits could be reached. */
 int simulation_step(simulation *sim, char *error);

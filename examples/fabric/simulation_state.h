@@ -16,6 +16,7 @@
 #include "solver.h"
 #include "solver_fallback.h"
 #include "system.h"
+#include "team.h"
 
 /** A step may be halved ten times: time within it is counted in these. */
 enum { TICKS_PER_STEP = 1024 };
@@ -69,6 +70,7 @@ struct simulation {
     int slow_steps; /* of the scene, in a row, that ended at rest (rest.h) */
 
     /* accounts */
+    team team; /* how many threads rounds get */
     phase phases[PHASE_COUNT];
     effect_account effects[EFFECT_COUNT];
     long iterations, steps_taken, steps_rejected, steps_slept, plans_changed;

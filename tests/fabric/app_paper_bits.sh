@@ -17,5 +17,10 @@ for scene in tablecloth hanging; do
       same_bits serial-$scene "$parallel" "${run[@]}" --threads $threads
     done
   done
+  # By as many threads as pay, which may be others in each step.
+  export REDCC_METHOD=auto
+  for threads in 2 7; do
+    OMP_NUM_THREADS=$threads same_bits serial-$scene "$parallel" "${run[@]}"
+  done
 done
 finish

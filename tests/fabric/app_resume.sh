@@ -8,7 +8,7 @@ parallel=${4:-}
 
 # The account without what differs from run to run: seconds, the program and its threads.
 account() {
-  jq -S 'del(.program, .threads) | del(.. | .most_memory_bytes?, .seconds?, .mesh_seconds?, .setup_seconds?, .step_seconds?)' \
+  jq -S 'del(.program, .threads, .threads_at_last) | del(.. | .most_memory_bytes?, .seconds?, .mesh_seconds?, .setup_seconds?, .step_seconds?)' \
     "$1/summary.json"
 }
 

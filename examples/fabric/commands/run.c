@@ -29,7 +29,8 @@ enum {
 static const option run_options[OPTION_COUNT + 1] = {
     [OUTPUT] = {"-o", "DIR", "where results go (default: the scene's name and -run)"},
     [STEPS] = {"--steps", "N", "how many steps, instead of the scene's"},
-    [THREADS] = {"--threads", "N", "threads, instead of OMP_NUM_THREADS"},
+    [THREADS] = {"--threads", "N",
+                 "so many threads (default: as many as pay, up to OMP_NUM_THREADS)"},
     [SET] = {"--set", "KEY=VALUE", "change a key of the scene, such as material.bend=0.01"},
     [PROGRESS] = {"--progress", "STYLE", "auto, bar, lines, json or none"},
     [FRAME_COUNT] = {"--frames", "N", "how many states to keep for pictures (default 25; 0: none)"},
@@ -266,6 +267,8 @@ static int make_simulation(cloth_run *run) {
         fprintf(stderr, "%s: %s\n", run->of.name, error);
         return -1;
     }
+    if (run->chooses_threads)
+        simulation_choose_threads(run->sim);
     run->account = (run_account){.program = program_name,
                                  .of = &run->of,
                                  .cloth = &run->cloth,
@@ -278,6 +281,7 @@ static int make_simulation(cloth_run *run) {
 
 /** Nothing is removed or written before it is sure that there is a run to be had. */
 static int simulate(cloth_run *run, const run_request *r) {
+    run->chooses_threads = r->threads == 0;
     return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run) == 0 &&
                    run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0
                ? finish(run, r)

@@ -78,16 +78,24 @@ static json_t *faults_of(const simulation *sim) {
     return faults;
 }
 
+/* Of the last step. */
+static int threads_at_last(const run_account *run) {
+    const int chosen = simulation_threads(run->sim);
+    return chosen > 0 ? chosen : run->threads;
+}
+
 static json_t *summary_of(const run_account *run) {
     const mesh *m = run->cloth;
     return json_pack(
-        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I, s:I}, s:I, s:I, s:f, s:f, s:f, "
+        "{s:s, s:s, s:b, s:i, s:i, s:i, s:i, s:i, s:i, s:f, s:{s:I, s:I, s:I}, s:I, s:I, s:f, s:f, "
+        "s:f, "
         "s:I, "
         "s:o, s:o, s:o, s:o, s:o}",
         "program", run->program, "scene", run->of->name, "interrupted", run->interrupted, "threads",
-        run->threads, "particles", m->vertex_count, "triangles", m->triangle_count, "edges",
-        m->edge_count, "hinges", m->hinge_count, "simulated_seconds", simulation_time(run->sim),
-        "steps", "taken", (json_int_t)simulation_steps_taken(run->sim), "rejected",
+        run->threads, "threads_at_last", threads_at_last(run), "particles", m->vertex_count,
+        "triangles", m->triangle_count, "edges", m->edge_count, "hinges", m->hinge_count,
+        "simulated_seconds", simulation_time(run->sim), "steps", "taken",
+        (json_int_t)simulation_steps_taken(run->sim), "rejected",
         (json_int_t)simulation_steps_rejected(run->sim), "slept",
         (json_int_t)simulation_steps_slept(run->sim), "cg_iterations",
         (json_int_t)simulation_iterations(run->sim), "matrix_blocks",
@@ -148,8 +156,10 @@ void summary_print(const run_account *run) {
     printf("%s: %d particles, %d triangles; %ld steps taken, %ld rejected; %.3f s simulated\n",
            run->of->name, run->cloth->vertex_count, run->cloth->triangle_count,
            simulation_steps_taken(sim), simulation_steps_rejected(sim), simulation_time(sim));
-    printf("%.3f s on %d thread%s, %ld iterations of conjugate gradients\n", run->step_seconds,
-           run->threads, run->threads == 1 ? "" : "s", simulation_iterations(sim));
+    printf("%.3f s on %d thread%s", run->step_seconds, run->threads, run->threads == 1 ? "" : "s");
+    if (threads_at_last(run) != run->threads)
+        printf(" at most, %d at last", threads_at_last(run));
+    printf(", %ld iterations of conjugate gradients\n", simulation_iterations(sim));
     int count;
     const rejection *rejected = simulation_rejections(sim, &count);
     for (int k = 0; k < count && k < 5; k++)
