@@ -479,7 +479,7 @@ int main(int count, char **arguments) {
             warm > 0 ? ratios(taken[SERIAL], taken[course], rounds) : (struct spread){0, 0, 0};
         const double mine = spread_of(taken[course], rounds).median;
         const int ours = course == REDCC;
-        const double extra = ours               ? (double)kept.extra_bytes
+        const double extra = ours               ? (double)kept.extra.bytes
                              : course == ATOMIC ? 0
                                                 : bytes * kept.threads;
         printf("%s,%s,%s%s,%d,%s,%.6f,%.6f,%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.2f\n", arguments[1],
@@ -489,8 +489,8 @@ int main(int count, char **arguments) {
                gain.median, gain.lowest, gain.highest,
                ours && warm > 0 ? (spread_of(fresh, ROUNDS).median - mine) / alone : 0,
                100 * extra / bytes,
-               ours && kept.in_loops ? (double)kept.executed / (double)kept.in_loops : 1,
-               ours && kept.length ? (double)kept.trip / (double)kept.length : 0);
+               ours && kept.in_loops ? (double)kept.extra.executed / (double)kept.in_loops : 1,
+               ours && kept.last.length ? (double)kept.last.trip / (double)kept.last.length : 0);
     }
     return 0;
 }
