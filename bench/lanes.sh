@@ -1,32 +1,56 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c) against the
-# translated ones without and with prefetches, at -O2 and at -O3 -march=native; bits compared in
-# every round.
-#   ROUNDS=15 THREADS="2 1" CC=gcc
+# Lanes and prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c)
+# against the translated ones with neither, with each and with both, as compiled for this machine, by
+# -O2 alone with the widths picked at run time, and so with two lanes at most (SSE2); bits compared in
+# every round. Below the table: what was not written for vectors, and why.
+#   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native
+# For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
+# there, which need nothing but the C library and libgomp. Each is run by
+#   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive REDCC_METHOD=localwrite folder/lanes-O2 ROUNDS SIDE WIDTH KERNEL
+# where all arguments may be left out: 15 rounds, a mesh of 467 x 467, 8 lanes at most, all kernels.
 . bench/common.sh
 compiler=${CC:-gcc}
 csv=$results/lanes.csv
-export REDCC_METHOD=localwrite OMP_WAIT_POLICY=passive
-load_note
-head=kernel,order,threads,serial_seconds,plain,plain_low,plain_high,prefetch,prefetch_low,prefetch_high,gain
-echo "flags,$head" >"$csv"
-echo "flags,$head"
-"$build/tool/redcc" --require bench/lanes_kernels.c -o "$work/translated.c" -Ibench 2>/dev/null
+programs=${PROGRAMS:-$work}
+mkdir -p "$programs"
+export REDCC_METHOD=${REDCC_METHOD:-localwrite} OMP_WAIT_POLICY=passive
+"$build/tool/redcc" --require --lanes=auto bench/lanes_kernels.c -o "$work/translated.c" -Ibench 2>/dev/null
 runtime=$(find "$build" -name libredcc_rt.a)
-while read -r flags; do
-  # shellcheck disable=SC2086
-  "$compiler" $flags -ffp-contract=off -Ibench -c bench/lanes_kernels.c -o "$work/serial.o"
-  objcopy --redefine-sym membrane=serial_membrane --redefine-sym contacts=serial_contacts \
-    --redefine-sym springs=serial_springs "$work/serial.o"
-  # shellcheck disable=SC2086
-  "$compiler" $flags -fopenmp -Ibench -Iruntime/include -c "$work/translated.c" -o "$work/translated.o"
-  # shellcheck disable=SC2086
-  "$compiler" -O2 -fopenmp -Ibench -Iruntime/include -Iruntime/src bench/lanes.c \
-    "$work/serial.o" "$work/translated.o" "$runtime" -lm -o "$work/lanes"
-  for threads in ${THREADS:-$(nproc)}; do
-    OMP_NUM_THREADS=$threads "$work/lanes" "${ROUNDS:-15}" | sed "s/^/$flags,/" | tee -a "$csv"
+make_program() { # NAME FLAGS...
+  local name=$1 kernel
+  shift
+  local renamed=()
+  for kernel in membrane contacts touching lennard_jones springs tetrahedra half_product; do
+    renamed+=(--redefine-sym "$kernel=serial_$kernel")
   done
-done <<<"${FLAGS:--O2
--O3 -march=native}"
+  "$compiler" "$@" -ffp-contract=off -Ibench -c bench/lanes_kernels.c -o "$work/serial.o"
+  objcopy "${renamed[@]}" "$work/serial.o"
+  "$compiler" "$@" -fopenmp -Ibench -Iruntime/include -c "$work/translated.c" -o "$work/translated.o"
+  "$compiler" -O2 -fopenmp -Ibench -Iruntime/include -Iruntime/src bench/lanes.c bench/lanes_data.c \
+    "$work/serial.o" "$work/translated.o" "$runtime" -lm -o "$programs/$name"
+}
+make_program lanes-native -O3 "-march=${ARCH:-native}"
+make_program lanes-O2 -O2
+if [ -n "${PROGRAMS:-}" ]; then
+  echo "made: $programs/lanes-native $programs/lanes-O2"
+  exit 0
+fi
+load_note
+head=build,most_lanes,kernel,order,threads,serial_seconds
+for manner in plain prefetch lanes both; do head+=,$manner,${manner}_low,${manner}_high; done
+echo "$head" | tee "$csv"
+for threads in ${THREADS:-1 2}; do
+  while read -r name width; do
+    # shellcheck disable=SC2086
+    OMP_NUM_THREADS=$threads "$programs/$name" "${ROUNDS:-15}" "${SIDE:-467}" "$width" ${KERNEL:-} |
+      sed "s/^/${name#lanes-},$width,/" | tee -a "$csv"
+  done <<'RUNS'
+lanes-native 8
+lanes-O2 8
+lanes-O2 2
+RUNS
+done
+sed -n 's/.*redcc: one iteration at a time: \(.*\) \*\/.*/not for vectors: \1/p;s/^void \([a-z_]*\)(.*/\1/p' "$work/translated.c" |
+  awk '/^not for/ {why = $0; next} why {print $0 ": " why; why = ""}'
 echo "kept: $csv"

@@ -80,6 +80,57 @@ void contacts(int count, const int (*pair)[2], const double (*x)[3], const doubl
     }
 }
 
+/* Is there a force between two balls, and which? */
+static int contact(const double (*x)[3], const double *radius, int i, int j, double force[3]) {
+    double d[3];
+    for (int c = 0; c < 3; c++)
+        d[c] = x[j][c] - x[i][c];
+    const double reach = radius[i] + radius[j], square = dot(d, d);
+    if (square >= reach * reach)
+        return 0;
+    const double distance = sqrt(square);
+    const double depth = reach - distance;
+    double push = 900.0 * depth * sqrt(depth);
+    if (push > 50.0)
+        push = 50.0;
+    for (int c = 0; c < 3; c++)
+        force[c] = push * d[c] / distance;
+    return 1;
+}
+
+/* Contact by a function that tells by its value whether there is any. */
+void touching(int count, const int (*pair)[2], const double (*x)[3], const double *radius,
+              double (*force)[3]) {
+    for (int t = 0; t < count; t++) {
+        const int i = pair[t][0], j = pair[t][1];
+        double f[3];
+        if (contact(x, radius, i, j, f))
+            for (int c = 0; c < 3; c++) {
+                force[i][c] -= f[c];
+                force[j][c] += f[c];
+            }
+    }
+}
+
+/* Lennard-Jones, each pair once, with a cut-off. */
+void lennard_jones(int count, const int (*pair)[2], const double (*x)[3], double (*force)[3]) {
+    for (int t = 0; t < count; t++) {
+        const int i = pair[t][0], j = pair[t][1];
+        const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+        const double square = dx * dx + dy * dy + dz * dz;
+        if (square < 1.7) {
+            const double inverse = 1.0 / square, sixth = inverse * inverse * inverse;
+            const double f = 48.0 * inverse * sixth * (sixth - 0.5);
+            force[i][0] += f * dx;
+            force[i][1] += f * dy;
+            force[i][2] += f * dz;
+            force[j][0] -= f * dx;
+            force[j][1] -= f * dy;
+            force[j][2] -= f * dz;
+        }
+    }
+}
+
 /* Springs along the edges of the mesh. */
 void springs(int count, const int (*edge)[2], const double *rest, const double (*x)[3],
              double (*force)[3]) {
@@ -95,4 +146,71 @@ void springs(int count, const int (*edge)[2], const double *rest, const double (
             force[j][c] -= pull * d[c];
         }
     }
+}
+
+/* In a row of a sparse matrix, by halves. */
+static int place_of(const int *start, const int *column, int row, int wanted) {
+    int low = start[row], high = start[row + 1] - 1;
+    while (low < high) {
+        const int middle = (low + high) / 2;
+        if (column[middle] < wanted)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static void cross(const double a[3], const double b[3], double result[3]) {
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Linear elastic tetrahedra into a matrix of blocks in rows. */
+void tetrahedra(int count, const int (*corner)[4], const double (*x)[3], const int *start,
+                const int *column, double (*k)[3][3]) {
+    for (int t = 0; t < count; t++) {
+        double edge[3][3], g[4][3], stiffness[4][4][3][3];
+        for (int p = 0; p < 3; p++)
+            for (int c = 0; c < 3; c++)
+                edge[p][c] = x[corner[t][p + 1]][c] - x[corner[t][0]][c];
+        cross(edge[1], edge[2], g[1]);
+        cross(edge[2], edge[0], g[2]);
+        cross(edge[0], edge[1], g[3]);
+        const double six = dot(edge[0], g[1]), volume = fabs(six) / 6.0;
+        for (int c = 0; c < 3; c++) {
+            for (int p = 1; p < 4; p++)
+                g[p][c] /= six;
+            g[0][c] = -(g[1][c] + g[2][c] + g[3][c]);
+        }
+        for (int p = 0; p < 4; p++)
+            for (int q = 0; q < 4; q++) {
+                const double along = dot(g[p], g[q]);
+                for (int r = 0; r < 3; r++)
+                    for (int c = 0; c < 3; c++)
+                        stiffness[p][q][r][c] =
+                            volume * (1.2 * g[p][r] * g[q][c] + 0.8 * g[p][c] * g[q][r] +
+                                      (r == c ? 0.8 * along : 0.0));
+            }
+        for (int p = 0; p < 4; p++)
+            for (int q = 0; q < 4; q++) {
+                const int at = place_of(start, column, corner[t][p], corner[t][q]);
+                for (int r = 0; r < 3; r++)
+                    for (int c = 0; c < 3; c++)
+                        k[at][r][c] += stiffness[p][q][r][c];
+            }
+    }
+}
+
+/* A symmetric matrix of which the upper half is kept. */
+void half_product(int rows, const int *start, const int *column, const double *value,
+                  const double *x, double *y) {
+    for (int i = 0; i < rows; i++)
+        for (int k = start[i]; k < start[i + 1]; k++) {
+            const int j = column[k];
+            y[i] += value[k] * x[j];
+            if (i != j)
+                y[j] += value[k] * x[i];
+        }
 }

@@ -16,8 +16,15 @@ struct element {
                  double(*a)[3][3]))                                                                \
     X(contacts, (int count, const int(*pair)[2], const double(*x)[3], const double(*v)[3],         \
                  const double *radius, double(*force)[3]))                                         \
+    X(touching, (int count, const int(*pair)[2], const double(*x)[3], const double *radius,        \
+                 double(*force)[3]))                                                               \
+    X(lennard_jones, (int count, const int(*pair)[2], const double(*x)[3], double(*force)[3]))     \
     X(springs, (int count, const int(*edge)[2], const double *rest, const double(*x)[3],           \
-                double(*force)[3]))
+                double(*force)[3]))                                                                \
+    X(tetrahedra, (int count, const int(*corner)[4], const double(*x)[3], const int *start,        \
+                   const int *column, double(*k)[3][3]))                                           \
+    X(half_product, (int rows, const int *start, const int *column, const double *value,           \
+                     const double *x, double *y))
 
 /** As redcc translated it, and, serial_NAME, untouched. */
 #define BENCH_LANES_DECLARE(name, parameters)                                                      \

@@ -213,9 +213,9 @@ static void account_execution(struct execution *execution, double now) {
     statistics->last.length = plan->length;
     statistics->last.compensated = redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
-    if (execution->call.request.loop->flags & REDCC_PREFETCHES && redcc_prefetch_is_of_use(plan))
-        redcc_prefetch_note(&execution->state->prefetching, run->prefetches,
-                            (now - run->ready) / (double)plan->trip);
+    statistics->last.lanes = run->manner.lanes;
+    statistics->last.lanes_reason = redcc_run_note_manner(run, &execution->state->manners,
+                                                          (now - run->ready) / (double)plan->trip);
     trace_execution(execution, now);
     if (!execution->call.method)
         tell_auto(execution, now);

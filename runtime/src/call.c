@@ -142,6 +142,13 @@ static const struct method *method_of(const struct settings *settings) {
     return settings->method;
 }
 
+/* By lanes one thread is faster than the sequential loop as well. */
+static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
+    enum lanes_reason unused;
+    return settings->method && (settings->method->in_bins ||
+                                redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0);
+}
+
 /* What forbids running in parallel without a look at the loop's data. */
 static enum reason reason_not_to(const redcc_loop *loop, const struct settings *settings,
                                  int threads, int nested, bool forked) {
@@ -157,7 +164,7 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_FORKED;
     if (nested)
         return REASON_NESTED;
-    return threads < 2 && !in_bins ? REASON_ONE_THREAD : REASON_NONE;
+    return threads < 2 && !one_will_do(loop, settings) ? REASON_ONE_THREAD : REASON_NONE;
 }
 
 /* The state for this call: the loop's, which it acquires, or, where another thread holds that and
@@ -239,9 +246,11 @@ static void take_settings(struct call *call, const struct settings *settings, in
     call->compensated = settings->compensated;
     call->validate = settings->validate;
     call->prefetch = (int)settings->prefetch;
+    call->lanes = (int)settings->lanes;
     call->tracks = settings->watch;
     call->memory_limit = settings->memory_limit;
     call->always_planned = is_always_planned(settings);
+    call->one_will_do = call->always_planned || one_will_do(loop, settings);
     call->entered = redcc_seconds();
     call->float_control = redcc_float_control();
     call->error_before = error_before;
@@ -281,7 +290,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->starts = !alone && redcc_team_grows(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
-    if (!alone && threads < (call->always_planned || call->in_bins ? 1 : 2))
+    if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))
         return false;
     *reason = REASON_NO_MEMORY;
     if (!redcc_threads_ensure(state, loop, threads))
@@ -297,9 +306,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->reason = REASON_NONE;
     execution->woken = 0;
     redcc_run_begin(&execution->run);
-    execution->run.prefetches =
-        loop->flags & REDCC_PREFETCHES &&
-        redcc_prefetch_begins(&state->prefetching, (enum prefetch_setting)call->prefetch);
+    redcc_run_choose_manner(&execution->run, &state->manners);
     redcc_bins_begin(&state->binning);
     execution->run.validated =
         call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
@@ -485,7 +492,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     runner->step = STEP_BEGIN;
     const bool as_asked = threads == execution->call.asked;
     const bool in_bins = execution->call.in_bins;
-    const bool may_be_one = execution->call.always_planned || in_bins || execution->advice.alone;
+    const bool may_be_one = execution->call.one_will_do || in_bins || execution->advice.alone;
     const bool too_few = threads == 1 && !may_be_one;
     thread->stage = too_few ? STAGE_OVER : as_asked ? STAGE_VERIFY : STAGE_RECOUNT;
     if (in_bins) {

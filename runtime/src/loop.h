@@ -60,7 +60,7 @@ struct loop_state {
     atomic_int busy;
     bool temporary; /* of one execution, beside the loop's own; not in the report */
     struct chooser chooser;
-    struct prefetching prefetching;
+    struct manners manners;
     struct plan_cache cache;
     struct execution execution;
     struct binning binning;

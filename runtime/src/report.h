@@ -5,6 +5,7 @@
 
 #include "base/reason.h"
 #include "choose/rule.h"
+#include "execute/lanes.h"
 #include "execute/validate.h"
 #include "plan/method.h"
 
@@ -42,7 +43,9 @@ struct last_execution {
     redcc_int trip;
     redcc_int length; /* how long it takes by the schedule, in iterations */
     bool compensated; /* its sums */
-    atomic_int mode;  /* enum mode, of the last call */
+    int lanes;        /* iterations at once; 0: one by one */
+    enum lanes_reason lanes_reason;
+    atomic_int mode; /* enum mode, of the last call */
 };
 
 /** What executions in parallel took beside time. */

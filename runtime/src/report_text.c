@@ -93,6 +93,12 @@ static void write_fallback(FILE *out, const char **separator, enum reason reason
     *separator = ", ";
 }
 
+/* Of the last execution in parallel, where there was one. */
+static void write_lanes(FILE *out, const struct statistics *it) {
+    fprintf(out, ", \"lanes\": %d", it->last.lanes > 0 ? it->last.lanes : 1);
+    write_text(out, "lanes_why", redcc_lanes_slug(it->last.lanes_reason));
+}
+
 static void write_fallbacks(FILE *out, const struct statistics *it) {
     const char *separator = "";
     fputs(", \"fallbacks\": [", out);
@@ -155,6 +161,7 @@ static void write_loop(FILE *out, const struct reported *loop) {
     if (it->validated.executions > 0)
         fprintf(out, ", \"validated\": %ld, \"promises_broken\": %ld", it->validated.executions,
                 it->validated.broken);
+    write_lanes(out, it);
     write_plans(out, it);
     write_times(out, it);
     write_work(out, it);

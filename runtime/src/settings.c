@@ -129,6 +129,18 @@ static void read_prefetch(const char *value) {
         redcc_complain_of_unknown("REDCC_PREFETCH", value, names, 3);
 }
 
+static void read_lanes(const char *value) {
+    static const char *const names[] = {"off", "auto", "2", "4", "8"};
+    settings.lanes = LANES_AUTO;
+    for (unsigned i = 0; value && *value && i < 5; i++)
+        if (strcmp(value, names[i]) == 0) {
+            settings.lanes = (enum lanes_setting)i;
+            return;
+        }
+    if (value && *value)
+        redcc_complain_of_unknown("REDCC_LANES", value, names, 5);
+}
+
 /* Names with commas between them. */
 static void read_trace(const char *value) {
     while (value && *value) {
@@ -216,6 +228,7 @@ static void read_environment(void) {
     take_methods();
     read_watch(redcc_environment("REDCC_WATCH"));
     read_prefetch(redcc_environment("REDCC_PREFETCH"));
+    read_lanes(redcc_environment("REDCC_LANES"));
     read_trace(redcc_environment("REDCC_TRACE"));
     read_memory_limit(redcc_environment("REDCC_MEMORY_LIMIT"));
     if (!settings.method && !named.loops && !settings.compensated)

@@ -3,6 +3,7 @@
 #ifndef REDCC_SETTINGS_H
 #define REDCC_SETTINGS_H
 
+#include "execute/lanes.h"
 #include "execute/prefetch.h"
 #include "plan/method.h"
 
@@ -15,6 +16,7 @@ struct settings {
     bool validate;                  /* REDCC_VALIDATE */
     bool watch;                     /* REDCC_WATCH: where it can be done */
     enum prefetch_setting prefetch; /* REDCC_PREFETCH */
+    enum lanes_setting lanes;       /* REDCC_LANES */
     size_t memory_limit;            /* bytes; 0: none */
     char *report;                   /* file name; NULL: none */
 };

@@ -15,6 +15,7 @@
     X("REDCC_REPORT")                                                                              \
     X("REDCC_TRACE")                                                                               \
     X("REDCC_PREFETCH")                                                                            \
+    X("REDCC_LANES")                                                                               \
     X("REDCC_WATCH")
 
 /** A variable of the environment; NULL: it is not set, or the program has more rights than who

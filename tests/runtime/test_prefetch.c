@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Prefetches: which iteration goes before which, what is asked of a slice then, and when the
- * runtime takes which way. */
+/* Prefetches: which iteration goes before which, what is asked of a slice then, and where they are
+ * of use. */
 #include "execute/prefetch.h"
 
 #include <setjmp.h>
@@ -28,9 +28,9 @@ static void try_runs(int runs, int prefetches) {
         run[r] = (redcc_run){(redcc_u32)(rand() % 100), (redcc_u32)(rand() % (2 * MOST_COUNT))};
     const int count = list_all(run, runs, origin, list);
     const redcc_worker worker = {
-        .origin = origin, .run = run, .run_end = run + runs, .prefetches = prefetches};
+        .origin = origin, .run = run, .run_end = run + runs, .manner = {prefetches, 0}};
     redcc_ahead ahead;
-    redcc_ahead_begin(&ahead, &worker, worker.prefetches, REDCC_PREFETCH_DISTANCE);
+    redcc_ahead_begin(&ahead, &worker, worker.manner.prefetches, REDCC_PREFETCH_DISTANCE);
     for (int i = 0; i < count + 2; i++) {
         const int found = redcc_ahead_step(&ahead), expected = i + REDCC_PREFETCH_DISTANCE;
         assert_int_equal(found, prefetches && expected < count);
@@ -60,37 +60,6 @@ static void a_slice_without_a_worker_tells_nothing(void **unused) {
     REDCC_AHEAD(nowhere, 77);
 }
 
-static void named_ways(void **unused) {
-    (void)unused;
-    struct prefetching it = {0};
-    for (int i = 0; i < 20; i++) {
-        assert_false(redcc_prefetch_begins(&it, PREFETCH_OFF));
-        assert_true(redcc_prefetch_begins(&it, PREFETCH_ON));
-        redcc_prefetch_note(&it, false, 1.0);
-    }
-}
-
-/* Of `executions` those that prefetched. */
-static int execute(struct prefetching *it, int executions, double without, double with) {
-    int prefetched = 0;
-    for (int i = 0; i < executions; i++) {
-        const bool now = redcc_prefetch_begins(it, PREFETCH_AUTO);
-        prefetched += now;
-        redcc_prefetch_note(it, now, (now ? with : without) * (1 + 0.5 * (i % 3 == 0)));
-    }
-    return prefetched;
-}
-
-static void the_faster_way_is_kept(void **unused) {
-    (void)unused;
-    struct prefetching gains = {0}, loses = {0};
-    assert_int_equal(execute(&gains, 6, 1.0, 0.9), 3);
-    assert_int_equal(execute(&gains, 64, 1.0, 0.9), 64);
-    assert_int_equal(execute(&gains, 6, 0.9, 1.0), 3); /* the data changed */
-    assert_int_equal(execute(&gains, 128, 0.9, 1.0), 0);
-    assert_int_equal(execute(&loses, 6 + 64 + 6 + 128 + 6, 0.9, 1.0), 9);
-}
-
 static void only_large_arrays_that_are_written_in_place(void **unused) {
     (void)unused;
     struct offsets touched[2] = {{-(1 << 19), 0}, {5, 4}};
@@ -107,8 +76,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_iteration_two_ahead_in_the_list),
         cmocka_unit_test(a_slice_without_a_worker_tells_nothing),
-        cmocka_unit_test(named_ways),
-        cmocka_unit_test(the_faster_way_is_kept),
         cmocka_unit_test(only_large_arrays_that_are_written_in_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -75,7 +75,7 @@ static word_list headers_of(arena *a, const word_list *list, const char *source)
         if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
             !ends_in(name, "/redcc/loop.h") && !ends_in(name, "/redcc/bins.h") &&
             !ends_in(name, "/redcc/prefetch.h") && !ends_in(name, "/redcc/lanes.h") &&
-            !is_listed(&headers, name))
+            !ends_in(name, "/redcc/lanes_width.h") && !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;

@@ -207,7 +207,8 @@ static const char *flags_text(const loop_text *loop) {
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
                  {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
-                 {prefetches(loop), "REDCC_PREFETCHES"}};
+                 {loop->prefetches, "REDCC_PREFETCHES"},
+                 {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)

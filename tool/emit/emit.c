@@ -40,28 +40,29 @@ static bool may_name_targets(const ir_unit *unit) {
  *  neither contracts a multiplication and an addition into one rounding; nor do inspector and
  *  executor. Free order without floating-point work in an inspector needs none of it. */
 static const char *prelude(arena *a, const ir_unit *unit, bool may_contract, unsigned lanes) {
-    const char *contraction =
-        may_contract ? ""
-                     : arena_format(a,
-                                    "#if defined(__clang__)\n"
-                                    "#pragma clang fp contract(off)\n"
-                                    "#elif defined(%s)\n"
-                                    "#pragma GCC optimize(\"fp-contract=off\")\n"
-                                    "#endif\n",
-                                    may_name_targets(unit) ? "__GNUC__" : "__FP_FAST_FMA");
-    const char *width = lanes > 1 ? arena_format(a, "#define redcc_width %u\n", lanes) : "";
+    const bool has_targets = lanes > 0 || may_name_targets(unit);
+    const char *contraction = may_contract
+                                  ? ""
+                                  : arena_format(a,
+                                                 "#if defined(__clang__)\n"
+                                                 "#pragma clang fp contract(off)\n"
+                                                 "#elif defined(%s)\n"
+                                                 "#pragma GCC optimize(\"fp-contract=off\")\n"
+                                                 "#endif\n",
+                                                 has_targets ? "__GNUC__" : "__FP_FAST_FMA");
+    const char *width = lanes > 1 ? arena_format(a, "#define REDCC_ONLY_WIDTH %u\n", lanes) : "";
+    const char *vectors =
+        lanes ? arena_format(a, "#ifdef _OPENMP\n%s#include <redcc/lanes.h>\n#endif\n", width) : "";
     return arena_format(a,
                         "#ifdef _OPENMP\n"
                         "#include <redcc/runtime.h>\n"
-                        "%s%s"
                         "REDCC_REQUIRE_VERSION(1);\n"
                         "#else\n"
                         "#define REDCC_SEQUENTIAL_DONE\n"
                         "#endif\n"
-                        "%s"
+                        "%s%s"
                         "#line 1 %s\n",
-                        width, lanes ? "#include <redcc/lanes.h>\n" : "", contraction,
-                        text_quoted(a, ir_position_of(unit, 0).file));
+                        contraction, vectors, text_quoted(a, ir_position_of(unit, 0).file));
 }
 
 /** Why no loop of the file can be written; NULL: nothing forbids it. */

@@ -211,6 +211,18 @@ static void declare_outer(lifter *l) {
                 (long long)facts->counted.step);
 }
 
+/** Most lanes need not ask who owns what: for them compilers have a text without conditions. */
+static void write_updates(lifter *l, const char *updates) {
+    writer_line(l->out, "REDCC_EACH_LANE");
+    writer_line(l->out, "    if (!redcc__block->guarded[redcc__l]) {");
+    writer_line(l->out, "        enum { redcc__guarded = 0 };");
+    buffer_text(&l->out->out, updates);
+    writer_line(l->out, "    } else {");
+    writer_line(l->out, "        enum { redcc__guarded = 1 };");
+    buffer_text(&l->out->out, updates);
+    writer_line(l->out, "    }");
+}
+
 static void write_function_body(lifter *l) {
     const ir_node *body = l->scope;
     const loop_facts *facts = l->loop->facts;
@@ -222,10 +234,21 @@ static void write_function_body(lifter *l) {
         else
             lane_statement(l, body->children[i]);
     check_order(l, body);
-    writer_line(l->out, "REDCC_EACH_LANE {");
-    writer_line(l->out, "    const int redcc__guarded = redcc__block->guarded[redcc__l];");
-    buffer_text(&l->out->out, writer_text(l->loop->arena, &updates));
-    writer_line(l->out, "}");
+    write_updates(l, writer_text(l->loop->arena, &updates));
+}
+
+/** The text, once for each width that is asked for. */
+static void write_copies(const loop_text *loop, writer *out, const char *text) {
+    for (unsigned width = 2; width <= 8; width *= 2) {
+        if (loop->options->lanes > 1 && loop->options->lanes != width)
+            continue;
+        writer_line(out, "#if REDCC_WIDTHS & %u", width);
+        writer_line(out, "#undef redcc_width");
+        writer_line(out, "#define redcc_width %u", width);
+        writer_line(out, "#include <redcc/lanes_width.h>");
+        buffer_text(&out->out, text);
+        writer_line(out, "#endif");
+    }
 }
 
 void write_lanes(loop_text *loop, writer *out) {
@@ -241,8 +264,7 @@ void write_lanes(loop_text *loop, writer *out) {
                 .front = &front,
                 .out = &text,
                 .problem = &problem};
-    loop->lanes_call = NULL;
-    if (!loop->wants_lanes)
+    if (!loop->lanes.is_wanted)
         return;
     if (is_liftable(loop)) {
         lane_classify(&l);
@@ -254,14 +276,16 @@ void write_lanes(loop_text *loop, writer *out) {
         writer_line(out, "/* redcc: one iteration at a time: %s */", problem);
         return;
     }
-    loop->lanes_call =
-        arena_format(a, "redcc__%s(REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s)",
-                     loop_lanes_name(loop), facts->array_count, loop->body_arguments);
-    buffer_text(&out->out, writer_text(a, &front));
-    writer_line(out,
-                "REDCC_BODY redcc__%s(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
-                "redcc__block, const redcc_int redcc__lower%s) {",
-                loop_lanes_name(loop), facts->array_count, loop->body_parameters);
-    buffer_text(&out->out, writer_text(a, &text));
-    writer_line(out, "}");
+    loop->lanes.name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
+    loop->lanes.arguments =
+        arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",
+                     facts->array_count, loop->body_arguments);
+    writer_line(
+        &front,
+        "REDCC_LANES_BODY REDCC_WIDE(%s)(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
+        "redcc__block, const redcc_int redcc__lower%s) {",
+        loop->lanes.name, facts->array_count, loop->body_parameters);
+    buffer_text(&front.out, writer_text(a, &text));
+    writer_line(&front, "}");
+    write_copies(loop, out, writer_text(a, &front));
 }

@@ -183,7 +183,7 @@ static void write_parameters(lifter *l, const ir_function *function, const lane_
         buffer_format(&head, "%s%s __attribute__((__unused__))", i > 0 ? ", " : "",
                       parameter_text(l, parameter, classes[i]));
     }
-    writer_line(l->out, "REDCC_INLINE %s %s(%s) {",
+    writer_line(l->out, "REDCC_LIFTED %s %s(%s) {",
                 lane_is_double(function->type->target) ? "redcc_vector" : "void", name,
                 head.data ? head.data : "void");
     buffer_free(&head);
@@ -234,9 +234,9 @@ static const char *clone_of(lifter *l, const ir_function *function, const lane_c
         if (it->function == function && (!bytes || memcmp(it->classes, classes, bytes) == 0))
             return it->name;
     }
-    const lane_clone clone = {
-        function, classes,
-        arena_format(a, "redcc__%u_%s", l->clones->count + 1, loop_lanes_name(l->loop))};
+    const lane_clone clone = {function, classes,
+                              arena_format(a, "REDCC_WIDE(redcc__%u_%s)", l->clones->count + 1,
+                                           loop_lanes_name(l->loop))};
     VECTOR_PUSH(a, l->clones, clone);
     write_clone(l, function, classes, clone.name);
     return clone.name;

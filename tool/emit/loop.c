@@ -86,7 +86,7 @@ static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
-    if (prefetches(loop))
+    if (loop->prefetches)
         writer_line(out, "REDCC_PREFETCH;");
     declare_extents(loop, out);
     declare_operands(loop, out);
@@ -226,8 +226,7 @@ bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const em
     writer out = {0};
     prepare_loop(&loop);
     for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++) {
-        loop.wants_lanes = *form == FORM_LANES;
-        loop.lanes_call = NULL;
+        loop.lanes = (lanes_text){.is_wanted = *form == FORM_LANES};
         loop.bins = NULL;
         if (*form == FORM_BINNED)
             find_bins(&loop);

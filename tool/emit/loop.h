@@ -32,6 +32,13 @@ typedef struct source_text {
 
 enum { SOURCE_NOT_TOLD = -1 };
 
+/** A function for several iterations at once (lanes.c). */
+typedef struct lanes_text {
+    bool is_wanted;
+    const char *name; /* NULL: there is none */
+    const char *arguments;
+} lanes_text;
+
 typedef struct loop_text {
     arena *arena;
     const ir_unit *unit;
@@ -52,8 +59,8 @@ typedef struct loop_text {
     const char *slice_call, *body_call;           /* of iteration redcc__k */
     const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
     struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
-    bool wants_lanes;       /* a function for several iterations at once is asked for */
-    const char *lanes_call; /* of the iterations redcc__block; NULL: there is no such function */
+    lanes_text lanes;
+    bool prefetches; /* its executor can (prefetch.c) */
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -159,14 +166,15 @@ const char *bins_phase(loop_text *loop);
 /** stale.c: may the body be executed before what it reads is compared with what it writes? */
 bool is_harmless_when_stale(loop_text *loop);
 
-/** prefetch.c: does the executor prefetch what iterations to come touch? */
-bool prefetches(const loop_text *loop);
+/** prefetch.c: can the executor prefetch what iterations to come touch, once the loop is outlined?
+ *  loop->prefetches says it then. */
+bool can_prefetch(const loop_text *loop);
 /** At the end of the slice: rows that an iteration reads and the inspector is not told. Only
  *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
 void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
 
 /** lanes.c: the function that executes several iterations at once, where it is asked for and the
- *  body can be written so; sets lanes_call, or says in a comment why not. */
+ *  body can be written so; sets loop->lanes, or says in a comment why not. */
 void write_lanes(loop_text *loop, writer *out);
 /** outline.c: is it the iteration's own, or declared in the body? */
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);

@@ -350,9 +350,9 @@ static void write_body(loop_text *loop, writer *out) {
     out->depth = 1;
     write_iteration(loop, out);
     out->depth = 0;
-    writer_line(out, loop->wants_lanes ? "}" : "} REDCC_QUIET_END");
+    writer_line(out, loop->lanes.is_wanted ? "}" : "} REDCC_QUIET_END");
     write_lanes(loop, out);
-    if (loop->wants_lanes)
+    if (loop->lanes.is_wanted)
         writer_line(out, "REDCC_QUIET_END");
 }
 
@@ -410,6 +410,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     writer out = {0};
     *place = place_of(loop, &out);
     loop->is_outlined = true;
+    loop->prefetches = can_prefetch(loop);
     buffer_text(&out.out, loop_condition(loop));
     writer_fill(&out, true);
     writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
@@ -422,6 +423,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     write_slice(loop, &out);
     write_body(loop, &out);
     loop->is_outlined = loop->is_outlinable && !loop->obstacle;
+    loop->prefetches &= loop->is_outlined;
     buffer_format(&out.out, "#endif\n%s\n",
                   loop_line_directive(loop, facts->function->range.begin));
     if (*place == facts->function->range.begin && out.out.data[0] == '\n')

@@ -102,11 +102,10 @@ static bool has_source_loop(const loop_facts *facts) {
 
 /** Evaluated once more, a slice with floating-point work might set errno where the loop does not.
  */
-bool prefetches(const loop_text *loop) {
+bool can_prefetch(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    return loop->is_outlined && !facts->slice_has_floating_work &&
-           !has_open_loop(facts, facts->counted.body) && !has_source_loop(facts) &&
-           work_of(facts->counted.body, 0) >= LEAST_WORK;
+    return !facts->slice_has_floating_work && !has_open_loop(facts, facts->counted.body) &&
+           !has_source_loop(facts) && work_of(facts->counted.body, 0) >= LEAST_WORK;
 }
 
 /* ---- gathers that the inspector need not tell ------------------------------------------------ */
@@ -217,7 +216,7 @@ void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     const frame top = {.call = facts->loop};
     gather_list list = {0};
-    if (!prefetches(loop) || has_continue(facts, facts->counted.body))
+    if (!loop->prefetches || has_continue(facts, facts->counted.body))
         return;
     list_gathers(loop->arena, &top, facts->counted.body, &list);
     writer_fill(out, true);

@@ -202,14 +202,15 @@ static void write_executor(loop_text *loop, writer *out) {
 
 void write_region(loop_text *loop, writer *out) {
     if (loop->is_outlined) {
-        const char *kind = loop->bins ? "_BINNED" : loop->lanes_call ? "_LANES" : "";
+        const char *kind = loop->bins ? "_BINNED" : loop->lanes.name ? "_LANES" : "";
         writer_line(out, "REDCC_THREADS(%s)", firstprivate_clause(loop));
         writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s%s", kind,
                     loop->facts->array_count, loop->bins ? bins_phase(loop) : "",
                     loop->bins ? "," : "");
         writer_line(out, "        %s,", loop->slice_call);
-        writer_line(out, "        %s%s%s)", loop->body_call, loop->lanes_call ? ", " : "",
-                    loop->lanes_call ? loop->lanes_call : "");
+        writer_line(out, "        %s%s", loop->body_call, loop->lanes.name ? "," : ")");
+        if (loop->lanes.name)
+            writer_line(out, "        %s, (%s))", loop->lanes.name, loop->lanes.arguments);
         return;
     }
     buffer_format(&out->out, "#pragma omp parallel num_threads(redcc__call.threads) %s\n",

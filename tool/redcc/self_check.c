@@ -72,7 +72,8 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found) {
     const source *output = source_from_text(a, input->source->path, written->text, written->length);
     const char *include = installation_find(a).include;
-    const char *const parallel_flags[] = {"-fopenmp", include ? "-idirafter" : NULL, include, NULL};
+    const char *const parallel_flags[] = {"-fopenmp", "-DREDCC_IS_CHECKED",
+                                          include ? "-idirafter" : NULL, include, NULL};
     const string_list parallel = with_flags(a, flags, parallel_flags);
     const frontend_result first = parse(a, output, &parallel);
     if (!lacks_header(&first)) {

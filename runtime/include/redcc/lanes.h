@@ -4,41 +4,64 @@
  * is computed for all of them by one operation each; updates are made lane by lane, in the order in
  * which the iterations would have been executed.
  *
- * Generated text says how many lanes by REDCC_WIDTH_AUTO, or 2, 4 or 8, in REDCC_LANES_BEGIN, and
- * includes this file where it uses them; runtime.h comes before it.
+ * Generated text includes this file behind runtime.h and what forbids contraction. It holds what is
+ * for vectors once for each width, behind lanes_width.h, for processors that may know more than
+ * what the program is compiled for; the runtime says which width is executed. REDCC_ONLY_WIDTH,
+ * defined as 2, 4 or 8: this width alone, for the processor that the program is compiled for.
  */
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
 
+/** The widths that are compiled: a sum of 2, 4 and 8. None where operations may be rounded together
+ *  or where the compiler does not know the vectors of gcc and clang. Narrower ones than a register
+ *  of what the program is compiled for holds are of no use. */
+#if defined(REDCC_IS_CHECKED) && !defined(REDCC_ONLY_WIDTH)
+#define REDCC_WIDTHS (2 + 4 + 8) /* redcc looks at its own text */
+#elif !defined(REDCC_IS_CHECKED) && !REDCC_ROUNDS_ALIKE
+#define REDCC_WIDTHS 0
+#elif !defined(__clang__) && __GNUC__ < 8
+#define REDCC_WIDTHS 0
+#elif defined(REDCC_ONLY_WIDTH)
+#define REDCC_WIDTHS REDCC_ONLY_WIDTH
+#elif !defined(__x86_64__)
+#define REDCC_WIDTHS 0
+#elif defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define REDCC_WIDTHS 8
+#elif defined(__AVX2__)
+#define REDCC_WIDTHS (4 + 8)
+#else
+#define REDCC_WIDTHS (2 + 4 + 8)
+#endif
+
+/** In the descriptor's flags. */
+#ifdef REDCC_ONLY_WIDTH
+#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTHS | REDCC_LANES_ANYWHERE)
+#else
+#define REDCC_LANES (REDCC_LANES_UNIT * REDCC_WIDTHS)
+#endif
+
 /* Vectors are passed between functions that are inlined: that their passing changed between
  * versions of a compiler does not matter. */
+#if REDCC_WIDTHS
 #pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
-/** As many doubles as a vector register holds. */
-#if defined(__AVX512F__)
-#define REDCC_WIDTH_AUTO 8
-#elif defined(__AVX__)
-#define REDCC_WIDTH_AUTO 4
+/** What functions are compiled for. */
+#define REDCC_TARGET_2
+#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) || defined(__AVX2__)
+#define REDCC_TARGET_4
 #else
-#define REDCC_WIDTH_AUTO 2
+#define REDCC_TARGET_4 __attribute__((__target__("avx2")))
 #endif
-
-#ifndef redcc_width
-#define redcc_width REDCC_WIDTH_AUTO
-#endif
-
-typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));
-__extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * redcc_width)));
-
-/** Is each operation rounded by itself, in vectors as in scalars? */
-#if REDCC_ROUNDS_ALIKE
-enum { redcc_lanes_are_alike = 1 };
+#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) || REDCC_WIDTHS == 8
+#define REDCC_TARGET_8
+#elif defined(__clang__)
+#define REDCC_TARGET_8                                                                             \
+    __attribute__((__target__("avx512f,avx512dq,avx512vl"), __min_vector_width__(512)))
 #else
-enum { redcc_lanes_are_alike = 0 };
+#define REDCC_TARGET_8                                                                             \
+    __attribute__((__target__("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
 #endif
-
-/** The statement that follows, for each lane, redcc__l. */
-#define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < redcc_width; redcc__l++)
 
 /* An expression of redcc__l, for each lane; as initialisers, since a loop would go through memory.
  */
@@ -47,18 +70,24 @@ enum { redcc_lanes_are_alike = 0 };
         enum { redcc__l = redcc_i };                                                               \
         __VA_ARGS__;                                                                               \
     })
-#if redcc_width == 2
-#define REDCC_ALL(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
-#elif redcc_width == 4
-#define REDCC_ALL(...)                                                                             \
-    REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__), REDCC_LANE(2, __VA_ARGS__),            \
-        REDCC_LANE(3, __VA_ARGS__)
-#else
-#define REDCC_ALL(...)                                                                             \
-    REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__), REDCC_LANE(2, __VA_ARGS__),            \
-        REDCC_LANE(3, __VA_ARGS__), REDCC_LANE(4, __VA_ARGS__), REDCC_LANE(5, __VA_ARGS__),        \
+#define REDCC_ALL_2(...) REDCC_LANE(0, __VA_ARGS__), REDCC_LANE(1, __VA_ARGS__)
+#define REDCC_ALL_4(...)                                                                           \
+    REDCC_ALL_2(__VA_ARGS__), REDCC_LANE(2, __VA_ARGS__), REDCC_LANE(3, __VA_ARGS__)
+#define REDCC_ALL_8(...)                                                                           \
+    REDCC_ALL_4(__VA_ARGS__), REDCC_LANE(4, __VA_ARGS__), REDCC_LANE(5, __VA_ARGS__),              \
         REDCC_LANE(6, __VA_ARGS__), REDCC_LANE(7, __VA_ARGS__)
-#endif
+
+/* ---- what lanes_width.h gives a meaning ------------------------------------------------------ */
+
+#define redcc_vector REDCC_WIDE(redcc_vector)
+#define redcc_mask REDCC_WIDE(redcc_mask)
+
+/** A function that is inlined, and the one that executes redcc_width iterations. */
+#define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
+#define REDCC_LANES_BODY static __attribute__((__noinline__, __unused__)) REDCC_TARGET void
+
+/** The statement that follows, for each lane, redcc__l. */
+#define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < redcc_width; redcc__l++)
 
 /** A double for each lane. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
@@ -67,96 +96,187 @@ enum { redcc_lanes_are_alike = 0 };
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[redcc_width]){REDCC_ALL(__VA_ARGS__)})
 
-/** The same double in each lane. (Not by addition of 0: it would change -0.0.) */
-REDCC_INLINE redcc_vector redcc_same(double value) {
-    int redcc__l;
-    redcc_vector all;
-    REDCC_EACH_LANE all[redcc__l] = value;
-    return all;
-}
+#define redcc_same REDCC_WIDE(redcc_same)
+#define redcc_select REDCC_WIDE(redcc_select)
+#define redcc_lanes_sqrt REDCC_WIDE(redcc_lanes_sqrt)
+#define redcc_lanes_fabs REDCC_WIDE(redcc_lanes_fabs)
 
-/** Of the lanes where the mask is -1 the one, else the other. */
-REDCC_INLINE redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {
-    return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));
-}
+/**
+ * redcc_same: the same double in each lane (not by addition of 0: it would change -0.0).
+ * redcc_select: of the lanes where the mask is -1 the one, else the other.
+ * redcc_lanes_sqrt: each lane by itself; where one is negative errno is set as it is sequentially.
+ * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind? No
+ * macro tells of -ffp-contract=fast, which clang prefers to pragmas.
+ */
+#define REDCC_LANES_TOOLS                                                                          \
+    typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));                 \
+    __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * redcc_width)));  \
+    REDCC_LIFTED redcc_vector redcc_same(double value) {                                           \
+        return (__extension__(redcc_vector){REDCC_ALL(value)});                                    \
+    }                                                                                              \
+    REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {   \
+        return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));                \
+    }                                                                                              \
+    REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {                               \
+        return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});          \
+    }                                                                                              \
+    REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {                               \
+        return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});          \
+    }                                                                                              \
+    static __attribute__((__noinline__, __unused__)) REDCC_TARGET int REDCC_WIDE(                  \
+        redcc_rounds_alike)(void) {                                                                \
+        const volatile double factor = 134217729.0, less = 18014398777917440.0;                    \
+        const volatile double square = factor * factor, rest = square - less;                      \
+        const redcc_vector factors = redcc_same(factor);                                           \
+        const redcc_vector rests = factors * factors - redcc_same(less);                           \
+        return rests[0] == rest && factors[1] * factors[1] - less == rest;                         \
+    }
+#if REDCC_WIDTHS & 2
+#define redcc_width 2
+#include "lanes_width.h"
+REDCC_LANES_TOOLS
+#endif
+#if REDCC_WIDTHS & 4
+#undef redcc_width
+#define redcc_width 4
+#include "lanes_width.h"
+REDCC_LANES_TOOLS
+#endif
+#if REDCC_WIDTHS & 8
+#undef redcc_width
+#define redcc_width 8
+#include "lanes_width.h"
+REDCC_LANES_TOOLS
+#endif
 
-/** Each lane by itself: where one is negative errno is set as it is sequentially. */
-REDCC_INLINE redcc_vector redcc_lanes_sqrt(redcc_vector value) {
-    int redcc__l;
-    redcc_vector root;
-    REDCC_EACH_LANE root[redcc__l] = __builtin_sqrt(value[redcc__l]);
-    return root;
-}
+/* ---- the executor ---------------------------------------------------------------------------- */
 
-REDCC_INLINE redcc_vector redcc_lanes_fabs(redcc_vector value) {
-    int redcc__l;
-    redcc_vector result;
-    REDCC_EACH_LANE result[redcc__l] = __builtin_fabs(value[redcc__l]);
-    return result;
-}
+enum { REDCC_MOST_LANES = 8 };
 
 /** Iterations that are executed at once, and whether their updates must ask redcc_owns. */
 typedef struct redcc_block {
-    redcc_int k[redcc_width];
-    int guarded[redcc_width];
+    redcc_int k[REDCC_MOST_LANES];
+    int guarded[REDCC_MOST_LANES];
 } redcc_block;
 
-/** Takes the next iterations of the runs in order. Returns how many: less than redcc_width at the
- *  end. */
-REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from) {
+/** Takes the next iterations of the runs in order. Returns how many: less than `width` at the end.
+ */
+REDCC_INLINE int redcc_block_take(redcc_block *block, redcc_ahead *from, int width) {
     int count = 0;
-    for (; count < redcc_width && redcc_ahead_step(from); count++) {
+    for (; count < width && redcc_ahead_step(from); count++) {
         block->k[count] = from->k;
         block->guarded[count] = (int)(from->run[-1].count_and_guard & 1);
     }
     return count;
 }
 
-/** As REDCC_EXECUTE, with what executes redcc_width iterations, redcc__block. Those that are left
- * at the end are executed one by one. */
-#define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body,                  \
-                            redcc_call_of_lanes)                                                   \
+/** Writes the first `count` iterations of the block as runs of one each. Returns how many. */
+REDCC_INLINE int redcc_block_rest(const redcc_block *block, int count, redcc_int origin,
+                                  redcc_run *rest) {
+    int i;
+    for (i = 0; i < count; i++) {
+        rest[i].begin = (redcc_u32)(block->k[i] - origin);
+        rest[i].count_and_guard = 2 + (redcc_u32)block->guarded[i];
+    }
+    return count;
+}
+
+/** How many iterations at once the runtime says, 0 where they would not be rounded alike. */
+REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
+    switch (worker->manner.lanes & REDCC_WIDTHS) {
+#if REDCC_WIDTHS & 2
+    case 2:
+        return redcc_rounds_alike_2() ? 2 : 0;
+#endif
+#if REDCC_WIDTHS & 4
+    case 4:
+        return redcc_rounds_alike_4() ? 4 : 0;
+#endif
+#if REDCC_WIDTHS & 8
+    case 8:
+        return redcc_rounds_alike_8() ? 8 : 0;
+#endif
+    default:
+        return 0;
+    }
+}
+
+/* The call of the function for so many iterations. */
+#if REDCC_WIDTHS & 2
+#define REDCC_CASE_2(redcc_name, redcc_arguments)                                                  \
+    case 2:                                                                                        \
+        redcc_name##_2 redcc_arguments;                                                            \
+        break;
+#else
+#define REDCC_CASE_2(redcc_name, redcc_arguments)
+#endif
+#if REDCC_WIDTHS & 4
+#define REDCC_CASE_4(redcc_name, redcc_arguments)                                                  \
+    case 4:                                                                                        \
+        redcc_name##_4 redcc_arguments;                                                            \
+        break;
+#else
+#define REDCC_CASE_4(redcc_name, redcc_arguments)
+#endif
+#if REDCC_WIDTHS & 8
+#define REDCC_CASE_8(redcc_name, redcc_arguments)                                                  \
+    case 8:                                                                                        \
+        redcc_name##_8 redcc_arguments;                                                            \
+        break;
+#else
+#define REDCC_CASE_8(redcc_name, redcc_arguments)
+#endif
+
+/** The chunk, as many iterations at once as the runtime says; what is left at its end is executed
+ * one by one, as is all of it where there is nothing for vectors. */
+#define REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
+                            redcc_arguments)                                                       \
     while (redcc_next(&redcc__worker)) {                                                           \
-        redcc_chunk redcc_ahead redcc__ahead, redcc__from;                                         \
-        redcc_block redcc__block;                                                                  \
-        int redcc__count, redcc__i;                                                                \
+        redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
+        const redcc_run *redcc__run_end = redcc__worker.run_end;                                   \
+        const int redcc__width = redcc_lanes_of(&redcc__worker);                                   \
+        redcc_run redcc__rest[REDCC_MOST_LANES];                                                   \
+        redcc_ahead redcc__ahead;                                                                  \
         if (redcc__prefetches)                                                                     \
-            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.prefetches,             \
-                              redcc_width);                                                        \
-        redcc_ahead_begin(&redcc__from, &redcc__worker, 1, 0);                                     \
-        do {                                                                                       \
-            redcc__count = redcc_block_take(&redcc__block, &redcc__from);                          \
-            if (redcc__prefetches)                                                                 \
-                for (redcc__i = 0; redcc__i < redcc__count; redcc__i++)                            \
-                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
-            if (redcc__count == redcc_width) {                                                     \
-                const int redcc__guarded = 0;                                                      \
-                redcc_call_of_lanes;                                                               \
-            } else {                                                                               \
-                for (redcc__i = 0; redcc__i < redcc__count; redcc__i++) {                          \
-                    const int redcc__guarded = redcc__block.guarded[redcc__i];                     \
-                    const redcc_int redcc__k = redcc__block.k[redcc__i];                           \
-                    redcc_call_of_body;                                                            \
+            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.manner.prefetches,      \
+                              redcc__width ? redcc__width : REDCC_PREFETCH_DISTANCE);              \
+        if (redcc__width) {                                                                        \
+            const int redcc__guarded = 0;                                                          \
+            int redcc__count, redcc__i;                                                            \
+            redcc_block redcc__block;                                                              \
+            redcc_ahead redcc__from;                                                               \
+            redcc_ahead_begin(&redcc__from, &redcc__worker, 1, 0);                                 \
+            while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from, redcc__width)) == \
+                   redcc__width) {                                                                 \
+                if (redcc__prefetches)                                                             \
+                    for (redcc__i = 0; redcc__i < redcc__width; redcc__i++)                        \
+                        REDCC_PREFETCH_ONE(redcc_call_of_slice)                                    \
+                switch (redcc__width) {                                                            \
+                    REDCC_CASE_2(redcc_name, redcc_arguments)                                      \
+                    REDCC_CASE_4(redcc_name, redcc_arguments)                                      \
+                    REDCC_CASE_8(redcc_name, redcc_arguments)                                      \
+                default:                                                                           \
+                    (void)redcc__guarded;                                                          \
                 }                                                                                  \
             }                                                                                      \
-        } while (redcc__count == redcc_width);                                                     \
+            redcc__run = redcc__rest;                                                              \
+            redcc__run_end = redcc__rest + redcc_block_rest(&redcc__block, redcc__count,           \
+                                                            redcc__worker.origin, redcc__rest);    \
+        }                                                                                          \
+        REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 
 /** As REDCC_PARALLEL. */
-#define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body,                 \
-                             redcc_call_of_lanes)                                                  \
+#define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
+                             redcc_arguments)                                                      \
     {                                                                                              \
         redcc_worker redcc__worker;                                                                \
         redcc_worker *const redcc__teller = &redcc__worker;                                        \
         redcc_int redcc__k;                                                                        \
         redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
         REDCC_INSPECT(redcc_call_of_slice)                                                         \
-        if (redcc_lanes_are_alike) {                                                               \
-            REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body,              \
-                                redcc_call_of_lanes)                                               \
-        } else {                                                                                   \
-            REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                    \
-        }                                                                                          \
+        REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
+                            redcc_arguments)                                                       \
     }
 
 #endif

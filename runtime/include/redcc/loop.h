@@ -228,32 +228,37 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_CHUNK_5 REDCC_CHUNK_4 REDCC_CHUNK_OF(4)
 #define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
 
+/** The runs from redcc__run to redcc__run_end, guarded or plain. */
+#define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
+    for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
+        const redcc_int redcc__end =                                                               \
+            redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;            \
+        redcc__k = redcc__worker.origin + redcc__run->begin;                                       \
+        if (!(redcc__run->count_and_guard & 1)) {                                                  \
+            const int redcc__guarded = 0;                                                          \
+            for (; redcc__k < redcc__end; redcc__k++) {                                            \
+                REDCC_PREFETCH_ONE(redcc_call_of_slice)                                            \
+                redcc_call_of_body;                                                                \
+            }                                                                                      \
+        } else {                                                                                   \
+            const int redcc__guarded = 1;                                                          \
+            for (; redcc__k < redcc__end; redcc__k++) {                                            \
+                REDCC_PREFETCH_ONE(redcc_call_of_slice)                                            \
+                redcc_call_of_body;                                                                \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
 /** Hands out chunks to execute, run by run, guarded or plain. */
 #define REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     while (redcc_next(&redcc__worker)) {                                                           \
         redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
+        const redcc_run *const redcc__run_end = redcc__worker.run_end;                             \
         redcc_ahead redcc__ahead;                                                                  \
         if (redcc__prefetches)                                                                     \
-            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.prefetches,             \
+            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.manner.prefetches,      \
                               REDCC_PREFETCH_DISTANCE);                                            \
-        for (; redcc__run != redcc__worker.run_end; redcc__run++) {                                \
-            const redcc_int redcc__end =                                                           \
-                redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;        \
-            redcc__k = redcc__worker.origin + redcc__run->begin;                                   \
-            if (!(redcc__run->count_and_guard & 1)) {                                              \
-                const int redcc__guarded = 0;                                                      \
-                for (; redcc__k < redcc__end; redcc__k++) {                                        \
-                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
-                    redcc_call_of_body;                                                            \
-                }                                                                                  \
-            } else {                                                                               \
-                const int redcc__guarded = 1;                                                      \
-                for (; redcc__k < redcc__end; redcc__k++) {                                        \
-                    REDCC_PREFETCH_ONE(redcc_call_of_slice)                                        \
-                    redcc_call_of_body;                                                            \
-                }                                                                                  \
-            }                                                                                      \
-        }                                                                                          \
+        REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 
 /** In front of the loop over a run where the body stands in the block, once: with redcc__guarded as

@@ -124,7 +124,11 @@ enum {
     /** The descriptor is the first member of a redcc_binned (redcc/bins.h). */
     REDCC_BINNED = 16,
     /** Its executor can prefetch what iterations to come touch (prefetch.h). */
-    REDCC_PREFETCHES = 32
+    REDCC_PREFETCHES = 32,
+    /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
+    REDCC_LANES_UNIT = 64,
+    /** They are compiled for the processor that all of the program is compiled for. */
+    REDCC_LANES_ANYWHERE = 1024
 };
 
 /** A loop, as the translator knows it; one static object for each. */
@@ -203,6 +207,12 @@ extern int omp_in_parallel(void);
 /** Bytes that redcc_touch takes at most. */
 #define REDCC_LONGEST_TOUCH 0x40000000
 
+/** How a chunk is executed, beside what it computes. */
+typedef struct redcc_manner {
+    int prefetches; /**< is what iterations to come touch to be prefetched? */
+    int lanes; /**< iterations at once, one of those that the descriptor names; 0: one by one */
+} redcc_manner;
+
 /** One thread's part in an execution; lives on that thread's stack. */
 typedef struct redcc_worker {
     redcc_call *call;
@@ -226,7 +236,7 @@ typedef struct redcc_worker {
     const redcc_owner *owner; /* indexed as arrays */
     void *execution;          /* the runtime's, as what follows */
     int thread;
-    int prefetches; /* set by redcc_next: is what iterations to come touch to be prefetched? */
+    redcc_manner manner; /* set by redcc_next */
     redcc_int position;
 } redcc_worker;
 

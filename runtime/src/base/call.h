@@ -30,10 +30,12 @@ struct call {
     bool compensated;
     bool validate;
     int prefetch;        /* an enum prefetch_setting, REDCC_PREFETCH */
+    int lanes;           /* an enum lanes_setting, REDCC_LANES */
     bool tracks;         /* writes to subscripts, where that can be done (REDCC_WATCH) */
     size_t memory_limit; /* bytes; 0: none */
     /* The threads. */
     bool always_planned; /* one thread executes by the plan as well */
+    bool one_will_do;    /* one thread is enough to execute by a plan */
     int asked;
     bool starts;                        /* some of them were not there */
     int threads;                        /* that came */

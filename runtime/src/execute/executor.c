@@ -123,9 +123,7 @@ static void begin_running(redcc_worker *worker) {
     worker->position = 0;
     worker->base = runner->base;
     worker->owner = runner->owner;
-    worker->prefetches =
-        run->prefetches && (run->call->prefetch == PREFETCH_ON ? redcc_prefetch_is_possible(plan)
-                                                               : redcc_prefetch_is_of_use(plan));
+    worker->manner = redcc_run_manner(run, plan);
     assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
     runner->step = STEP_EXECUTE;
     runner->schedule = redcc_own_schedule(plan, runner->thread);
@@ -148,7 +146,7 @@ void redcc_run_rest(redcc_worker *worker, redcc_int from) {
     errno = 0;
     runner->step = from < call->request.trip ? STEP_REST : STEP_END;
     worker->position = from;
-    worker->prefetches = 0;
+    worker->manner = (redcc_manner){0, 0};
     worker->base = runner->base;
     worker->owner = runner->owner; /* not asked: nothing is guarded */
     worker->run_end = NULL;

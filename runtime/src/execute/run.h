@@ -5,17 +5,27 @@
 
 #include "base/call.h"
 #include "execute/hook.h"
+#include "execute/lanes.h"
+#include "execute/manner.h"
 #include "execute/prefetch.h"
 #include "execute/validate.h"
 #include "plan/plan.h"
 
 enum { REDCC_RUNS = 128 };
 
+/** The manner of an execution. */
+struct chosen_manner {
+    unsigned open;  /* what was to be found out */
+    unsigned taken; /* WITH_..., where it is of use */
+    int lanes;      /* iterations at once; 0: one by one */
+    enum lanes_reason why;
+};
+
 /** What all threads share. */
 struct run {
     const struct call *call;
     struct plan *plan; /* NULL: none (yet) */
-    bool prefetches;   /* where it is of use */
+    struct chosen_manner manner;
     struct barrier *barrier;
     struct validated *validated; /* NULL: nothing is to be validated */
     struct validation validation;
@@ -56,6 +66,16 @@ struct runner {
 
 /** Before the threads begin. */
 void redcc_run_begin(struct run *run);
+
+/** Chooses the manner of the execution that begins, by run->call. */
+void redcc_run_choose_manner(struct run *run, struct manners *known);
+
+/** What the chosen manner is with a plan. */
+redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan);
+
+/** The execution took so long. Returns why it had lanes or none, by what is known now. */
+enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
+                                        double seconds_an_iteration);
 
 /** Has the thread's redcc_next hand out what is left of the loop from iteration `from` on, in order
  *  and in place; from == trip: nothing. */
