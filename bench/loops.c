@@ -465,8 +465,10 @@ int main(int count, char **arguments) {
     do
         seconds(1, REDCC);
     while (omp_get_wtime() - begin < warm);
-    const struct loop_state *state = described->state;
-    const struct statistics kept = state->reported.statistics;
+    const struct loop_state *state = described->state; /* NULL: by one thread only, so far */
+    struct statistics kept = {0};
+    if (state)
+        memcpy(&kept, &state->reported.statistics, sizeof kept);
     const int rounds = warm > 0 ? time_rounds(taken, end, 2 * warm) : 1;
     for (int round = 0; round < ROUNDS && warm > 0; round++)
         fresh[round] = seconds(2 + (redcc_word)round, REDCC);
