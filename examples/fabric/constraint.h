@@ -7,6 +7,8 @@
 #ifndef FABRIC_CONSTRAINT_H
 #define FABRIC_CONSTRAINT_H
 
+#include "vector.h"
+
 typedef struct vertex_constraint {
     double S[3][3]; /* projection on what is free */
     double z[3];    /* m/s */
@@ -47,6 +49,16 @@ static inline const double (*constraint_projection(const constraints *c, int i))
 static inline const double *constraint_change(const constraints *c, int i) {
     static const double none[3] = {0, 0, 0};
     return c->given[i] > 0 ? constraint_at(c, i)->z : none;
+}
+
+/** r = S r of vertex i. */
+static inline void constraint_filter(const constraints *c, int i, double r[3]) {
+    if (c->given[i] == 0)
+        return;
+    const double whole[3] = {r[0], r[1], r[2]};
+    const vertex_constraint *of = constraint_at(c, i);
+    for (int a = 0; a < 3; a++)
+        r[a] = vector_dot(of->S[a], whole);
 }
 
 /**

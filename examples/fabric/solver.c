@@ -19,8 +19,6 @@
 #include "sparse_product.h"
 #include "vector.h"
 
-enum { chunk_size = 64 }; /* vertices; part of the result's bits, so not to be tuned by machine */
-
 void solver_free(solver *s) {
     free(s->residual);
     free(s->preconditioned);
@@ -37,7 +35,7 @@ void solver_free(solver *s) {
 
 int solver_init(solver *s, int count) {
     const size_t n = (size_t)count + 1;
-    *s = (solver){.count = count, .chunks = (count + chunk_size - 1) / chunk_size};
+    *s = (solver){.count = count, .chunks = (count + SOLVER_CHUNK - 1) / SOLVER_CHUNK};
     s->options.preconditioner = PRECONDITIONER_BLOCK_JACOBI;
     s->residual = calloc(n, sizeof *s->residual);
     s->preconditioned = calloc(n, sizeof *s->preconditioned);
@@ -98,18 +96,8 @@ double solver_sum(const double *term, int count) {
 }
 
 static int chunk_end(const solver *s, int chunk) {
-    const int end = (chunk + 1) * chunk_size;
+    const int end = (chunk + 1) * SOLVER_CHUNK;
     return end < s->count ? end : s->count;
-}
-
-/* r = S r for vertex i. */
-static void filter(const constraints *c, int i, double r[3]) {
-    if (c->given[i] == 0)
-        return;
-    const double whole[3] = {r[0], r[1], r[2]};
-    const vertex_constraint *of = constraint_at(c, i);
-    for (int a = 0; a < 3; a++)
-        r[a] = vector_dot(of->S[a], whole);
 }
 
 /* residual = S (b - product), preconditioned = P residual; returns r'Pr. Clears product. */
@@ -117,9 +105,9 @@ static double start_residual(solver *s, const constraints *c, const double (*b)[
 #pragma omp parallel for schedule(static)
     for (int chunk = 0; chunk < s->chunks; chunk++) {
         double sum = 0;
-        for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+        for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
             vector_subtract(b[i], s->product[i], s->residual[i]);
-            filter(c, i, s->residual[i]);
+            constraint_filter(c, i, s->residual[i]);
             precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
             sum += vector_dot(s->residual[i], s->preconditioned[i]);
             for (int a = 0; a < 3; a++)
@@ -133,7 +121,7 @@ static double start_residual(solver *s, const constraints *c, const double (*b)[
 void solver_filter(const constraints *c, double (*r)[3]) {
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < c->count; i++)
-        filter(c, i, r[i]);
+        constraint_filter(c, i, r[i]);
 }
 
 int solver_apply(const constraints *c, double (*dv)[3]) {
@@ -142,7 +130,7 @@ int solver_apply(const constraints *c, double (*dv)[3]) {
     for (int i = 0; i < c->count; i++) {
         if (c->given[i] == 0)
             continue;
-        filter(c, i, dv[i]);
+        constraint_filter(c, i, dv[i]);
         const double *z = constraint_at(c, i)->z;
         for (int a = 0; a < 3; a++) {
             dv[i][a] += z[a];
@@ -168,7 +156,7 @@ static void copy(const double (*from)[3], double (*to)[3], int count) {
 /* p'Ap of one chunk. */
 static double direction_sum(const solver *s, int chunk) {
     double sum = 0;
-    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++)
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++)
         sum += vector_dot(s->direction[i], s->product[i]);
     return sum;
 }
@@ -176,9 +164,9 @@ static double direction_sum(const solver *s, int chunk) {
 /* dv += alpha p, r -= alpha S A p, Pr; returns r'Pr of one chunk. */
 static double advance(solver *s, const constraints *c, int chunk, double alpha, double (*dv)[3]) {
     double sum = 0;
-    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
         vector_add_scaled(dv[i], alpha, s->direction[i], dv[i]);
-        filter(c, i, s->product[i]);
+        constraint_filter(c, i, s->product[i]);
         vector_add_scaled(s->residual[i], -alpha, s->product[i], s->residual[i]);
         precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
         sum += vector_dot(s->residual[i], s->preconditioned[i]);
@@ -188,7 +176,7 @@ static double advance(solver *s, const constraints *c, int chunk, double alpha, 
 
 /* p = Pr + beta p, and product = 0 for the next iteration. */
 static void turn(solver *s, int chunk, double beta) {
-    for (int i = chunk * chunk_size; i < chunk_end(s, chunk); i++) {
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
         vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
         for (int c = 0; c < 3; c++)
             s->product[i][c] = 0;

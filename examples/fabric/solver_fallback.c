@@ -5,7 +5,7 @@
 
 #include "solver_direct.h"
 
-enum { solved_directly_at_once = 50, many_iterations = 1000 };
+enum { solved_directly_at_once = 50 };
 
 static solver_status solve_directly(solver_fallback *f, solver *s, const linear_system *system,
                                     const constraints *c, double (*dv)[3], long *iterations) {
@@ -32,7 +32,7 @@ static double work_of_iteration(const block_matrix *A) {
 /* After a system that took so many iterations: is the direct solution less work by far? */
 static void consider(solver_fallback *f, const linear_system *system, long iterations) {
     char error[256];
-    if (iterations < many_iterations || f->dearer || f->failed || !direct_solver_available())
+    if (iterations < SOLVER_MANY_ITERATIONS || f->dearer || f->failed || !direct_solver_available())
         return;
     if (!f->direct)
         f->direct = direct_solver_new(&system->A, error);

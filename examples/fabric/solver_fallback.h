@@ -16,6 +16,9 @@ typedef struct solver_fallback {
     long solved; /* systems solved directly, in all */
 } solver_fallback;
 
+/** A system that took as many is weighed against its direct solution. */
+enum { SOLVER_MANY_ITERATIONS = 1000 };
+
 /** As solver_solve; what does not converge within the limits is solved directly, and so are the
  * next systems, which are much like it. So are the next ones after a system that took 1000
  * iterations or more and over four times the work of its direct solution, both counted from the

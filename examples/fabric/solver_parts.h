@@ -6,6 +6,9 @@
 #include "constraint.h"
 #include "solver.h"
 
+/** Vertices of a partial sum: a part of the result's bits, so not to be tuned by machine. */
+enum { SOLVER_CHUNK = 64 };
+
 enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
 
 /** dv = S dv + z; returns which of the above holds. */

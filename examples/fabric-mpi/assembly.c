@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "assembly.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "part_layout.h"
+
+/* fabric's own, which the linker gives another name here (--wrap). */
+void __real_forces_assemble(simulation *sim, const expansion *at);
+int __real_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
+
+/* What an assembly depends on beside positions and velocities. */
+typedef struct present {
+    double h;
+    double wind[3];
+    int on[EFFECT_COUNT];
+    int lags; /* lag is another than v */
+} present;
+
+void assembly_thin(simulation *whole) {
+    const int blocks = whole->system.A.block_count;
+    const int rows = whole->system.A.row_count;
+    system_free(&whole->system);
+    if (system_init(&whole->system, rows, 0, NULL) != 0)
+        part_give_up("out of memory");
+    whole->system.A.block_count = blocks; /* of all, for the account */
+}
+
+/* Where the leader's hinges, those with a weight, are among the mesh's; angle [mesh hinges]. */
+static void spell_angles(const simulation *whole, double *angle) {
+    const hinge_elements *e = &whole->hinges;
+    int k = 0;
+    for (int t = 0; t < whole->mesh->hinge_count && k < e->count; t++)
+        if (memcmp(whole->mesh->hinge[t], e->corner[k], sizeof *e->corner) == 0)
+            angle[t] = e->angle[k++];
+}
+
+void assembly_start(part *p, const simulation *whole) {
+    const hinge_elements *e = &p->sim->hinges;
+    int count = whole ? whole->mesh->hinge_count : 0, k = 0;
+    MPI_Bcast(&count, 1, MPI_INT, LEADER, MPI_COMM_WORLD);
+    double *angle = part_memory((size_t)count, sizeof *angle);
+    if (whole)
+        spell_angles(whole, angle);
+    MPI_Bcast(angle, count, MPI_DOUBLE, LEADER, MPI_COMM_WORLD);
+    for (int t = 0; t < p->mesh.hinge_count && k < e->count; t++)
+        if (memcmp(p->mesh.hinge[t], e->corner[k], sizeof *e->corner) == 0)
+            e->angle[k++] = angle[p->hinge[t]];
+    free(angle);
+}
+
+static present present_of(const simulation *whole, const expansion *at) {
+    present now = {.h = at->h, .lags = at->lag != at->v};
+    memcpy(now.wind, whole->wind, sizeof now.wind);
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        now.on[k] = whole->effects[k].on;
+    return now;
+}
+
+/* Rows that the parts own, to the leader. */
+static void give_back(part *p, linear_system *whole) {
+    const linear_system *s = &p->sim->system;
+    double(*diagonal)[9] = part_memory((size_t)s->A.row_count, sizeof *diagonal);
+    for (int i = 0; i < s->A.row_count; i++)
+        memcpy(diagonal[i], s->A.value[s->A.row_start[i]], sizeof *diagonal);
+    part_return(p, 9, diagonal, whole ? whole->A.value : NULL);
+    part_return(p, 3, s->b, whole ? whole->b : NULL);
+    free(diagonal);
+}
+
+void assembly_receive(part *p, const linear_system *whole) {
+    const linear_system *s = &p->sim->system;
+    double(*diagonal)[9] = part_memory((size_t)s->A.row_count, sizeof *diagonal);
+    part_receive(p->own, 9, whole ? whole->A.value : NULL, diagonal);
+    part_receive(p->own, 3, whole ? whole->b : NULL, s->b);
+    for (int n = 0; n < p->blocks; n++)
+        for (int i = p->block[n].begin; i < p->block[n].end; i++)
+            memcpy(s->A.value[s->A.row_start[i]], diagonal[i], sizeof *diagonal);
+    free(diagonal);
+}
+
+/* Elements worked on, those of several parts as often as they are executed; seconds: the leader's
+ * part's. */
+static void account(const part *p, simulation *whole) {
+    long visited[EFFECT_COUNT], all[EFFECT_COUNT];
+    for (int k = 0; k < EFFECT_COUNT; k++) {
+        effect_account *of = &p->sim->effects[k];
+        visited[k] = of->visited;
+        if (whole)
+            whole->effects[k].seconds += of->seconds;
+        of->visited = 0;
+        of->seconds = 0;
+    }
+    MPI_Reduce(visited, all, EFFECT_COUNT, MPI_LONG, MPI_SUM, LEADER, MPI_COMM_WORLD);
+    for (int k = 0; whole && k < EFFECT_COUNT; k++)
+        whole->effects[k].visited += all[k];
+}
+
+static expansion own_expansion(const simulation *sim, double h, int lags) {
+    const double(*v)[3] = (const double(*)[3])sim->v;
+    return (expansion){h, (const double(*)[3])sim->x, lags ? (const double(*)[3])sim->guess : v, v};
+}
+
+void assembly_forces(part *p, simulation *whole, const expansion *at) {
+    simulation *sim = p->sim;
+    present now = {0};
+    part_stage_begin("forces");
+    if (whole)
+        now = present_of(whole, at);
+    MPI_Bcast(&now, (int)sizeof now, MPI_BYTE, LEADER, MPI_COMM_WORLD);
+    part_receive(p->all, 3, at ? at->x : NULL, sim->x);
+    part_receive(p->all, 3, at ? at->v : NULL, sim->v);
+    if (now.lags)
+        part_receive(p->all, 3, at ? at->lag : NULL, sim->guess);
+    memcpy(sim->wind, now.wind, sizeof now.wind);
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        sim->effects[k].on = now.on[k];
+    const expansion own = own_expansion(sim, now.h, now.lags);
+    sim->stage_h = now.h;
+    __real_forces_assemble(sim, &own);
+    give_back(p, whole ? &whole->system : NULL);
+    account(p, whole);
+    /* The energy goes by the leader's. */
+    if (whole && whole->has_hinge_forces && BUILT_WITH(EFFECT_BEND))
+        hinge_update_angles(&whole->hinges, at->x);
+    part_stage_end();
+}
+
+int assembly_missed(part *p, simulation *whole, const expansion *at, const double (*dv)[3]) {
+    simulation *sim = p->sim;
+    double h = at ? at->h : 0;
+    int any;
+    part_stage_begin("forces");
+    MPI_Bcast(&h, 1, MPI_DOUBLE, LEADER, MPI_COMM_WORLD);
+    part_receive(p->all, 3, dv, sim->dv);
+    const expansion own = own_expansion(sim, h, 0);
+    const int found = __real_forces_add_missed(sim, &own, (const double(*)[3])sim->dv) > 0;
+    MPI_Allreduce(&found, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    if (any)
+        give_back(p, whole ? &whole->system : NULL);
+    account(p, whole);
+    part_stage_end();
+    return any;
+}

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * fabric over MPI ranks: the program fabric, unchanged, on rank 0, which leads; the linker sends
+ * its calls for forces and solutions here (--wrap), where all ranks take part. The other ranks wait
+ * for what the leader asks for next.
+ */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "assembly.h"
+#include "part_layout.h"
+#include "solution.h"
+#include "solver_direct.h"
+#include "solver_fallback.h"
+#include "solver_parts.h"
+
+/** What the leader asks for; the rest of it follows in what each function sends. */
+enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END };
+
+static part mine;
+/* the leader's: the simulation that all have parts of; has a step begun? */
+static simulation *current;
+static int started;
+
+static void ask(enum request what) {
+    int word = what;
+    MPI_Bcast(&word, 1, MPI_INT, LEADER, MPI_COMM_WORLD);
+}
+
+/* ---- the other ranks ---- */
+
+static int answer(int what) {
+    double reference;
+    long iterations = 0;
+    switch (what) {
+    case MAKE:
+        part_make(&mine, NULL, NULL);
+        return 1;
+    case START:
+        assembly_start(&mine, NULL);
+        return 1;
+    case FORCES:
+        assembly_forces(&mine, NULL, NULL);
+        return 1;
+    case MISSED:
+        assembly_missed(&mine, NULL, NULL, NULL);
+        return 1;
+    case SOLVE:
+        solution_solve(&mine, NULL, NULL, &iterations);
+        return 1;
+    case DEFECT:
+        solution_defect(&mine, NULL, &reference);
+        return 1;
+    case IMPULSES:
+        solution_impulses(&mine, NULL);
+        return 1;
+    case FREE:
+        part_free(&mine);
+        return 1;
+    }
+    return 0;
+}
+
+static void serve(void) {
+    int what;
+    /* A signal for all ranks is for the leader: it ends the run after the step under way. */
+    signal(SIGINT, SIG_IGN);
+    signal(SIGTERM, SIG_IGN);
+    do
+        MPI_Bcast(&what, 1, MPI_INT, LEADER, MPI_COMM_WORLD);
+    while (answer(what));
+}
+
+/* ---- the leader, in the place of fabric's functions ---- */
+
+int __real_main(int argc, char **argv);
+int __wrap_main(int argc, char **argv);
+simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error);
+void __wrap_simulation_free(simulation *sim);
+void __wrap_forces_assemble(simulation *sim, const expansion *at);
+int __wrap_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
+solver_status __wrap_solver_fallback_solve(solver_fallback *f, solver *s,
+                                           const linear_system *system, const constraints *c,
+                                           const solver_limits *limits, double (*dv)[3],
+                                           long *iterations);
+double __wrap_solver_defect(solver *s, const linear_system *system, const constraints *c,
+                            double (*dv)[3], double *reference);
+void __wrap_solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]);
+
+/* What is not done over ranks; NULL: nothing of the scene. */
+static const char *obstacle(const mesh *m, const scene *s, int ranks) {
+    if (s->method != METHOD_CONJUGATE_GRADIENTS)
+        return "solution.method: over ranks only conjugate-gradients";
+    if (s->preconditioner != PRECONDITIONER_BLOCK_JACOBI)
+        return "solution.preconditioner: over ranks only block-jacobi "
+               "(--set solution.preconditioner=block-jacobi)";
+    if (s->precision != PRECISION_DOUBLE)
+        return "solution.precision: over ranks only double";
+    if ((m->vertex_count + SOLVER_CHUNK - 1) / SOLVER_CHUNK < ranks)
+        return "fewer blocks of 64 vertices than ranks";
+    return current ? "one simulation at a time over ranks" : NULL;
+}
+
+simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error) {
+    int ranks;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    const char *why = obstacle(m, s, ranks);
+    if (why) {
+        snprintf(error, 256, "%s", why);
+        return NULL;
+    }
+    simulation *sim = __real_simulation_new(m, s, error);
+    if (!sim)
+        return NULL;
+    assembly_thin(sim);
+    ask(MAKE);
+    part_make(&mine, m, s);
+    current = sim;
+    started = 0;
+    return sim;
+}
+
+void __wrap_simulation_free(simulation *sim) {
+    if (sim && sim == current) {
+        ask(FREE);
+        part_free(&mine);
+        current = NULL;
+    }
+    __real_simulation_free(sim);
+}
+
+/* Not before the first step: a checkpoint may have set what hinges remember. */
+static void start(const simulation *sim) {
+    if (started)
+        return;
+    ask(START);
+    assembly_start(&mine, sim);
+    started = 1;
+}
+
+void __wrap_forces_assemble(simulation *sim, const expansion *at) {
+    start(sim);
+    ask(FORCES);
+    assembly_forces(&mine, sim, at);
+}
+
+int __wrap_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]) {
+    if (!effect_is_on(sim, EFFECT_STRAIN_LIMIT))
+        return 0;
+    ask(MISSED);
+    return assembly_missed(&mine, sim, at, dv);
+}
+
+/* Where the sequential program turns to a direct solution, which is not done over ranks. */
+static void check_iterations(solver_status status, long iterations) {
+    if (!direct_solver_available())
+        return;
+    if (status == SOLVER_TOO_MANY_ITERATIONS)
+        part_give_up("the conjugate gradients do not converge; a direct solution is not done over "
+                     "ranks");
+    if (status == SOLVER_CONVERGED && iterations >= SOLVER_MANY_ITERATIONS)
+        part_give_up("the conjugate gradients take 1000 iterations or more: fabric would weigh a "
+                     "direct solution, which is not done over ranks");
+}
+
+solver_status __wrap_solver_fallback_solve(solver_fallback *f, solver *s,
+                                           const linear_system *system, const constraints *c,
+                                           const solver_limits *limits, double (*dv)[3],
+                                           long *iterations) {
+    const whole_system whole = {system, c, dv, s->residual};
+    const long before = *iterations;
+    (void)f;
+    ask(SOLVE);
+    const solver_status status = solution_solve(&mine, &whole, limits, iterations);
+    check_iterations(status, *iterations - before);
+    return status;
+}
+
+double __wrap_solver_defect(solver *s, const linear_system *system, const constraints *c,
+                            double (*dv)[3], double *reference) {
+    const whole_system whole = {system, c, dv, s->residual};
+    ask(DEFECT);
+    return solution_defect(&mine, &whole, reference);
+}
+
+void __wrap_solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
+    const whole_system whole = {system, NULL, (double(*)[3])dv, s->residual};
+    ask(IMPULSES);
+    solution_impulses(&mine, &whole);
+}
+
+int __wrap_main(int argc, char **argv) {
+    int rank, status = EXIT_SUCCESS;
+    /* PETSc's options come from the environment (PETSC_OPTIONS): the command line is fabric's. */
+    if (PetscInitializeNoArguments() != 0)
+        return EXIT_FAILURE;
+    PetscPopSignalHandler();
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank == LEADER) {
+        status = __real_main(argc, argv);
+        ask(END);
+    } else
+        serve();
+    return PetscFinalize() == 0 ? status : EXIT_FAILURE;
+}

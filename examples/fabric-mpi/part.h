@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The part of a cloth that one rank works on, as a mesh of its own: the vertices that it owns, and
+ * those that share a triangle or a hinge with one of them (ghosts), in the order of the whole mesh.
+ * It has every element that touches a vertex it owns, in the order of the whole mesh. So a row of
+ * the linear system that the rank owns gets the terms of the sequential program in their order, and
+ * nothing is summed over the network. What the elements add to rows of ghosts is not used.
+ *
+ * Vertices are owned by blocks of SOLVER_CHUNK: dot products are sums of a block, and the blocks'
+ * sums in order, as in the sequential program.
+ *
+ * Rank 0 leads: it has the whole cloth and runs fabric. Functions below that take a `whole` are
+ * called by all ranks at once; only the leader's is read or written, the others pass NULL.
+ */
+#ifndef FABRIC_MPI_PART_H
+#define FABRIC_MPI_PART_H
+
+#include <petscsf.h>
+
+#include "scene.h"
+#include "simulation_state.h"
+
+enum { LEADER = 0 };
+
+/** SOLVER_CHUNK vertices, or the last ones of the cloth. */
+typedef struct own_block {
+    int number;     /* among the whole cloth's */
+    int begin, end; /* in the part's own numbers */
+} own_block;
+
+typedef struct part {
+    int rank, ranks;
+    int vertices; /* of the whole cloth */
+    scene scene;  /* the cloth's material and surroundings, without pins and bodies */
+    mesh mesh;
+    simulation *sim;  /* of `mesh`: its elements, system, and the solver's arrays */
+    int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
+    int *hinge;       /* [mesh.hinge_count] the same for hinges */
+    own_block *block; /* [blocks] ascending */
+    int blocks;
+    /* the sums of all blocks as they come in, rank by rank */
+    int chunks;     /* blocks of the whole cloth */
+    int *order;     /* [chunks] which block's sum it is */
+    int *counts;    /* [ranks] */
+    int *starts;    /* [ranks] */
+    double *came;   /* [chunks] */
+    double *sums;   /* [chunks] in the order of the blocks */
+    PetscSF all;    /* from the leader's vertices to the part's, */
+    PetscSF own;    /* to those that it owns, */
+    PetscSF ghosts; /* and from their owners to the ghosts */
+} part;
+
+/** Lays out every rank's part. Collective; whole and of: the leader's, else NULL. Ends the program
+ *  where memory is out. */
+void part_make(part *p, const mesh *whole, const scene *of);
+void part_free(part *p);
+
+/** The rank that owns each block, [chunks]: as many consecutive ones for each rank. */
+void part_share_blocks(int chunks, int ranks, int *owner);
+
+/* ---- exchange; the unit is of `size` doubles a vertex ---- */
+/** whole [vertices] to local [mesh.vertex_count]. */
+void part_receive(PetscSF sf, int size, const void *whole, void *local);
+/** The same with one byte or one int a vertex, of those that each rank owns. */
+void part_receive_bytes(const part *p, const unsigned char *whole, unsigned char *local);
+void part_receive_ints(const part *p, const int *whole, int *local);
+/** The same back, of those that each rank owns. */
+void part_return(const part *p, int size, const void *local, void *whole);
+/** Ghosts become what their owners have. value [mesh.vertex_count][3] */
+void part_update_ghosts(const part *p, double (*value)[3]);
+/** The sum over all blocks of the cloth, in order, of own [blocks]: the same on all ranks. */
+double part_sum(const part *p, const double *own);
+
+/** With the option -part_view (PETSC_OPTIONS), prints what each rank has. Collective. */
+void part_view(const part *p);
+
+/* A stage of PETSc's log (-log_view), from begin to end. */
+void part_stage_begin(const char *name);
+void part_stage_end(void);
+
+/** Ends all ranks with a message. */
+_Noreturn void part_give_up(const char *why);
+
+#endif

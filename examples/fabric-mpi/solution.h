@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Conjugate gradients over all parts, with the operations of fabric's solver.c in their order:
+ *  block-Jacobi, in double. Collective; system, constraints, dv and residual are the leader's whole
+ *  ones, else NULL, and what is returned is the same on all ranks. */
+#ifndef FABRIC_MPI_SOLUTION_H
+#define FABRIC_MPI_SOLUTION_H
+
+#include "part.h"
+
+/** The leader's side of a system. */
+typedef struct whole_system {
+    const linear_system *system;
+    const constraints *given;
+    double (*dv)[3];       /* guess, then solution */
+    double (*residual)[3]; /* as solver.h has it */
+} whole_system;
+
+/** As solver_solve; limits: the leader's, else NULL. */
+solver_status solution_solve(part *p, const whole_system *whole, const solver_limits *limits,
+                             long *iterations);
+
+/** As solver_defect. */
+double solution_defect(part *p, const whole_system *whole, double *reference);
+
+/** As solver_impulses. */
+void solution_impulses(part *p, const whole_system *whole);
+
+#endif
