@@ -187,7 +187,7 @@ static void tell_team(struct execution *execution) {
     const double woken = execution->woken;
     if (!call->method && !execution->advice.alone)
         redcc_tell_team(&execution->state->chooser, call->asked, call->threads,
-                        woken > 0 ? woken - call->entered : 0, call->starts);
+                        woken > 0 ? woken - call->entered : 0, call->started);
 }
 
 static void account_execution(struct execution *execution, double now) {

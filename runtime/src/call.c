@@ -287,7 +287,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
         call->parameter = redcc_method_binning.usual;
     }
     call->planned = threads;
-    call->starts = !alone && redcc_team_grows(threads);
+    call->started = alone ? 0 : redcc_team_missing(threads);
     threads = alone ? 1 : redcc_team_prepare(threads, execution->within.signals);
     *reason = threads < 1 ? REASON_HANDLER : REASON_NO_THREADS;
     if (!alone && threads < (call->one_will_do || call->in_bins ? 1 : 2))

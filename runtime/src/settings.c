@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/signals.h"
 #include "base/spin.h"
+#include "base/team.h"
 #include "base/trace.h"
 #include "named.h"
 #include "report.h"
@@ -268,6 +269,7 @@ const struct settings *redcc_settings(void) {
 /* Where nobody asks for anything that is known before the program begins: the first execution of a
  * loop of some microseconds would take thrice as long. */
 __attribute__((constructor)) static void read_early(void) {
+    redcc_team_bind();
     if (!redcc_any_variable())
         redcc_settings();
 }

@@ -404,11 +404,7 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
                               redcc_call_of_slice, redcc_call_of_body)                             \
     {                                                                                              \
         redcc_bins redcc__all[sizeof(redcc__streams) / sizeof(redcc_stream)];                      \
-        redcc_worker redcc__worker;                                                                \
-        redcc_worker *const redcc__teller = &redcc__worker;                                        \
-        redcc_int redcc__k;                                                                        \
-        redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
-        REDCC_INSPECT(redcc_call_of_slice)                                                         \
+        REDCC_JOIN(redcc_call_of_slice)                                                            \
         while (__builtin_expect(redcc_bins_next(&redcc__worker, redcc__all, 0), 0)) {              \
             const redcc_u32 redcc__told = redcc_told_bits;                                         \
             if (redcc_all_exact && REDCC_ARE_COPIED(&redcc__all[0]))                               \

@@ -270,11 +270,7 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
 #define REDCC_PARALLEL_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,     \
                              redcc_arguments)                                                      \
     {                                                                                              \
-        redcc_worker redcc__worker;                                                                \
-        redcc_worker *const redcc__teller = &redcc__worker;                                        \
-        redcc_int redcc__k;                                                                        \
-        redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
-        REDCC_INSPECT(redcc_call_of_slice)                                                         \
+        REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE_LANES(redcc_chunk, redcc_call_of_slice, redcc_call_of_body, redcc_name,      \
                             redcc_arguments)                                                       \
     }

@@ -282,15 +282,19 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_THREADS(redcc_clause)                                                                \
     REDCC_PRAGMA(omp parallel num_threads(redcc__call.threads) redcc_clause)
 
+/** A thread of the region joins the execution, and tells the runtime what it asks for. */
+#define REDCC_JOIN(redcc_call_of_slice)                                                            \
+    redcc_worker redcc__worker;                                                                    \
+    redcc_worker *const redcc__teller = &redcc__worker;                                            \
+    redcc_int redcc__k;                                                                            \
+    redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());         \
+    REDCC_INSPECT(redcc_call_of_slice)
+
 /** What each thread of the parallel region does: it inspects the iterations that it is handed, and
  *  executes those that it is handed then. redcc__k is the iteration's number. */
 #define REDCC_PARALLEL(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                       \
     {                                                                                              \
-        redcc_worker redcc__worker;                                                                \
-        redcc_worker *const redcc__teller = &redcc__worker;                                        \
-        redcc_int redcc__k;                                                                        \
-        redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), omp_get_num_threads());     \
-        REDCC_INSPECT(redcc_call_of_slice)                                                         \
+        REDCC_JOIN(redcc_call_of_slice)                                                            \
         REDCC_EXECUTE(redcc_chunk, redcc_call_of_slice, redcc_call_of_body)                        \
     }
 

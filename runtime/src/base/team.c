@@ -27,6 +27,8 @@ _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 extern void GOMP_parallel(void) WEAK;
 extern void __kmpc_fork_call(void) WEAK;
 extern void kmp_set_stacksize_s(size_t) WEAK;
+extern int omp_in_parallel(void) WEAK;
+extern int omp_get_max_threads(void) WEAK;
 extern int __cxa_thread_atexit_impl(void (*)(void *), void *, void *) WEAK;
 extern __typeof__(pthread_create) pthread_create WEAK;
 extern __typeof__(pthread_join) pthread_join WEAK;
@@ -50,6 +52,15 @@ struct team {
 };
 
 static _Thread_local struct team team __attribute__((__tls_model__("initial-exec")));
+
+void redcc_team_bind(void) {
+    if (!GOMP_parallel || __kmpc_fork_call) /* LLVM's would begin, and read the environment */
+        return;
+    if (omp_in_parallel)
+        omp_in_parallel();
+    if (omp_get_max_threads)
+        omp_get_max_threads();
+}
 
 /* ---- what must stay loaded ---------------------------------------------------------------------
  */
@@ -223,7 +234,7 @@ int redcc_team_prepare(int threads, uint64_t before) {
     pin_all();
     if (threads < 2)
         return threads;
-    enlarge_stacks(threads - (team.threads > 0 ? team.threads : 1));
+    enlarge_stacks(redcc_team_missing(threads));
     const int can = threads_to_be_had(threads);
     if (can < 2)
         redcc_team_came(team.threads);
@@ -232,6 +243,11 @@ int redcc_team_prepare(int threads, uint64_t before) {
 
 bool redcc_team_grows(int threads) {
     return threads > team.threads;
+}
+
+int redcc_team_missing(int threads) {
+    const int there = team.threads > 0 ? team.threads : 1;
+    return threads > there ? threads - there : 0;
 }
 
 void redcc_team_came(int threads) {
@@ -243,6 +259,9 @@ void redcc_team_came(int threads) {
 
 #else
 
+void redcc_team_bind(void) {
+}
+
 int redcc_team_prepare(int threads, uint64_t before) {
     (void)before;
     return threads;
@@ -251,6 +270,11 @@ int redcc_team_prepare(int threads, uint64_t before) {
 bool redcc_team_grows(int threads) {
     (void)threads;
     return false;
+}
+
+int redcc_team_missing(int threads) {
+    (void)threads;
+    return 0;
 }
 
 void redcc_team_came(int threads) {

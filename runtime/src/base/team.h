@@ -17,12 +17,19 @@
  *  main thread's may become. Signals must be held (signals.h). */
 int redcc_team_prepare(int threads, uint64_t before);
 
+/** Has what every translated loop asks OpenMP's library bound, as the program begins: that takes a
+ *  first loop of some microseconds longer than the loop itself. */
+void redcc_team_bind(void);
+
 /** Is the calling thread within an execution? A loop that begins meanwhile, unless in its body, is
  *  one in a handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
 /** Will a region of `threads` threads have OpenMP make some? */
 bool redcc_team_grows(int threads);
+
+/** How many threads will OpenMP make for a region of `threads`? */
+int redcc_team_missing(int threads);
 
 /** The region has begun, with `threads` threads; to be called by its first thread. */
 void redcc_team_came(int threads);

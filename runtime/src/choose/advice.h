@@ -93,9 +93,9 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 /** What came of a call, and what it took; reason: why there was no plan, or NONE. */
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason);
 
-/** So many threads came where `asked` were asked for, and waking them took `seconds`, or, started,
- *  to start some of them; 0: not known. Thread-safe but for the chooser. */
-void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, bool started);
+/** So many threads came where `asked` were asked for, of which so many were started, and that, or
+ *  else waking them, took `seconds`; 0: not known. Thread-safe but for the chooser. */
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started);
 
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);

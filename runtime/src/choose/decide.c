@@ -21,15 +21,14 @@ static const double unknown = 4;
  * cutting the access graph of a heavy loop takes. */
 static const double loan_most = 1.25;
 /* It is given where so many executions by the plan are expected to repay the set-up, and all
- * subscripts were compared with those of the call before; */
-static const double repaid_within = 1.5;
-/* where their samples were the same in so many calls in a row, so many, */
+ * subscripts were compared with those of the call before, or their samples were met in so many
+ * calls in a row; */
+static const double repaid_within = 2;
 enum { SURE = 8 };
-static const double repaid_by_sample = 2;
 /* or where the first one will: then it does not matter whether the subscripts stay. */
 static const double repaid_at_once = 0.9;
 /* Threads are started for a look as well where look and start take so much of an execution. */
-static const double started_most = 1.0 / 12;
+static const double started_most = 1.0 / 8;
 /* Executions that count when ways are compared for a loan: with less each, the second execution
  * could not tell a plan that is used ten times from one that is used twice. */
 static const double soon = 8;
@@ -72,9 +71,19 @@ static double set_up_of(const struct prospect *prospect) {
     return prospect->learned > 0 ? prospect->learned : prospect->set_up;
 }
 
-/* Seconds of a set-up, and of starting threads where they are not there. */
+/* Not ones that were met lately, as far as is known. */
+static bool are_new(const struct situation *now) {
+    return !now->verified && now->steady < STEADY;
+}
+
+/* Seconds of a set-up from now on, and of starting threads where they are not there. A plan for
+ * subscripts that are new each time must not count on a slice that is cheaper than the body, as
+ * estimates do. */
 static double cost_of(const struct size_state *size, const struct situation *now, enum way way) {
-    return set_up_of(&size->prospect[way]) + now->start;
+    const struct prospect *it = &size->prospect[way];
+    const double body = redcc_usual(&size->sequential) * (double)now->trip / now->threads;
+    const double left = set_up_of(it) - now->spent;
+    return (left > 0 ? left : 0) + now->start + (are_new(now) && it->learned == 0 ? body : 0);
 }
 
 /* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
@@ -83,9 +92,8 @@ static double cost_of(const struct size_state *size, const struct situation *now
 static double horizon_of(const struct size_state *size, const struct situation *now) {
     const struct set_ups *it = &size->set_ups;
     const long since = (size->rest.calls - it->begun) / 8;
-    const bool is_new = now->steady >= 0 && now->steady < STEADY;
     if (it->lifetime == 0)
-        return is_new ? 1 : (double)size->rest.calls;
+        return are_new(now) && now->steady >= 0 ? 1 : (double)size->rest.calls;
     return (double)(it->lifetime > since ? it->lifetime : since);
 }
 
@@ -101,8 +109,9 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
         const struct prospect *it = &size->prospect[way];
         const double set_up = cost_of(size, now, way), each = redcc_expected(size, way);
         const double cost = set_up + each * horizon;
+        const double all = now->spent + set_up;
         if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
-            set_up > room_for(state, size, now->trip, way) || set_up * factor > size->set_ups.since)
+            all > room_for(state, size, now->trip, way) || all * factor > size->set_ups.since)
             continue;
         best = way;
         least_cost = cost;
@@ -125,9 +134,8 @@ static void lend(struct choice_state *state, double seconds) {
 /* The best way that is worth a loan; SEQUENTIAL: none. */
 static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
-    const double repaid = now->verified         ? repaid_within
-                          : now->steady >= SURE ? repaid_by_sample
-                                                : repaid_at_once;
+    const bool is_sure = now->verified || now->steady >= SURE;
+    const double repaid = is_sure ? repaid_within : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
     double least_cost = usual * soon * trip;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
@@ -175,13 +183,13 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
                               const struct situation *now, double current) {
     enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
     if (way != WAY_SEQUENTIAL)
-        lend(state, least_of(2 * cost_of(size, now, way),
+        lend(state, least_of(now->spent + 2 * cost_of(size, now, way),
                              loan_most * redcc_usual(&size->sequential) * (double)now->trip));
     else
         way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
         return sequentially(size, RULE_SAVING);
-    const double allowed = room_for(state, size, now->trip, way);
+    const double allowed = room_for(state, size, now->trip, way) - now->spent;
     assert(way > WAY_SEQUENTIAL && way < WAY_COUNT && size->prospect[way].possible);
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
@@ -392,10 +400,10 @@ void redcc_note_prospects(struct choice_state *state, long long trip,
 struct decision redcc_pick_way(struct choice_state *state, const struct situation *now,
                                const struct prospect *prospect, double spent) {
     struct size_state *size = redcc_size_of(state, now->trip);
+    struct situation here = *now;
+    here.spent = spent;
     redcc_note_prospects(state, now->trip, prospect, spent);
     const double current = size->stand == STAND_PARALLEL ? size->prospect[size->way].execution
                                                          : redcc_usual(&size->sequential);
-    struct decision decision = set_up(state, size, now, current);
-    decision.deadline -= spent;
-    return decision;
+    return set_up(state, size, &here, current);
 }
