@@ -19,6 +19,7 @@ static struct element element[COUNT];
 static double x[NODES][3], scale[COUNT], force[NODES][3], block[NODES][3][3], single[NODES];
 static float small[COUNT];
 static const double factor = 1.25;
+static volatile int far_outside = 1 << 29;
 
 /* ---- arithmetic ---- */
 
@@ -160,6 +161,124 @@ static void lifted_condition_around_updates(int n, const struct element *restric
     }
 }
 
+/* ---- what only some iterations do ---- */
+
+/* Below some conditions rows lie far outside in the other iterations. */
+
+static void lifted_varying_condition(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].kind > 2 ? e[t].node[0] : 1 << 29;
+        double d = 1.0, f[2] = {0}, g;
+        if (e[t].kind > 2) {
+            const double twice = p[i][0] * 2;
+            d = twice;
+            d += p[i][1];
+            f[1] -= twice / d;
+        }
+        if (d > 0.25)
+            g = d;
+        else
+            g = -f[1];
+        b[e[t].node[0]] += d - g;
+        b[e[t].node[1]] += f[1];
+    }
+}
+
+static void lifted_conditions_within(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        int c, k = 0;
+        double d = p[i][0], s = -0.0;
+        if (d > 0.0) {
+            k = 2;
+            if (p[j][1] < d && e[t].kind != 1) {
+                for (c = 0; c < 3; c++)
+                    s += p[j][c] * d;
+                k--;
+            } else if (!(e[t].kind == 1)) {
+                s = d / p[i][2];
+            }
+        } else {
+            d = -d;
+            for (int r = 0; r < 2; r++)
+                s -= d * p[i][r];
+        }
+        b[i] += d * p[j][k];
+        b[j] += s;
+    }
+}
+
+static void lifted_decided_by_the_left(int n, int far, const struct element *restrict e,
+                                       const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].kind > 2 ? e[t].node[0] : 1 << 29;
+        const double d = e[t].kind, all = 7.0;
+        double f = 1.0;
+        if (d > 2.0 && p[i][0] > 0.0)
+            f = p[i][1];
+        if (d <= 2.0 || p[i][0] < d)
+            f *= 3.0;
+        if (all < d && p[far][1] < d)
+            f = 0.0;
+        b[e[t].node[1]] += f;
+    }
+}
+
+static void lifted_exits(int n, const struct element *restrict e, const double (*restrict p)[3],
+                         const double *restrict s, double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].kind > 2 ? e[t].node[0] : 1 << 29, j = e[t].node[1];
+        double d = p[j][0];
+        if (e[t].kind <= 2)
+            continue;
+        d -= p[i][1];
+        if (d < 0.0 || s[t] > 1.5) {
+            continue;
+        }
+        const double root = sqrt(d);
+        b[i] += root;
+        if (p[j][2] > 0.0)
+            b[j] -= root * d;
+    }
+}
+
+static void lifted_last_part(int n, const struct element *restrict e, const double (*restrict p)[3],
+                             double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        const double square = p[i][0] * p[i][0] + p[j][1] * p[j][1];
+        if (square < 1.0) {
+            const double inverse = 1.0 / square, root = sqrt(1.0 - square);
+            if (root > 0.999)
+                continue;
+            b[i] += inverse;
+            b[j] -= inverse * root;
+        }
+    }
+}
+
+static void scaled(const double (*p)[3], int i, double most, double f[3]) {
+    const double length = sqrt(p[i][0]);
+    for (int c = 0; c < 3; c++)
+        if (p[i][c] < most)
+            f[c] = p[i][c] / length;
+}
+
+static void lifted_functions_of_some(int n, const struct element *restrict e,
+                                     const double (*restrict p)[3], double (*restrict b)[3]) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].kind > 2 ? e[t].node[0] : 1 << 29;
+        double f[3] = {1.0, -0.0, 0.5};
+        if (e[t].kind > 2)
+            scaled(p, i, 0.75, f);
+        scaled(p, e[t].node[1], 0.25, f);
+        for (int c = 0; c < 3; c++)
+            b[e[t].node[2]][c] += f[c];
+    }
+}
+
 /* ---- functions ---- */
 
 static double dot(const double a[3], const double b[3]) {
@@ -213,17 +332,6 @@ static void plain_used_below(int n, const struct element *restrict e, const doub
         i = e[t].node[1];
         d = p[i][1];
         b[i] -= d;
-    }
-}
-
-static void plain_varying_condition(int n, const struct element *restrict e,
-                                    const double (*restrict p)[3], double *restrict b) {
-    for (int t = 0; t < n; t++) {
-        const int i = e[t].node[0];
-        double d = 1.0;
-        if (e[t].kind > 2)
-            d = p[i][0];
-        b[i] += d;
     }
 }
 
@@ -349,10 +457,15 @@ int main(void) {
             EACH(lifted_comparisons_kept(n, element, P, single), single);
             EACH(lifted_uniform_conditions(n, round, element, P, block), block);
             EACH(lifted_condition_around_updates(n, element, P, single), single);
+            EACH(lifted_varying_condition(n, element, P, single), single);
+            EACH(lifted_conditions_within(n, element, P, single), single);
+            EACH(lifted_decided_by_the_left(n, far_outside, element, P, single), single);
+            EACH(lifted_exits(n, element, P, scale, single), single);
+            EACH(lifted_last_part(n, element, P, single), single);
+            EACH(lifted_functions_of_some(n, element, P, force), force);
             EACH(lifted_functions(n, element, P, force, block), block);
             print("force", &force[0][0], sizeof force / sizeof(double));
             EACH(plain_used_below(n, element, P, single), single);
-            EACH(plain_varying_condition(n, element, P, single), single);
             EACH(plain_floats(n, element, small, single), single);
             EACH(plain_subscript_from_double(n, element, P, single), single);
             EACH(plain_effects_in_operands(n, element, P, single), single);

@@ -70,7 +70,7 @@ static bool begins_with(const ir_node *loop, const ir_variable *variable) {
 
 /** Is each mention of the variable within a `for` that gives it its first value? Then it does not
  *  matter which of two such loops comes first. */
-static bool is_counter_only(const ir_node *node, const ir_variable *variable) {
+bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_FOR && begins_with(node, variable))
         return true;
     if (node->kind == IR_DECLARATOR && node->variable == variable)
@@ -78,7 +78,7 @@ static bool is_counter_only(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_VARIABLE && node->variable == variable)
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_counter_only(node->children[i], variable))
+        if (!lane_is_counter_only(node->children[i], variable))
             return false;
     return true;
 }
@@ -119,7 +119,7 @@ static bool check_update_node(ir_node *node, void *context) {
         node->kind == IR_RETURN)
         lane_problem(l, "a statement beside an update has no form for vectors");
     if (variable && (l->class_of[variable->id] != LANE_UNIFORM || !lane_is_own(l, variable) ||
-                     !is_counter_only(check->body, variable)))
+                     !lane_is_counter_only(check->body, variable)))
         lane_problem(l, "a variable is assigned beside an update");
     return true;
 }
@@ -128,7 +128,7 @@ static bool check_update_node(ir_node *node, void *context) {
 static void check_order(lifter *l, const ir_node *body) {
     for (unsigned i = 0; i < l->loop->unit->variable_count; i++) {
         const ir_variable *variable = l->loop->unit->variables[i];
-        if (!lane_is_own(l, variable) || is_counter_only(body, variable))
+        if (!lane_is_own(l, variable) || lane_is_counter_only(l->scope, variable))
             continue;
         bool is_read = false;
         for (unsigned k = 0; k < body->child_count; k++) {
@@ -213,7 +213,10 @@ static void declare_outer(lifter *l) {
 
 /** Most lanes need not ask who owns what: for them compilers have a text without conditions. */
 static void write_updates(lifter *l, const char *updates) {
-    writer_line(l->out, "REDCC_EACH_LANE");
+    if (l->mask)
+        writer_line(l->out, "REDCC_EACH_LANE if (%s[redcc__l]) {", l->mask);
+    else
+        writer_line(l->out, "REDCC_EACH_LANE {");
     writer_line(l->out, "    if (!redcc__block->guarded[redcc__l]) {");
     writer_line(l->out, "        enum { redcc__guarded = 0 };");
     buffer_text(&l->out->out, updates);
@@ -221,20 +224,83 @@ static void write_updates(lifter *l, const char *updates) {
     writer_line(l->out, "        enum { redcc__guarded = 1 };");
     buffer_text(&l->out->out, updates);
     writer_line(l->out, "    }");
+    writer_line(l->out, "}");
 }
 
-static void write_function_body(lifter *l) {
-    const ir_node *body = l->scope;
+/** `if (...) continue;`? */
+static bool is_exit(const ir_node *statement) {
+    if (statement->kind != IR_IF || statement->child_count > 2)
+        return false;
+    const ir_node *branch = statement->children[1];
+    if (branch->kind == IR_BLOCK && branch->child_count == 1)
+        branch = branch->children[0];
+    return branch->kind == IR_CONTINUE;
+}
+
+/** Lanes for which the condition holds have done all that they do. */
+static void write_exit(lifter *l, const ir_node *condition) {
+    if (lane_is_uniform(l, condition)) {
+        writer_line(l->out, "if (%s)", lane_scalar(l, condition));
+        writer_line(l->out, "    return;");
+        return;
+    }
+    l->mask = lane_new_mask(l, arena_format(l->loop->arena, "~%s", lane_mask(l, condition)));
+    writer_line(l->out, "if (!redcc_any(%s))", l->mask);
+    writer_line(l->out, "    return;");
+}
+
+/** An `if` that computes and updates. */
+static bool is_part(const loop_facts *facts, const ir_node *statement) {
+    if (statement->kind != IR_IF || statement->child_count > 2 ||
+        statement->children[1]->kind != IR_BLOCK)
+        return false;
+    const ir_node *branch = statement->children[1];
+    for (unsigned i = 0; i < branch->child_count; i++)
+        if (!has_update(facts, branch->children[i]))
+            return true;
+    return false;
+}
+
+static void write_block(lifter *l, const ir_node *block);
+
+/** The last of what is done: nothing that the other lanes hold is of use any more. */
+static void write_last_part(lifter *l, const ir_node *node) {
+    const char *const outer = l->mask;
+    if (lane_is_uniform(l, node->children[0])) {
+        writer_line(l->out, "if (%s) {", lane_scalar(l, node->children[0]));
+    } else {
+        l->mask = lane_new_mask(l, lane_mask(l, node->children[0]));
+        writer_line(l->out, "if (redcc_any(%s)) {", l->mask);
+    }
+    l->out->depth++;
+    write_block(l, node->children[1]);
+    l->out->depth--;
+    writer_line(l->out, "}");
+    l->mask = outer;
+}
+
+/** What is computed, and then the updates. */
+static void write_block(lifter *l, const ir_node *block) {
     const loop_facts *facts = l->loop->facts;
-    writer updates = {.depth = 2};
-    declare_outer(l);
-    for (unsigned i = 0; i < body->child_count; i++)
-        if (has_update(facts, body->children[i]))
-            write_update(l, body->children[i], &updates);
-        else
-            lane_statement(l, body->children[i]);
-    check_order(l, body);
-    write_updates(l, writer_text(l->loop->arena, &updates));
+    writer updates = {.depth = l->out->depth + 2};
+    bool is_pending = false;
+    for (unsigned i = 0; i < block->child_count; i++) {
+        const ir_node *statement = block->children[i];
+        const bool updates_here = has_update(facts, statement);
+        if (!is_pending && is_exit(statement))
+            write_exit(l, statement->children[0]);
+        else if (!is_pending && updates_here && i + 1 == block->child_count &&
+                 is_part(facts, statement))
+            write_last_part(l, statement);
+        else if (updates_here) {
+            write_update(l, statement, &updates);
+            is_pending = true;
+        } else
+            lane_statement(l, statement);
+    }
+    check_order(l, block);
+    if (is_pending)
+        write_updates(l, writer_text(l->loop->arena, &updates));
 }
 
 /** The text, once for each width that is asked for. */
@@ -257,18 +323,21 @@ void write_lanes(loop_text *loop, writer *out) {
     lane_clone_list clones = {0};
     writer front = {0}, text = {.depth = 1};
     const char *problem = NULL;
+    unsigned mask_count = 0;
     lifter l = {.loop = loop,
                 .scope = facts->counted.body,
                 .class_of = ARENA_ARRAY(a, lane_class, loop->unit->variable_count + 1),
                 .clones = &clones,
                 .front = &front,
                 .out = &text,
-                .problem = &problem};
+                .problem = &problem,
+                .mask_count = &mask_count};
     if (!loop->lanes.is_wanted)
         return;
     if (is_liftable(loop)) {
         lane_classify(&l);
-        write_function_body(&l);
+        declare_outer(&l);
+        write_block(&l, l.scope);
     } else {
         lane_problem(&l, "the loop leaves more than its updates");
     }

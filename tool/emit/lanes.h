@@ -23,6 +23,7 @@ typedef enum lane_class {
 typedef struct lane_clone {
     const ir_function *function;
     const lane_class *classes; /* [parameter_count] */
+    bool is_masked;            /* its first parameter is the mask of the lanes that call it */
     const char *name;
 } lane_clone;
 
@@ -36,8 +37,12 @@ typedef struct lifter {
     lane_clone_list *clones;
     writer *front; /* functions that must stand in front */
     writer *out;
-    const char **problem; /* the first one; NULL: none */
-    unsigned depth;       /* of calls */
+    const char **problem;  /* the first one; NULL: none */
+    unsigned depth;        /* of calls */
+    const char *mask;      /* of the lanes that do what is being written; NULL: all do */
+    const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
+    bool may_be_none;      /* perhaps there is no such lane */
+    unsigned *mask_count;
 } lifter;
 
 /** An expression of doubles: its text, a primary expression; a vector, or a scalar that is the same
@@ -57,8 +62,6 @@ bool lane_is_own(const lifter *l, const ir_variable *variable);
 bool lane_is_uniform(const lifter *l, const ir_node *node);
 /** No call, no assignment in it. */
 bool lane_is_plain(const ir_node *node);
-/** Is it 1 or 0: a comparison, or several with && || and !? */
-bool lane_is_truth(const ir_node *node);
 /** Is a lifted variable mentioned other than for one of its elements? */
 bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
 bool lane_mentions_lifted(const lifter *l, const ir_node *node);
@@ -70,8 +73,10 @@ bool lane_is_double(const ir_type *type);
 lifted lane_expression(lifter *l, const ir_node *node);
 /** The same as a vector, also where all lanes are the same. */
 const char *lane_vector(lifter *l, const ir_node *node);
-/** Which lanes a condition on doubles holds for. */
-const char *lane_mask(lifter *l, const ir_node *node);
+/** May it be evaluated where the program does not? */
+bool lane_is_safe(const lifter *l, const ir_node *node);
+/** An arithmetic operator or a comparison as C; NULL: another one. */
+const char *lane_operator(ir_operator op);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
 /** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
@@ -79,10 +84,26 @@ const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */
 const char *lane_call(lifter *l, const ir_node *call);
 
+/** lanes_mask.c: which lanes a condition holds for. */
+const char *lane_mask(lifter *l, const ir_node *node);
+/** Writes a variable for the lanes of l->mask of which the condition holds as well; its name. */
+const char *lane_new_mask(lifter *l, const char *condition);
+/** The text of one lane's value; 0 in lanes that do not evaluate it, where it may not be. */
+const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
+/** Do lanes that do not execute an assignment to the variable need its old value? */
+bool lane_needs_select(const lifter *l, const ir_variable *variable);
+/** Writes an `if` whose condition is not the same for all lanes. */
+void lane_masked_if(lifter *l, const ir_node *node);
+
+/** lanes.c: is each mention of the variable within a `for` that gives it its first value? */
+bool lane_is_counter_only(const ir_node *node, const ir_variable *variable);
+
 /** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
 void lane_declare(lifter *l, const ir_variable *variable);
 /** The type without qualifiers of its own. */
 const char *lane_type(lifter *l, const ir_type *type);
+/** Writes what stands in a block that is open, and closes it. */
+void lane_part(lifter *l, const ir_node *part);
 /** Writes what the statement computes, for all lanes. */
 void lane_statement(lifter *l, const ir_node *statement);
 

@@ -101,7 +101,8 @@ static lane_class first_class(lifter *l, const ir_variable *variable) {
     return LANE_UNIFORM;
 }
 
-bool lane_is_truth(const ir_node *node) {
+/** Is it 1 or 0: a comparison, or several with && || and !? */
+static bool is_truth(const ir_node *node) {
     return (node->kind == IR_UNARY && node->op == IR_OP_NOT) ||
            (node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_OR);
 }
@@ -110,7 +111,7 @@ static bool find_mask(ir_node *node, void *context) {
     lifter *l = context;
     if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
         node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
-        lane_is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
+        is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
         l->class_of[node->variable->id] = LANE_MASK;
     return true;
 }
@@ -134,7 +135,34 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
     s->has_changed = true;
 }
 
+/** Is it assigned below a condition that is not the same for all lanes, and of use behind it? */
+static bool is_of_some_lanes(const lifter *l, const ir_node *node, const ir_variable *variable) {
+    for (const ir_node *at = node; at && at != l->scope; at = at->parent)
+        if (at->parent && at->parent->kind == IR_IF && at != at->parent->children[0] &&
+            !lane_is_uniform(l, at->parent->children[0]) &&
+            (variable->range.begin < at->range.begin || variable->range.begin >= at->range.end))
+            return !lane_is_counter_only(l->scope, variable);
+    return false;
+}
+
+/** An own integer or pointer that only some lanes assign is not the same for all. */
+static void spread_below_conditions(spreading *s, const ir_node *node) {
+    lifter *l = s->l;
+    const ir_node *target = ir_child(node, 0);
+    const bool is_assignment =
+        node->kind == IR_ASSIGN || (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT);
+    if (!is_assignment || target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
+        l->class_of[target->variable->id] != LANE_UNIFORM ||
+        !is_of_some_lanes(l, node, target->variable))
+        return;
+    if (target->variable->storage == IR_PARAMETER && l->function)
+        lane_problem(l, "a parameter that is the same for all iterations gets another value");
+    l->class_of[target->variable->id] = LANE_VARYING;
+    s->has_changed = true;
+}
+
 static bool spread_node(ir_node *node, void *context) {
+    spread_below_conditions(context, node);
     if (node->kind == IR_ASSIGN && node->children[0]->kind == IR_VARIABLE)
         spread(context, node->children[0]->variable, node->children[1]);
     if (node->kind == IR_DECLARATOR && node->child_count > 0)

@@ -59,9 +59,9 @@ static lifted leaf(lifter *l, const ir_node *node) {
     const char *text = lane_scalar(l, node);
     if (!lane_is_double(node->type))
         text = arena_format(a, "(double)%s", text);
-    if (lane_is_uniform(l, node))
+    if (lane_is_uniform(l, node) && (!l->may_be_none || lane_is_safe(l, node)))
         return (lifted){arena_format(a, "(%s)", text), false};
-    return (lifted){arena_format(a, "REDCC_GATHER(%s)", text), true};
+    return (lifted){arena_format(a, "REDCC_GATHER(%s)", lane_guarded(l, node, text)), true};
 }
 
 /* ---- arithmetic ----------------------------------------------------------------------------- */
@@ -75,7 +75,7 @@ const char *lane_vector(lifter *l, const ir_node *node) {
     return as_vector(l, lane_expression(l, node));
 }
 
-static const char *operator_text(ir_operator op) {
+const char *lane_operator(ir_operator op) {
     switch (op) {
     case IR_OP_ADD:
         return "+";
@@ -103,7 +103,7 @@ static const char *operator_text(ir_operator op) {
 }
 
 static lifted arithmetic(lifter *l, const ir_node *node) {
-    const char *op = node->op <= IR_OP_DIVIDE ? operator_text(node->op) : NULL;
+    const char *op = node->op <= IR_OP_DIVIDE ? lane_operator(node->op) : NULL;
     if (!op)
         return refuse(l, "an operator has no form for vectors");
     const lifted left = lane_expression(l, node->children[0]);
@@ -112,27 +112,7 @@ static lifted arithmetic(lifter *l, const ir_node *node) {
                     left.is_vector || right.is_vector};
 }
 
-const char *lane_mask(lifter *l, const ir_node *node) {
-    arena *a = l->loop->arena;
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
-        return origin_variable(a, node->variable);
-    if (node->kind == IR_UNARY && node->op == IR_OP_NOT)
-        return arena_format(a, "(~%s)", lane_mask(l, node->children[0]));
-    if (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR))
-        return arena_format(a, "(%s %s %s)", lane_mask(l, node->children[0]),
-                            node->op == IR_OP_AND ? "&" : "|", lane_mask(l, node->children[1]));
-    const bool is_comparison =
-        node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT_EQUAL;
-    if (is_comparison &&
-        (lane_is_double(node->children[0]->type) || lane_is_double(node->children[1]->type)))
-        return arena_format(a, "(redcc_mask)(%s %s %s)", lane_vector(l, node->children[0]),
-                            operator_text(node->op), lane_vector(l, node->children[1]));
-    lane_problem(l, "a condition of the iteration is no comparison of doubles");
-    return "0";
-}
-
-/** May it be evaluated where the program does not? */
-static bool is_safe(const lifter *l, const ir_node *node) {
+bool lane_is_safe(const lifter *l, const ir_node *node) {
     if (lane_is_double(node->type) && lane_lifted_root(l, node))
         return true;
     if (node->kind == IR_INDEX || node->kind == IR_CALL || node->kind == IR_ASSIGN ||
@@ -144,7 +124,7 @@ static bool is_safe(const lifter *l, const ir_node *node) {
     if (is_arithmetic && !lane_is_double(node->type) && !(node->flags & IR_HAS_VALUE))
         return false; /* of integers: it may overflow, or divide by 0 */
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_safe(l, node->children[i]))
+        if (!lane_is_safe(l, node->children[i]))
             return false;
     return true;
 }
@@ -152,6 +132,8 @@ static bool is_safe(const lifter *l, const ir_node *node) {
 static lifted conditional(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
+    if (l->may_be_none && !lane_is_safe(l, node))
+        return refuse(l, "a part of a conditional expression may not be evaluated in each lane");
     if (lane_is_uniform(l, condition)) {
         const lifted yes = lane_expression(l, node->children[1]);
         const lifted no = lane_expression(l, node->children[2]);
@@ -163,7 +145,8 @@ static lifted conditional(lifter *l, const ir_node *node) {
                                      as_vector(l, yes), as_vector(l, no)),
                         true};
     }
-    if (!is_safe(l, condition) || !is_safe(l, node->children[1]) || !is_safe(l, node->children[2]))
+    if (!lane_is_safe(l, condition) || !lane_is_safe(l, node->children[1]) ||
+        !lane_is_safe(l, node->children[2]))
         return refuse(l, "a part of a conditional expression may not be evaluated in each lane");
     return (lifted){arena_format(a, "redcc_select(%s, %s, %s)", lane_mask(l, condition),
                                  lane_vector(l, node->children[1]),
@@ -184,7 +167,11 @@ static lifted call(lifter *l, const ir_node *node) {
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 && !callee->is_renamed &&
             node->child_count == 2)
-            return (lifted){arena_format(l->loop->arena, "redcc_lanes_%s(%s)", known[i],
+            return (lifted){arena_format(l->loop->arena,
+                                         l->mask ? "redcc_lanes_%s(redcc_select(%s, %s, "
+                                                   "redcc_same(1.0)))"
+                                                 : "redcc_lanes_%s(%s%s)",
+                                         known[i], l->mask ? l->mask : "",
                                          lane_vector(l, node->children[1])),
                             true};
     return refuse(l, "a function has no form for vectors");

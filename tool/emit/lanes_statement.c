@@ -78,7 +78,7 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
     const char *name = origin_declarator(l->loop->arena, variable);
     const char *of = extents(l, variable->type);
     if (!value)
-        writer_line(l->out, "redcc_vector %s%s;", name, of);
+        writer_line(l->out, "redcc_vector %s%s%s;", name, of, *of ? "" : " = {0}");
     else if (variable->type->kind == IR_ARRAY)
         writer_line(l->out, "redcc_vector %s%s = %s;", name, of,
                     array_initialiser(l, variable->type, value));
@@ -86,12 +86,17 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
         writer_line(l->out, "redcc_vector %s = %s;", name, lane_vector(l, value));
 }
 
-/** A statement of each lane, the user's own with the lane's variables. */
-static const char *lane_text(lifter *l, const ir_node *value) {
+/** What becomes an integer or a pointer of each lane. */
+static void check_operand(lifter *l, const ir_node *value) {
     if (!lane_is_plain(value))
         lane_problem(l, "an operand has an effect of its own");
     if (lane_mentions_lifted(l, value))
         lane_problem(l, "a subscript or an integer depends on a double of the iteration");
+}
+
+/** A value of each lane, the user's own with the lane's variables. */
+static const char *lane_text(lifter *l, const ir_node *value) {
+    check_operand(l, value);
     return lane_scalar(l, value);
 }
 
@@ -109,7 +114,7 @@ static void declare_own(lifter *l, const ir_variable *variable, const ir_node *v
         writer_line(l->out, "%s %s[redcc_width];", lane_type(l, variable->type), name);
         if (value)
             writer_line(l->out, "REDCC_EACH_LANE %s[redcc__l] = %s;", origin_variable(a, variable),
-                        lane_text(l, value));
+                        lane_guarded(l, value, lane_text(l, value)));
         break;
     case LANE_UNIFORM:
         if (value)
@@ -165,7 +170,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
         return lane_scalar(l, value);
     if (class == LANE_VARYING)
         return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
-                            lane_text(l, value));
+                            lane_guarded(l, value, lane_text(l, value)));
     if (parameter->type->kind != IR_POINTER)
         return lane_vector(l, value);
     const char *text = text_operand(a, value, NULL, NULL);
@@ -177,10 +182,12 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
 static void write_parameters(lifter *l, const ir_function *function, const lane_class *classes,
                              const char *name) {
     buffer head = {0};
+    if (l->mask)
+        buffer_format(&head, "const redcc_mask %s __attribute__((__unused__))", l->mask);
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_variable *parameter = function->parameters[i];
         l->class_of[parameter->id] = classes[i];
-        buffer_format(&head, "%s%s __attribute__((__unused__))", i > 0 ? ", " : "",
+        buffer_format(&head, "%s%s __attribute__((__unused__))", head.data ? ", " : "",
                       parameter_text(l, parameter, classes[i]));
     }
     writer_line(l->out, "REDCC_LIFTED %s %s(%s) {",
@@ -198,6 +205,8 @@ static void write_clone(lifter *l, const ir_function *function, const lane_class
     inner.scope = function->body;
     inner.depth = l->depth + 1;
     inner.out = &text;
+    inner.mask = l->mask ? "redcc__m0" : NULL;
+    inner.region = l->mask ? function->body : NULL;
     write_parameters(&inner, function, classes, name);
     lane_classify(&inner);
     text.depth = 1;
@@ -231,10 +240,11 @@ static const char *clone_of(lifter *l, const ir_function *function, const lane_c
     const size_t bytes = function->parameter_count * sizeof *classes;
     for (unsigned i = 0; i < l->clones->count; i++) {
         const lane_clone *it = &l->clones->items[i];
-        if (it->function == function && (!bytes || memcmp(it->classes, classes, bytes) == 0))
+        if (it->function == function && it->is_masked == (l->mask != NULL) &&
+            (!bytes || memcmp(it->classes, classes, bytes) == 0))
             return it->name;
     }
-    const lane_clone clone = {function, classes,
+    const lane_clone clone = {function, classes, l->mask != NULL,
                               arena_format(a, "REDCC_WIDE(redcc__%u_%s)", l->clones->count + 1,
                                            loop_lanes_name(l->loop))};
     VECTOR_PUSH(a, l->clones, clone);
@@ -250,12 +260,12 @@ const char *lane_call(lifter *l, const ir_node *call) {
         return "redcc_same(0.0)";
     }
     lane_class *classes = ARENA_ARRAY(a, lane_class, function->parameter_count + 1);
-    const char *arguments = "";
+    const char *arguments = l->mask ? l->mask : "";
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_variable *parameter = function->parameters[i];
         const ir_node *value = call->children[i + 1];
         classes[i] = parameter_class(l, parameter, value);
-        arguments = arena_format(a, "%s%s%s", arguments, i > 0 ? ", " : "",
+        arguments = arena_format(a, "%s%s%s", arguments, *arguments ? ", " : "",
                                  argument_text(l, parameter, classes[i], value));
     }
     return arena_format(a, "%s(%s)", clone_of(l, function, classes), arguments);
@@ -290,6 +300,13 @@ static void assign_lifted(lifter *l, const ir_node *node) {
     const lifted target = lane_expression(l, node->children[0]);
     if (!op)
         lane_problem(l, "an operator has no form for vectors");
+    else if (lane_needs_select(l, lane_lifted_root(l, node->children[0])))
+        writer_line(l->out, "%s = redcc_select(%s, %s, %s);", target.text, l->mask,
+                    node->op == IR_OP_NONE
+                        ? lane_vector(l, node->children[1])
+                        : arena_format(l->loop->arena, "(%s %.1s %s)", target.text, op,
+                                       lane_expression(l, node->children[1]).text),
+                    target.text);
     else if (node->op == IR_OP_NONE)
         writer_line(l->out, "%s = %s;", target.text, lane_vector(l, node->children[1]));
     else
@@ -306,10 +323,8 @@ static const char *assignment_of(lifter *l, const ir_node *node) {
         lane_problem(l, "a statement has no form for vectors");
         return "(void)0";
     }
-    if (node->kind == IR_ASSIGN && !lane_is_plain(node->children[1]))
-        lane_problem(l, "an operand has an effect of its own");
-    if (node->kind == IR_ASSIGN && lane_mentions_lifted(l, node->children[1]))
-        lane_problem(l, "a subscript or an integer depends on a double of the iteration");
+    if (node->kind == IR_ASSIGN)
+        check_operand(l, node->children[1]);
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
         lane_problem(l, "an expression cannot be spelled");
@@ -331,10 +346,13 @@ static void write_expression(lifter *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     const bool varies =
         target && target->kind == IR_VARIABLE && l->class_of[target->variable->id] == LANE_VARYING;
-    writer_line(l->out, "%s%s;", varies ? "REDCC_EACH_LANE " : "", text);
+    if (varies && l->mask)
+        writer_line(l->out, "REDCC_EACH_LANE if (%s[redcc__l]) %s;", l->mask, text);
+    else
+        writer_line(l->out, "%s%s;", varies ? "REDCC_EACH_LANE " : "", text);
 }
 
-static void write_part(lifter *l, const ir_node *part) {
+void lane_part(lifter *l, const ir_node *part) {
     l->out->depth++;
     if (part->kind != IR_BLOCK)
         lane_statement(l, part);
@@ -378,22 +396,22 @@ static void write_for(lifter *l, const ir_node *node) {
     if (!next)
         lane_problem(l, "an expression cannot be spelled");
     writer_line(l->out, "for (%s; %s; %s) {", begin, lane_scalar(l, condition), next ? next : "");
-    write_part(l, node->children[3]);
+    lane_part(l, node->children[3]);
     l->out->depth--;
     writer_line(l->out, "}");
 }
 
 static void write_if(lifter *l, const ir_node *node) {
     if (!lane_is_uniform(l, node->children[0])) {
-        lane_problem(l, "a condition is not the same for all iterations");
+        lane_masked_if(l, node);
         return;
     }
     writer_line(l->out, "if (%s) {", lane_scalar(l, node->children[0]));
-    write_part(l, node->children[1]);
+    lane_part(l, node->children[1]);
     if (node->child_count < 3)
         return;
     writer_line(l->out, "else {");
-    write_part(l, node->children[2]);
+    lane_part(l, node->children[2]);
 }
 
 void lane_statement(lifter *l, const ir_node *statement) {
@@ -402,7 +420,7 @@ void lane_statement(lifter *l, const ir_node *statement) {
         break;
     case IR_BLOCK:
         writer_line(l->out, "{");
-        write_part(l, statement);
+        lane_part(l, statement);
         break;
     case IR_DECLARATION:
         for (unsigned i = 0; i < statement->child_count; i++) {

@@ -77,6 +77,11 @@
     REDCC_ALL_4(__VA_ARGS__), REDCC_LANE(4, __VA_ARGS__), REDCC_LANE(5, __VA_ARGS__),              \
         REDCC_LANE(6, __VA_ARGS__), REDCC_LANE(7, __VA_ARGS__)
 
+#define REDCC_SOME_2(redcc_m) (redcc_m[0] | redcc_m[1])
+#define REDCC_SOME_4(redcc_m) (REDCC_SOME_2(redcc_m) | redcc_m[2] | redcc_m[3])
+#define REDCC_SOME_8(redcc_m)                                                                      \
+    (REDCC_SOME_4(redcc_m) | redcc_m[4] | redcc_m[5] | redcc_m[6] | redcc_m[7])
+
 /* ---- what lanes_width.h gives a meaning ------------------------------------------------------ */
 
 #define redcc_vector REDCC_WIDE(redcc_vector)
@@ -92,18 +97,23 @@
 /** A double for each lane. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
 
+/** The lanes of which it is not 0. */
+#define REDCC_TELL(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
+
 /** Something else for each lane, as an array. */
 #define REDCC_EACH(redcc_type, ...)                                                                \
     (__extension__(__typeof__(redcc_type)[redcc_width]){REDCC_ALL(__VA_ARGS__)})
 
 #define redcc_same REDCC_WIDE(redcc_same)
 #define redcc_select REDCC_WIDE(redcc_select)
+#define redcc_any REDCC_WIDE(redcc_any)
 #define redcc_lanes_sqrt REDCC_WIDE(redcc_lanes_sqrt)
 #define redcc_lanes_fabs REDCC_WIDE(redcc_lanes_fabs)
 
 /**
  * redcc_same: the same double in each lane (not by addition of 0: it would change -0.0).
  * redcc_select: of the lanes where the mask is -1 the one, else the other.
+ * redcc_any: is there a lane in the mask?
  * redcc_lanes_sqrt: each lane by itself; where one is negative errno is set as it is sequentially.
  * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind? No
  * macro tells of -ffp-contract=fast, which clang prefers to pragmas.
@@ -116,6 +126,9 @@
     }                                                                                              \
     REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {   \
         return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));                \
+    }                                                                                              \
+    REDCC_LIFTED int redcc_any(redcc_mask mask) {                                                  \
+        return REDCC_SOME(mask) != 0;                                                              \
     }                                                                                              \
     REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {                               \
         return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});          \
