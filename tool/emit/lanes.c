@@ -240,7 +240,7 @@ static bool is_exit(const ir_node *statement) {
 /** Lanes for which the condition holds have done all that they do. */
 static void write_exit(lifter *l, const ir_node *condition) {
     if (lane_is_uniform(l, condition)) {
-        writer_line(l->out, "if (%s)", lane_scalar(l, condition));
+        writer_line(l->out, "if (%s)", lane_condition(l, condition));
         writer_line(l->out, "    return;");
         return;
     }
@@ -267,7 +267,7 @@ static void write_block(lifter *l, const ir_node *block);
 static void write_last_part(lifter *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(l, node->children[0])) {
-        writer_line(l->out, "if (%s) {", lane_scalar(l, node->children[0]));
+        writer_line(l->out, "if (%s) {", lane_condition(l, node->children[0]));
     } else {
         l->mask = lane_new_mask(l, lane_mask(l, node->children[0]));
         writer_line(l->out, "if (redcc_any(%s)) {", l->mask);

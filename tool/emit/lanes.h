@@ -79,6 +79,8 @@ bool lane_is_safe(const lifter *l, const ir_node *node);
 const char *lane_operator(ir_operator op);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
+/** The text of a uniform condition, without parentheses around it. */
+const char *lane_condition(lifter *l, const ir_node *node);
 /** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
 const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */

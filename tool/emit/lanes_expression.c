@@ -49,6 +49,13 @@ const char *lane_scalar(lifter *l, const ir_node *node) {
     return text ? text : "0";
 }
 
+const char *lane_condition(lifter *l, const ir_node *node) {
+    const char *text = text_expression(l->loop->arena, node, lane_rename, l);
+    if (!text)
+        lane_problem(l, "an expression cannot be spelled");
+    return text ? text : "0";
+}
+
 /** An operand that is read from memory, or an integer, as a double. */
 static lifted leaf(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;

@@ -395,7 +395,8 @@ static void write_for(lifter *l, const ir_node *node) {
     const char *next = step->kind == IR_EMPTY ? "" : text_expression(a, step, lane_rename, l);
     if (!next)
         lane_problem(l, "an expression cannot be spelled");
-    writer_line(l->out, "for (%s; %s; %s) {", begin, lane_scalar(l, condition), next ? next : "");
+    writer_line(l->out, "for (%s; %s; %s) {", begin, lane_condition(l, condition),
+                next ? next : "");
     lane_part(l, node->children[3]);
     l->out->depth--;
     writer_line(l->out, "}");
@@ -406,7 +407,7 @@ static void write_if(lifter *l, const ir_node *node) {
         lane_masked_if(l, node);
         return;
     }
-    writer_line(l->out, "if (%s) {", lane_scalar(l, node->children[0]));
+    writer_line(l->out, "if (%s) {", lane_condition(l, node->children[0]));
     lane_part(l, node->children[1]);
     if (node->child_count < 3)
         return;
