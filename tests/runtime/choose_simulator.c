@@ -235,6 +235,7 @@ struct simulated simulate(const struct trace *trace) {
         if (ratio > result->worst_prefix)
             result->worst_prefix = ratio;
     }
+    result->owed = it.state->ledger.loan;
     result->best = best_in_hindsight(trace, result->sequential);
     free(it.state);
     return *result;

@@ -43,6 +43,7 @@ struct simulated {
     double slowest;      /**< largest of total / sequential, nothing allowed for */
     double allowance;    /**< the bound's additive constant: the largest excess of one execution
                               over the sequential one, a block, and the largest loan */
+    double owed;         /**< what is lent at the end, seconds */
     double loan;         /**< the largest, over the longest sequential execution */
     int looks;           /**< by one thread */
     int set_ups;         /**< begun */

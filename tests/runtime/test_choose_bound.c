@@ -115,6 +115,8 @@ static void check_gain(struct trace *trace, const char *name, double wanted) {
     const struct simulated it = simulate(trace);
     if (it.sequential / it.total < wanted)
         fail_msg("%s: %.3f times as fast, not %.2f", name, it.sequential / it.total, wanted);
+    if (trace->count >= 10 && it.owed > 0)
+        fail_msg("%s: %g seconds are still lent", name, it.owed);
     check(trace, name, (struct asked){1 + share, 2, 1});
 }
 
@@ -198,8 +200,19 @@ static void check_light(const char *name, double execution, double error, int ev
     free(trace);
 }
 
+/* No set-up where starting the threads alone would cost more than trials may. */
+static void check_threads_that_start_slowly(void) {
+    struct trace *trace = ordinary(400);
+    trace->start = 0.2;
+    const struct simulated it = simulate(trace);
+    assert_int_equal(it.looks, 1);
+    assert_int_equal(it.set_ups, 0);
+    free(trace);
+}
+
 static void light_loops(void **unused) {
     (void)unused;
+    check_threads_that_start_slowly();
     check_light("light", 0.63, 1, 1000);
     check_light("light, no gain", 1.05, 1, 1000);
     check_light("light, no gain, set-ups three times as long", 1.05, 3, 1000);
