@@ -48,6 +48,8 @@ void self_collision_free(self_collision *s) {
     free(s->grid.owned);
     free(s->grid.start);
     free(s->grid.entry);
+    for (int part = 0; part < SELF_PARTS; part++)
+        free(s->grid.part[part].pair);
     free(s->pair);
     *s = (self_collision){0};
 }
@@ -150,15 +152,27 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
  * as a rule; what comes near all the same is found when the step is looked through at its end. */
 static void drop_far_pairs(self_collision *s, double h, const double (*x)[3],
                            const double (*v)[3]) {
-    int kept = 0;
-    for (int n = 0; n < s->pair_count; n++) {
-        double start[4][3], end[4][3];
-        gather(&s->pair[n], h, x, v, start, end);
-        if (!stay_apart(2 * s->gap, &s->pair[n], (const double(*)[3])start,
-                        (const double(*)[3])end))
-            s->pair[kept++] = s->pair[n];
+    int kept[SELF_PARTS];
+#pragma omp parallel for schedule(static)
+    for (int part = 0; part < SELF_PARTS; part++) {
+        const int first = self_part_start(s->pair_count, part);
+        int last = first;
+        for (int n = first; n < self_part_start(s->pair_count, part + 1); n++) {
+            double start[4][3], end[4][3];
+            gather(&s->pair[n], h, x, v, start, end);
+            if (!stay_apart(2 * s->gap, &s->pair[n], (const double(*)[3])start,
+                            (const double(*)[3])end))
+                s->pair[last++] = s->pair[n];
+        }
+        kept[part] = last - first;
     }
-    s->pair_count = kept;
+    int count = 0;
+    for (int part = 0; part < SELF_PARTS; part++) {
+        const self_pair *from = s->pair + self_part_start(s->pair_count, part);
+        memmove(s->pair + count, from, (size_t)kept[part] * sizeof *from);
+        count += kept[part];
+    }
+    s->pair_count = count;
 }
 
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {

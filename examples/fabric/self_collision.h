@@ -22,6 +22,21 @@ typedef struct self_pair {
     int near_at_rest; /* too near in the flat cloth to be kept apart: only kept from passing */
 } self_pair;
 
+/** What is found or looked through side by side is in so many parts, whatever the threads, which
+ * are put together in order. */
+enum { SELF_PARTS = 64 };
+
+/** Where part number `part` of so many begins. */
+static inline int self_part_start(int count, int part) {
+    return (int)((long)count * part / SELF_PARTS);
+}
+
+/** A list that grows. */
+typedef struct self_pairs {
+    self_pair *pair; /* [count] */
+    int count, room;
+} self_pairs;
+
 /** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
 typedef struct self_grid {
     double (*box)[2][3]; /* [triangles] low and high, m */
@@ -29,6 +44,7 @@ typedef struct self_grid {
     int *start;          /* [buckets + 1] */
     struct self_entry *entry;
     int bucket_room, entry_room;
+    self_pairs part[SELF_PARTS]; /* of what was found last */
 } self_grid;
 
 typedef struct self_collision {

@@ -15,6 +15,15 @@ typedef struct self_entry {
 
 enum { MOST_CELLS_EACH = 16 }; /* of a triangle, on average: else cells are made larger */
 
+/* fmin and fmax, for numbers, without a call. */
+static inline double least(double a, double b) {
+    return b < a ? b : a;
+}
+
+static inline double most(double a, double b) {
+    return b > a ? b : a;
+}
+
 static void sweep(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     const mesh *m = s->mesh;
 #pragma omp parallel for schedule(static)
@@ -24,8 +33,8 @@ static void sweep(self_collision *s, double h, const double (*x)[3], const doubl
             for (int p = 0; p < 3; p++) {
                 const int i = m->triangle[t][p];
                 const double end = x[i][a] + h * v[i][a];
-                low = fmin(low, fmin(x[i][a], end));
-                high = fmax(high, fmax(x[i][a], end));
+                low = least(low, least(x[i][a], end));
+                high = most(high, most(x[i][a], end));
             }
             s->grid.box[t][0][a] = low - s->gap;
             s->grid.box[t][1][a] = high + s->gap;
@@ -101,9 +110,10 @@ static int fill(self_collision *s, double *size) {
         return 0; /* no cell is large enough */
     if (!(*size > 0))
         *size = 1;
-    while (visit_cells(s, *size, 1, NULL) > (double)MOST_CELLS_EACH * triangles)
+    double cells;
+    while ((cells = visit_cells(s, *size, 1, NULL)) > (double)MOST_CELLS_EACH * triangles)
         *size *= 2;
-    const int entries = (int)visit_cells(s, *size, 1, NULL);
+    const int entries = (int)cells;
     int buckets = 64;
     while (buckets < entries && buckets < INT_MAX / 4)
         buckets *= 2;
@@ -124,16 +134,16 @@ static int fill(self_collision *s, double *size) {
     return buckets;
 }
 
-static int add_pair(self_collision *s, const self_pair *added) {
-    if (s->pair_count == s->pair_room) {
-        const int room = s->pair_room > 0 ? 2 * s->pair_room : 1024;
-        self_pair *more = realloc(s->pair, (size_t)room * sizeof *more);
+static int add_pair(self_pairs *to, const self_pair *added) {
+    if (to->count == to->room) {
+        const int room = to->room > 0 ? 2 * to->room : 64;
+        self_pair *more = realloc(to->pair, (size_t)room * sizeof *more);
         if (!more)
             return -1;
-        s->pair = more;
-        s->pair_room = room;
+        to->pair = more;
+        to->room = room;
     }
-    s->pair[s->pair_count++] = *added;
+    to->pair[to->count++] = *added;
     return 0;
 }
 
@@ -159,7 +169,8 @@ static int near_at_rest(const self_collision *s, const int vertex[4], int firsts
     return 0;
 }
 
-static int add_if_apart(self_collision *s, const int vertex[4], int is_edges) {
+static int add_if_apart(const self_collision *s, const int vertex[4], int is_edges,
+                        self_pairs *to) {
     const int firsts = is_edges ? 2 : 1;
     for (int p = 0; p < firsts; p++)
         for (int q = firsts; q < 4; q++)
@@ -167,27 +178,27 @@ static int add_if_apart(self_collision *s, const int vertex[4], int is_edges) {
                 return 0;
     const self_pair pair = {
         {vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, near_at_rest(s, vertex, firsts)};
-    return add_pair(s, &pair);
+    return add_pair(to, &pair);
 }
 
 /* The vertices of t against u, those that t owns. */
-static int add_vertices(self_collision *s, int t, int u) {
+static int add_vertices(const self_collision *s, int t, int u, self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
     for (int p = 0; p < 3; p++) {
         const int vertex[4] = {a[p], b[0], b[1], b[2]};
-        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, vertex, 0) != 0)
+        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, vertex, 0, to) != 0)
             return -1;
     }
     return 0;
 }
 
-static int add_edges(self_collision *s, int t, int u) {
+static int add_edges(const self_collision *s, int t, int u, self_pairs *to) {
     const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
     for (int p = 0; p < 3; p++)
         for (int q = 0; q < 3; q++) {
             const int vertex[4] = {a[p], a[(p + 1) % 3], b[q], b[(q + 1) % 3]};
             if ((s->grid.owned[t] >> (3 + p) & 1) != 0 && (s->grid.owned[u] >> (3 + q) & 1) != 0 &&
-                add_if_apart(s, vertex, 1) != 0)
+                add_if_apart(s, vertex, 1, to) != 0)
                 return -1;
         }
     return 0;
@@ -196,32 +207,69 @@ static int add_edges(self_collision *s, int t, int u) {
 /* The boxes meet, and this is the cell where their common part begins: each pair is met once. */
 static int meet_here(const self_collision *s, const self_entry *a, const self_entry *b,
                      double size) {
-    for (int k = 0; k < 3; k++) {
-        const double low = fmax(s->grid.box[a->triangle][0][k], s->grid.box[b->triangle][0][k]);
-        const double high = fmin(s->grid.box[a->triangle][1][k], s->grid.box[b->triangle][1][k]);
-        if (a->cell[k] != b->cell[k] || low > high || cell_of(low, size) != a->cell[k])
+    const double(*one)[3] = (const double(*)[3])s->grid.box[a->triangle];
+    const double(*other)[3] = (const double(*)[3])s->grid.box[b->triangle];
+    for (int k = 0; k < 3; k++)
+        if (one[0][k] > other[1][k] || other[0][k] > one[1][k] || a->cell[k] != b->cell[k])
             return 0;
-    }
+    for (int k = 0; k < 3; k++)
+        if (cell_of(most(one[0][k], other[0][k]), size) != a->cell[k])
+            return 0;
     return 1;
 }
 
-int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
-    double size;
-    s->pair_count = 0;
-    sweep(s, h, x, v);
-    const int buckets = fill(s, &size);
-    if (buckets == 0)
-        return -1;
-    for (int bucket = 0; bucket < buckets; bucket++)
+/* The pairs of some buckets. 0, or -1: out of memory. */
+static int find_in(const self_collision *s, int bucket, int end, double size, self_pairs *to) {
+    to->count = 0;
+    for (; bucket < end; bucket++)
         for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
             for (int j = i + 1; j < s->grid.start[bucket + 1]; j++) {
                 const self_entry *a = &s->grid.entry[i], *b = &s->grid.entry[j];
                 if (a->triangle == b->triangle || !meet_here(s, a, b, size))
                     continue;
                 const int t = a->triangle, u = b->triangle;
-                if (add_vertices(s, t, u) != 0 || add_vertices(s, u, t) != 0 ||
-                    add_edges(s, t, u) != 0)
+                if (add_vertices(s, t, u, to) != 0 || add_vertices(s, u, t, to) != 0 ||
+                    add_edges(s, t, u, to) != 0)
                     return -1;
             }
     return 0;
+}
+
+/* All parts, one behind the other. 0, or -1: out of memory. */
+static int join(self_collision *s) {
+    long count = 0;
+    for (int part = 0; part < SELF_PARTS; part++)
+        count += s->grid.part[part].count;
+    if (count > INT_MAX)
+        return -1;
+    if (s->pair_room < count) {
+        const long room = count + count / 2 < INT_MAX ? count + count / 2 : INT_MAX;
+        free(s->pair);
+        s->pair = malloc((size_t)room * sizeof *s->pair);
+        s->pair_room = s->pair ? (int)room : 0;
+    }
+    if (count > 0 && !s->pair)
+        return -1;
+    for (int part = 0; part < SELF_PARTS; part++) {
+        const self_pairs *from = &s->grid.part[part];
+        if (from->count > 0)
+            memcpy(s->pair + s->pair_count, from->pair, (size_t)from->count * sizeof *from->pair);
+        s->pair_count += from->count;
+    }
+    return 0;
+}
+
+int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
+    double size;
+    int failed = 0;
+    s->pair_count = 0;
+    sweep(s, h, x, v);
+    const int buckets = fill(s, &size);
+    if (buckets == 0)
+        return -1;
+#pragma omp parallel for schedule(dynamic) reduction(| : failed)
+    for (int part = 0; part < SELF_PARTS; part++)
+        failed |= find_in(s, self_part_start(buckets, part), self_part_start(buckets, part + 1),
+                          size, &s->grid.part[part]) != 0;
+    return failed ? -1 : join(s);
 }

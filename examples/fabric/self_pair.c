@@ -79,10 +79,12 @@ static double volume_at(const double x[4][3], const double y[4][3], double t) {
     return vector_dot(cross, at[2]);
 }
 
-/* The cubic's coefficients, by its values at four times. */
-static void fit(const double x[4][3], const double y[4][3], double c[4]) {
+/* The cubic's coefficients, by its values at four times; value: those at the ends. */
+static void fit(const double x[4][3], const double y[4][3], double c[4], double value[2]) {
     const double f0 = volume_at(x, y, 0), f1 = volume_at(x, y, 1.0 / 3);
     const double f2 = volume_at(x, y, 2.0 / 3), f3 = volume_at(x, y, 1);
+    value[0] = f0;
+    value[1] = f3;
     c[0] = f0;
     c[1] = (-11 * f0 + 18 * f1 - 9 * f2 + 2 * f3) / 2;
     c[2] = 9 * (2 * f0 - 5 * f1 + 4 * f2 - f3) / 2;
@@ -143,14 +145,15 @@ static int set_normal(const double x[4][3], self_contact *found) {
 
 int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3],
                      self_contact *found) {
-    double c[4], turn[4] = {0};
-    fit(x, y, c);
+    double c[4], turn[4] = {0}, at_end[2];
+    fit(x, y, c, at_end);
     const int count = turning_points(c, turn + 1);
     turn[count + 1] = 1;
-    for (int k = 0; k <= count; k++) {
+    double first = at_end[0], next;
+    for (int k = 0; k <= count; k++, first = next) {
         double low = turn[k], high = turn[k + 1];
-        const double first = volume_at(x, y, low);
-        if ((first < 0) == (volume_at(x, y, high) < 0))
+        next = k < count ? volume_at(x, y, high) : at_end[1];
+        if ((first < 0) == (next < 0))
             continue;
         for (int n = 0; n < 48; n++) {
             const double middle = (low + high) / 2;
