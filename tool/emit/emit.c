@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "analysis/invariants.h"
+#include "emit/contract.h"
 #include "emit/loop.h"
 #include "ir/ir_position.h"
 
@@ -28,41 +29,25 @@ static bool mentions(const source *s, const char *word) {
     return false;
 }
 
-/** May functions be compiled for processors that the file's head knows nothing of? */
-static bool may_name_targets(const ir_unit *unit) {
-    bool is_found = mentions(unit->source, "target");
-    for (unsigned i = 0; i < unit->header_pragma_count; i++)
-        is_found |= strstr(unit->header_pragmas[i], "target") != NULL;
-    return is_found;
-}
-
-/** The head of the file. The serial and the parallel form of a loop give the same bits only where
- *  neither contracts a multiplication and an addition into one rounding; nor do inspector and
- *  executor. Free order without floating-point work in an inspector needs none of it. */
-static const char *prelude(arena *a, const ir_unit *unit, bool may_contract, unsigned lanes) {
-    const bool has_targets = lanes > 0 || may_name_targets(unit);
-    const char *contraction = may_contract
-                                  ? ""
-                                  : arena_format(a,
-                                                 "#if defined(__clang__)\n"
-                                                 "#pragma clang fp contract(off)\n"
-                                                 "#elif defined(%s)\n"
-                                                 "#pragma GCC optimize(\"fp-contract=off\")\n"
-                                                 "#endif\n",
-                                                 has_targets ? "__GNUC__" : "__FP_FAST_FMA");
+/** The head of the file. */
+static const char *prelude(arena *a, const ir_unit *unit, contraction where, unsigned lanes) {
     const char *width = lanes > 1 ? arena_format(a, "#define REDCC_ONLY_WIDTH %u\n", lanes) : "";
     const char *vectors =
         lanes ? arena_format(a, "#ifdef _OPENMP\n%s#include <redcc/lanes.h>\n#endif\n", width) : "";
-    return arena_format(a,
-                        "#ifdef _OPENMP\n"
-                        "#include <redcc/runtime.h>\n"
-                        "REDCC_REQUIRE_VERSION(1);\n"
-                        "#else\n"
-                        "#define REDCC_SEQUENTIAL_DONE\n"
-                        "#endif\n"
-                        "%s%s"
-                        "#line 1 %s\n",
-                        contraction, vectors, text_quoted(a, ir_position_of(unit, 0).file));
+    return arena_format(
+        a,
+        "#ifdef _OPENMP\n"
+        "#include <redcc/runtime.h>\n"
+        "REDCC_REQUIRE_VERSION(1);\n"
+        "#else\n"
+        "#define REDCC_SEQUENTIAL_DONE\n"
+        "%s"
+        "#endif\n"
+        "%s%s"
+        "#line 1 %s\n",
+        where == CONTRACTION_OFF_IN_LOOPS ? "#define REDCC_UNFUSED\n" : "",
+        where == CONTRACTION_OFF_IN_FILE ? contraction_directives(a, unit, lanes > 0) : "", vectors,
+        text_quoted(a, ir_position_of(unit, 0).file));
 }
 
 /** Why no loop of the file can be written; NULL: nothing forbids it. */
@@ -204,8 +189,11 @@ static void insert(arena *a, loop_list *loops, written_loop loop) {
 }
 
 /** Adds the text of one loop; false, with *why set, where it cannot be written. */
-static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict, unsigned number,
-                     const emit_options *options, loop_list *loops, reason *why) {
+static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsigned number,
+                     loop_list *loops, reason *why) {
+    arena *a = start->arena;
+    const ir_unit *unit = start->unit;
+    const emit_options *options = start->options;
     const unsigned left = options->leave ? options->leave[number] : 0;
     loop_form form = left >= (options->lanes ? 2 : 1)  ? FORM_IN_PLACE
                      : options->lanes > 0 && left == 0 ? FORM_LANES
@@ -214,7 +202,7 @@ static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
     written_loop moved = {0};
     for (;; form++) {
         front.text = NULL;
-        if (!write_loop(a, unit, verdict->facts, options, &form, &front, &block, why))
+        if (!write_loop(*start, &form, &front, &block, why))
             return false;
         if (!front.text)
             break;
@@ -243,19 +231,32 @@ static bool add_loop(arena *a, const ir_unit *unit, const loop_verdict *verdict,
     return true;
 }
 
-static bool has_floating_slice(const analysis_result *analysis) {
-    for (unsigned i = 0; i < analysis->verdict_count; i++)
-        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM &&
-            analysis->verdicts[i].facts->slice_has_floating_work)
-            return true;
-    return false;
+/** What turns contraction off in a function stands once, right in front of it. */
+static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                             loop_list *loops) {
+    const ir_function *last = NULL;
+    for (unsigned i = 0; i < loops->count; i++) {
+        const written_loop *it = &loops->items[i];
+        const unsigned number = it->verdict;
+        const ir_function *function = analysis->verdicts[number].facts->function;
+        const bool is_in_front = it->replaced.begin == it->replaced.end;
+        if (is_in_front || function == last ||
+            !may_be_contracted(a, unit, analysis->verdicts[number].facts))
+            continue;
+        last = function;
+        loop_piece piece;
+        piece.text = unfused_function(a, unit, function, &piece.replaced.begin);
+        piece.replaced.end = piece.replaced.begin;
+        insert(a, loops, unmark(a, unit, &piece, number));
+        i++; /* what was in the place has moved on */
+    }
 }
 
 /** The whole file; sets the places of the loops in it. */
-static void join(arena *a, const ir_unit *unit, bool may_contract, unsigned lanes, loop_list *loops,
+static void join(arena *a, const ir_unit *unit, contraction where, unsigned lanes, loop_list *loops,
                  emit_result *result) {
     const source *s = unit->source;
-    const char *head = prelude(a, unit, may_contract, lanes);
+    const char *head = prelude(a, unit, where, lanes);
     uint32_t copied = strncmp(s->text, byte_order_mark, 3) == 0 ? 3 : 0;
     buffer out = {0};
     buffer_append(&out, s->text, copied);
@@ -300,6 +301,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     emit_result result = {
         .text = unit->source->text, .length = unit->source->length, .obstacles = obstacles};
     loop_list loops = {0};
+    const contraction where = contraction_of(a, unit, analysis, options);
     const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         const loop_verdict *verdict = &analysis->verdicts[i];
@@ -308,14 +310,22 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
         analysis_assert_verdict(unit, verdict);
         if (obstacle)
             obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
-        else
-            add_loop(a, unit, verdict, i, options, &loops, &obstacles[i]);
+        else {
+            const loop_text start = {.arena = a,
+                                     .unit = unit,
+                                     .facts = verdict->facts,
+                                     .options = options,
+                                     .is_unfused = where == CONTRACTION_OFF_IN_LOOPS &&
+                                                   may_be_contracted(a, unit, verdict->facts)};
+            add_loop(&start, verdict, i, &loops, &obstacles[i]);
+        }
     }
+    if (where == CONTRACTION_OFF_IN_LOOPS)
+        unfuse_functions(a, unit, analysis, &loops);
     result.loop_count = loops.count;
     result.loops = loops.items;
     assert_pieces(unit, analysis, &loops);
     if (loops.count > 0)
-        join(a, unit, options->order == EMIT_ORDER_ANY && !has_floating_slice(analysis),
-             options->lanes, &loops, &result);
+        join(a, unit, where, options->lanes, &loops, &result);
     return result;
 }

@@ -158,13 +158,14 @@ static void write_parallel_form(loop_text *loop, writer *out) {
                 heading(loop));
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
+    const char *unfused = loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "";
     if (!loop->is_outlined) {
-        writer_line(out, "REDCC_QUIET_BEGIN");
+        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
         declare_inlined(loop, out);
     }
     writer_fill(out, true);
     if (loop->is_outlined)
-        writer_line(out, "REDCC_QUIET_BEGIN");
+        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_entry_values(loop, out, true);
@@ -220,9 +221,9 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
                   loop_column_blanks(loop, range.end - 1));
 }
 
-bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
-                loop_form *form, loop_piece *front, loop_piece *block, reason *why) {
-    loop_text loop = {.arena = a, .unit = unit, .facts = facts, .options = options};
+bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block,
+                reason *why) {
+    const ir_node *whole = loop.facts->loop;
     writer out = {0};
     prepare_loop(&loop);
     for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++) {
@@ -238,16 +239,15 @@ bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const em
             break;
         loop.obstacle = NULL; /* perhaps there is none in the next form */
     }
-    block->replaced = (ir_range){begin_with_pragmas(unit, facts->loop),
-                                 syntax_statement_end(unit->source, facts->loop)};
-    assert(block->replaced.begin <= facts->loop->range.begin &&
-           facts->loop->range.end <= block->replaced.end);
+    block->replaced = (ir_range){begin_with_pragmas(loop.unit, whole),
+                                 syntax_statement_end(loop.unit->source, whole)};
+    assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);
     write_parallel_form(&loop, &out);
     write_sequential_form(&loop, &out, block->replaced);
     write_timing(&loop, &out, block->replaced);
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
-    block->text = writer_text(a, &out);
+    block->text = writer_text(loop.arena, &out);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
     return !loop.obstacle;
 }

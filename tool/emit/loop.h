@@ -53,6 +53,7 @@ typedef struct loop_text {
     const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
 
+    bool is_unfused; /* contraction is turned off in its functions and its block */
     /* outline.c: slice and body are functions of their own */
     bool is_outlined;
     bool is_outlinable;                           /* cleared by what finds that they cannot be */
@@ -262,10 +263,9 @@ typedef struct loop_piece {
  *  possible. */
 typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } loop_form;
 
-/** loop.c: the loop's block, and what goes in front of the function (in place: nothing does); sets
- * *form to what was possible.
+/** loop.c: the block of a loop of which arena, unit, facts, options and is_unfused are set, and
+ * what goes in front of the function (in place: nothing does); sets *form to what was possible.
  * False, with the obstacle in *why: it cannot be written. */
-bool write_loop(arena *a, const ir_unit *unit, const loop_facts *facts, const emit_options *options,
-                loop_form *form, loop_piece *front, loop_piece *block, reason *why);
+bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
 
 #endif

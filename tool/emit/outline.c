@@ -7,93 +7,23 @@
  * be declared there or handed over, each type have a name. Where that is not so the loop is written
  * in place.
  */
-#include <ctype.h>
 #include <string.h>
 
 #include "emit/loop.h"
 #include "emit/origin.h"
+#include "emit/place.h"
 #include "emit/syntax.h"
 #include "ir/ir_position.h"
 
 enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
 
-/* ---- the place ----------------------------------------------------------------------------- */
-
-/** After the directive, comment or string that begins at `at`; `at` itself: none does. */
-static uint32_t skip_piece(const char *text, uint32_t at, uint32_t end, bool is_line_start) {
-    const bool is_directive =
-        is_line_start && (text[at] == '#' || (text[at] == '%' && text[at + 1] == ':'));
-    if (text[at] == '/' && text[at + 1] == '*') {
-        for (at += 2; at < end && !(text[at] == '*' && text[at + 1] == '/'); at++)
-            ;
-        return at < end ? at + 2 : end;
-    }
-    if (is_directive || (text[at] == '/' && text[at + 1] == '/')) {
-        for (; at < end && text[at] != '\n'; at++) {
-            if (text[at] == '\\' && at + 1 < end)
-                at += text[at + 1] == '\r' ? 2 : 1;
-            else if (is_directive && text[at] == '/' && text[at + 1] == '*')
-                at = skip_piece(text, at, end, false) - 1;
-        }
-        return at;
-    }
-    if (text[at] != '"' && text[at] != '\'')
-        return at;
-    const char quote = text[at++];
-    for (; at < end && text[at] != quote && text[at] != '\n'; at++)
-        at += text[at] == '\\' && at + 1 < end;
-    return at < end ? at + 1 : end;
-}
-
-/** The last byte before `end` that is neither blank nor part of a directive or comment: its place
- *  plus 1; 0: there is none. */
-static uint32_t end_of_last_token(const source *file, uint32_t end) {
-    uint32_t last = 0;
-    bool is_line_start = true;
-    uint32_t at = strncmp(file->text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    while (at < end) {
-        const char c = file->text[at];
-        const uint32_t next = skip_piece(file->text, at, end, is_line_start);
-        if (c == '\n' || (next > at && c == '/')) {
-            is_line_start |= c == '\n';
-        } else if (next > at && (c == '#' || c == '%')) {
-            is_line_start = true;
-        } else if (!isspace((unsigned char)c)) {
-            is_line_start = false;
-            last = (next > at ? next : at + 1);
-        }
-        at = next > at ? next : at + 1;
-    }
-    return last;
-}
-
-static bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {
-    for (unsigned i = 0; i < unit->directive_count; i++) {
-        const ir_directive *directive = &unit->directives[i];
-        if (directive->range.end > begin && directive->range.begin < end &&
-            (!pragmas_only || directive->kind == IR_DIRECTIVE_PRAGMA))
-            return true;
-    }
-    return false;
-}
-
-/** Is the place in front of the function one where another may stand, and mean there what it means
- *  in the loop? */
 static bool has_place(const loop_text *loop) {
-    const ir_function *function = loop->facts->function;
     const source *file = loop->unit->source;
-    const uint32_t begin = function->range.begin;
-    if (!function->is_in_main_file || function->has_other_attributes ||
-        function->range.end <= begin || begin > loop->facts->loop->range.begin ||
-        loop->unit->includes_itself || !is_declared_plainly(loop->unit, function) ||
-        macro_name_in(loop->arena, loop->unit, file->text + begin,
-                      function->body->range.begin - begin))
-        return false; /* a macro may make attributes, or another name each time */
-    const uint32_t before = end_of_last_token(file, begin);
-    if (before > 0 && !strchr(";}", file->text[before - 1]))
-        return false;
-    return !has_directive(loop->unit, before, begin, true) &&
-           !has_directive(loop->unit, begin, syntax_statement_end(file, loop->facts->loop), false);
+    const ir_function *function = loop->facts->function;
+    return function->range.begin <= loop->facts->loop->range.begin &&
+           has_place_in_front(loop->arena, loop->unit, function) &&
+           !has_directive(loop->unit, function->range.begin,
+                          syntax_statement_end(file, loop->facts->loop), false);
 }
 
 /* ---- the function's name ------------------------------------------------------------------- */
@@ -321,8 +251,10 @@ static void write_slice(loop_text *loop, writer *out) {
     loop->slice_call =
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
                      counter_argument(loop), take(loop->arena, &h.arguments));
-    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {", outlined_name(loop, "slice"),
-                counter_parameter(loop, is_used), take(loop->arena, &h.parameters));
+    const bool is_unfused = loop->is_unfused && facts->slice_has_floating_work;
+    writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
+                outlined_name(loop, "slice"), counter_parameter(loop, is_used),
+                take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (statements.out.length > 0)
         buffer_shorten(&statements.out, 1); /* the line goes on */
     buffer_text(&out->out, writer_text(loop->arena, &statements));
@@ -344,9 +276,9 @@ static void write_body(loop_text *loop, writer *out) {
     loop->body_call =
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
                      kind, count, counter_argument(loop), loop->body_arguments);
-    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {", outlined_name(loop, "body"),
+    writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s", outlined_name(loop, "body"),
                 kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
-                loop->body_parameters);
+                loop->body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     out->depth = 1;
     write_iteration(loop, out);
     out->depth = 0;
@@ -380,26 +312,6 @@ static bool has_thread_local(const loop_facts *facts) {
     return false;
 }
 
-static bool has_blanks_before(const source *file, uint32_t offset) {
-    uint32_t at = offset;
-    while (at > 0 && (file->text[at - 1] == ' ' || file->text[at - 1] == '\t'))
-        at--;
-    return at == 0 || file->text[at - 1] == '\n';
-}
-
-/** In front of the function: on the lines above it, where it begins a line. */
-static uint32_t place_of(const loop_text *loop, writer *out) {
-    const source *file = loop->unit->source;
-    uint32_t begin = loop->facts->function->range.begin;
-    if (!has_blanks_before(file, begin)) {
-        buffer_text(&out->out, "\n");
-        return begin;
-    }
-    while (begin > 0 && file->text[begin - 1] != '\n')
-        begin--;
-    return begin;
-}
-
 const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
     loop->is_outlinable = !has_values_to_leave(facts) && facts->array_count <= MOST_ARRAYS &&
@@ -408,7 +320,8 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     if (!loop->is_outlinable)
         return NULL;
     writer out = {0};
-    *place = place_of(loop, &out);
+    const bool is_in_line = place_in_front(loop->unit, facts->function, place);
+    buffer_text(&out.out, is_in_line ? "\n" : "");
     loop->is_outlined = true;
     loop->prefetches = can_prefetch(loop);
     buffer_text(&out.out, loop_condition(loop));
@@ -424,10 +337,10 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     write_body(loop, &out);
     loop->is_outlined = loop->is_outlinable && !loop->obstacle;
     loop->prefetches &= loop->is_outlined;
-    buffer_format(&out.out, "#endif\n%s\n",
-                  loop_line_directive(loop, facts->function->range.begin));
-    if (*place == facts->function->range.begin && out.out.data[0] == '\n')
-        buffer_text(&out.out, loop_column_blanks(loop, *place));
+    buffer_text(&out.out, "#endif\n");
+    if (!loop->is_unfused) /* else the function's own piece says it */
+        buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, facts->function->range.begin),
+                      is_in_line ? loop_column_blanks(loop, *place) : "");
     check_macro_names(loop, &out.out);
     const char *text = writer_text(loop->arena, &out);
     return loop->is_outlined ? text : NULL;

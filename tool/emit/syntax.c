@@ -90,36 +90,13 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
 
 /* ---- ends ---------------------------------------------------------------------------------- */
 
-/** Skips blanks, comments and spliced lines. */
-static uint32_t skip_blanks(const source *s, uint32_t at) {
-    const char *text = s->text; /* ends in 0: looking one byte ahead is safe */
-    while (at < s->length) {
-        if (strchr(" \t\r\n\v\f", text[at]) && text[at] != '\0') {
-            at++;
-        } else if (text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r')) {
-            at += 2;
-        } else if (text[at] == '/' && text[at + 1] == '*') {
-            const char *close = strstr(text + at + 2, "*/");
-            if (!close)
-                return s->length;
-            at = (uint32_t)(close + 2 - text);
-        } else if (text[at] == '/' && text[at + 1] == '/') {
-            while (at < s->length && text[at] != '\n')
-                at += text[at] == '\\' && at + 1 < s->length ? 2 : 1;
-        } else {
-            break;
-        }
-    }
-    return at < s->length ? at : s->length;
-}
-
 bool syntax_is_blank(const source *text, uint32_t begin, uint32_t end) {
-    return skip_blanks(text, begin) >= end;
+    return source_skip_blanks(text, begin, end) == end;
 }
 
 /** After the `;` that follows `at`, or `at` where none does (a macro's body has it). */
 static uint32_t after_semicolon(const source *s, uint32_t at) {
-    const uint32_t next = skip_blanks(s, at);
+    const uint32_t next = source_skip_blanks(s, at, (uint32_t)s->length);
     return next < s->length && s->text[next] == ';' ? next + 1 : at;
 }
 

@@ -94,23 +94,39 @@ position source_position(const source *s, uint32_t offset) {
     return (position){.line = low + 1, .column = offset - s->line_begin[low] + 1};
 }
 
+/** After the comment that begins at `at`. */
+static uint32_t skip_comment(const source *s, uint32_t at) {
+    const char *text = s->text; /* ends in 0: looking one byte ahead is safe */
+    if (text[at + 1] == '*') {
+        const char *close = strstr(text + at + 2, "*/");
+        return close ? (uint32_t)(close + 2 - text) : (uint32_t)s->length;
+    }
+    while (at < s->length && text[at] != '\n')
+        at += text[at] == '\\' && at + 1 < s->length ? 2 : 1;
+    return at;
+}
+
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to) {
     assert(to <= s->length);
     while (from < to) {
         const char *at = s->text + from;
-        const char *end = at + 1;
-        if (at[0] == '/' && at[1] == '/') {
-            const char *line_end = strchr(at, '\n');
-            end = line_end ? line_end : s->text + to;
-        } else if (at[0] == '/' && at[1] == '*') {
-            const char *close = strstr(at + 2, "*/");
-            end = close ? close + 2 : s->text + to;
-        } else if (!isspace((unsigned char)*at)) {
+        if (at[0] == '\\' && (at[1] == '\n' || at[1] == '\r'))
+            from += 2;
+        else if (at[0] == '/' && (at[1] == '/' || at[1] == '*'))
+            from = skip_comment(s, from);
+        else if (isspace((unsigned char)*at))
+            from++;
+        else
             return from;
-        }
-        from = (uint32_t)(end - s->text);
     }
     return to;
+}
+
+uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to) {
+    const char quote = s->text[from++];
+    while (from < to && s->text[from] != quote && s->text[from] != '\n')
+        from += s->text[from] == '\\' && from + 1 < to ? 2 : 1;
+    return from < to ? from + 1 : to;
 }
 
 bool source_is_name_byte(char c) {

@@ -26,7 +26,12 @@ typedef struct position {
 source *source_read(arena *a, const char *path, const char **message);
 source *source_from_text(arena *a, const char *path, const char *text, size_t length);
 position source_position(const source *s, uint32_t offset);
-/** Where something other than blanks and comments begins in [from, to); `to`, where nothing does.
+/** After the string or character constant that begins at `from`; where its line ends or `to`, if it
+ *  does not end before. */
+uint32_t source_skip_quoted(const source *s, uint32_t from, uint32_t to);
+
+/** Where something other than blanks, comments and spliced line ends begins in [from, to); `to`,
+ * where nothing does.
  */
 uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
 /** May the byte stand in a name: letters, digits, `_`, and what compilers take as well, `$` and the

@@ -317,7 +317,8 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
     }                                                                                              \
     }
 #define REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                    \
-    static void redcc_name(const redcc_applied *redcc__applied) {                                  \
+    REDCC_UNFUSED static void redcc_name(const redcc_applied *redcc__applied) {                    \
+        REDCC_UNFUSED_BLOCK                                                                        \
         redcc_element *const redcc__rows = (redcc_element *)redcc__applied->rows[0];               \
         redcc_size redcc__n;                                                                       \
         for (redcc__n = 0; redcc__n < redcc__applied->count; redcc__n++) {                         \

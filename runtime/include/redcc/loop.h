@@ -18,6 +18,20 @@
 #define REDCC_INLINE                                                                               \
     static __inline__ __attribute__((__always_inline__, __unused__, __no_instrument_function__))
 
+/** No multiplication and addition is contracted into one rounding in the function that follows, and
+ *  from the beginning of a block on. gcc contracts functions, when all is inlined; clang
+ *  expressions, unless it is given -ffp-contract=fast, of which no text can talk it out. */
+#if defined(__clang__)
+#define REDCC_UNFUSED
+#define REDCC_UNFUSED_BLOCK _Pragma("clang fp contract(off)")
+#elif defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF)
+#define REDCC_UNFUSED __attribute__((__optimize__("fp-contract=off")))
+#define REDCC_UNFUSED_BLOCK
+#else
+#define REDCC_UNFUSED
+#define REDCC_UNFUSED_BLOCK
+#endif
+
 /* gcc and clang: what the user's file does not warn of must not be warned of here. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Where compilers may not contract a multiplication and an addition into one rounding. The serial
+ * and the parallel form of a loop give the same bits only where neither is contracted; nor may an
+ * inspector compute other subscripts than its executor.
+ *
+ * It is enough to forbid it in the functions that hold loops and in what is written beside them.
+ * Not so where a loop calls a function of the same file that could be contracted by itself: gcc
+ * inlines it in one form of the loop, which forbids it, and calls it in another, where it is
+ * contracted. Then it is forbidden in the whole file. So it is where there is no place for it in
+ * front of a function.
+ */
+#include "emit/contract.h"
+
+#include <string.h>
+
+#include "emit/loop.h"
+#include "emit/place.h"
+
+/** What functions reached from a loop do, themselves and in what they call. */
+typedef struct reach {
+    bool *is_seen; /* by function */
+    bool multiplies, adds;
+} reach;
+
+static bool is_arithmetic_of_other_kind(const ir_type *type) {
+    return !type || type->kind == IR_FLOATING || type->kind == IR_COMPLEX ||
+           type->kind == IR_OTHER_TYPE;
+}
+
+static void note_operation(reach *r, const ir_node *node) {
+    const ir_type *type = node->kind == IR_ASSIGN && node->child_count > 1 &&
+                                  !is_arithmetic_of_other_kind(node->children[0]->type)
+                              ? node->children[1]->type /* i += x: computed in the type of x */
+                              : node->type;
+    if (!is_arithmetic_of_other_kind(type))
+        return;
+    const bool is_whole = !type || type->kind != IR_FLOATING; /* a complex product does both */
+    const bool is_product = node->op == IR_OP_MULTIPLY || (is_whole && node->op == IR_OP_DIVIDE);
+    r->multiplies |= is_product;
+    r->adds |= node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT || (is_product && is_whole) ||
+               node->op >= IR_OP_PRE_INCREMENT;
+}
+
+static void look_at(reach *r, const ir_node *node);
+
+static void follow_call(reach *r, const ir_node *call) {
+    const ir_node *callee = call->children[0];
+    if (callee->kind != IR_FUNCTION) { /* perhaps one of the file's */
+        r->multiplies = r->adds = true;
+    } else if (callee->function->body && !r->is_seen[callee->function->id]) {
+        r->is_seen[callee->function->id] = true;
+        look_at(r, callee->function->body);
+    }
+}
+
+static void look_at(reach *r, const ir_node *node) {
+    if (node->kind == IR_OPAQUE)
+        r->multiplies = r->adds = true;
+    if (node->kind == IR_BINARY || node->kind == IR_ASSIGN || node->kind == IR_UNARY)
+        note_operation(r, node);
+    if (node->kind == IR_CALL)
+        follow_call(r, node);
+    for (unsigned i = 0; i < node->child_count; i++)
+        look_at(r, node->children[i]);
+}
+
+/** In the loop itself only calls matter. */
+static void look_for_calls(reach *r, const ir_node *node) {
+    if (node->kind == IR_CALL)
+        follow_call(r, node);
+    for (unsigned i = 0; i < node->child_count; i++)
+        look_for_calls(r, node->children[i]);
+}
+
+static bool calls_what_contracts(arena *a, const ir_unit *unit, const loop_facts *facts) {
+    reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+    look_for_calls(&r, facts->loop);
+    return r.multiplies && r.adds;
+}
+
+bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts) {
+    reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
+    look_at(&r, facts->loop);
+    return r.multiplies || r.adds; /* one of the two may stand outside */
+}
+
+/* ---- places -------------------------------------------------------------------------------- */
+
+static bool has_word(const source *s, uint32_t begin, uint32_t end, const char *word) {
+    const size_t length = strlen(word);
+    for (uint32_t at = begin; at + length <= end; at++)
+        if (memcmp(s->text + at, word, length) == 0)
+            return true;
+    return false;
+}
+
+/** gcc inlines no function into another where only one may be contracted: one that is declared
+ *  inline is left as it is. An attribute is no part of a declaration without a type. */
+static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function *function) {
+    const uint32_t begin = function->range.begin;
+    return has_place_in_front(a, unit, function) &&
+           !has_word(unit->source, begin, function->body->range.begin, "inline") &&
+           !source_starts_with(unit->source->text + begin, function->name) &&
+           !has_directive(unit, begin, function->body->range.begin, false);
+}
+
+/** May functions be compiled for processors that the file's head knows nothing of? */
+static bool may_name_targets(const ir_unit *unit) {
+    bool is_found = has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
+    for (unsigned i = 0; i < unit->header_pragma_count; i++)
+        is_found |= strstr(unit->header_pragmas[i], "target") != NULL;
+    return is_found;
+}
+
+/** A macro of the program may be what the pragma's words are taken for. */
+static bool has_macro_of_pragma(const ir_unit *unit) {
+    static const char *const words[] = {"clang", "fp", "contract", "off"};
+    for (size_t i = 0; unit->macros && i < sizeof words / sizeof *words; i++)
+        if (map_get(unit->macros, words[i], strlen(words[i])))
+            return true;
+    return false;
+}
+
+contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
+                           const emit_options *options) {
+    bool matters = false;
+    bool is_local = !options->lanes && !may_name_targets(unit) && !has_macro_of_pragma(unit);
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        const loop_facts *facts = analysis->verdicts[i].facts;
+        if (analysis->verdicts[i].kind != VERDICT_TRANSFORM || !may_be_contracted(a, unit, facts))
+            continue;
+        matters |= options->order != EMIT_ORDER_ANY || facts->slice_has_floating_work;
+        is_local = is_local && !calls_what_contracts(a, unit, facts) &&
+                   may_have_attribute(a, unit, facts->function);
+    }
+    return !matters   ? CONTRACTION_ALLOWED
+           : is_local ? CONTRACTION_OFF_IN_LOOPS
+                      : CONTRACTION_OFF_IN_FILE;
+}
+
+/* ---- text ---------------------------------------------------------------------------------- */
+
+const char *contraction_directives(arena *a, const ir_unit *unit, bool has_targets) {
+    return arena_format(a,
+                        "#if defined(__clang__)\n"
+                        "#pragma clang fp contract(off)\n"
+                        "#elif defined(%s)\n"
+                        "#pragma GCC optimize(\"fp-contract=off\")\n"
+                        "#endif\n",
+                        has_targets || may_name_targets(unit) ? "__GNUC__" : "__FP_FAST_FMA");
+}
+
+const char *unfused_function(arena *a, const ir_unit *unit, const ir_function *function,
+                             uint32_t *place) {
+    loop_text start = {.arena = a, .unit = unit};
+    const bool is_in_line = place_in_front(unit, function, place);
+    return arena_format(a, "%sREDCC_UNFUSED\n%s\n%s", is_in_line ? "\n" : "",
+                        loop_line_directive(&start, function->range.begin),
+                        is_in_line ? loop_column_blanks(&start, *place) : "");
+}
