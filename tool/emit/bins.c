@@ -80,16 +80,18 @@ static const char *record_type(const ir_node *operand) {
     return NULL;
 }
 
-static bool is_operand_of(const site *self, const ir_node *node) {
+/** The number of the operand that this node is, or says again; -1: none. No two calls say the same.
+ */
+static int operand_number(const site *self, const ir_node *node) {
     for (unsigned i = 0; i < self->operand_count; i++)
-        if (syntax_same(self->operands[i], node))
-            return true;
-    return false;
+        if (self->operands[i] == node || syntax_same(self->operands[i], node))
+            return (int)i;
+    return -1;
 }
 
 /** An operand that is not evaluated each time may not fail where it is. */
 static bool add_operand(const loop_text *loop, site *self, const ir_node *node, bool is_certain) {
-    if (is_operand_of(self, node))
+    if (operand_number(self, node) >= 0)
         return true;
     if (self->operand_count == MOST_OPERANDS || writes(node) || mentions_array(loop, node) ||
         !record_type(node) || (!is_certain && node->kind != IR_VARIABLE))
@@ -159,10 +161,8 @@ static const char *name_in_record(const ir_node *node, void *context) {
         return NULL;
     if (syntax_same(node, self->update->target))
         return "(*redcc__to)";
-    for (unsigned i = 0; i < self->operand_count; i++)
-        if (syntax_same(node, self->operands[i]))
-            return self->record_count == 1 ? "redcc__e" : values[i];
-    return NULL;
+    const int number = operand_number(self, node);
+    return number < 0 ? NULL : self->record_count == 1 ? "redcc__e" : values[number];
 }
 
 static bool spell_update(loop_text *loop, site *self) {

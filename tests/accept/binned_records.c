@@ -1,0 +1,191 @@
+// What records hold for binning: operands in the types that they have in the expression, several of
+// them, several updates of an array; NaN, infinities, -0.0, overflow; integers that may be added up
+// in private copies, and such that may not.
+// INTEGERS: no
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "case.h"
+
+enum { N = 3000, M = 200 };
+static int k[N];
+static double w[N], u[N], h[M], g[M];
+static float f[N], fs[M];
+static uint32_t wide[N];
+static uint64_t large[N];
+static int8_t narrow[M];
+static long counts[M], sums[M];
+static struct __attribute__((packed)) off_step {
+    char tag;
+    float y;
+} off[M];
+static struct pair {
+    double x;
+    double y;
+} pairs[M];
+static struct kinds {
+    double x;
+    float y;
+} kinds[M];
+static long double longs[M];
+
+static void odd_numbers(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        h[k[t]] += w[t];
+        g[k[t]] *= w[t];
+    }
+} // BINNED: 34
+
+static void unsigned_operands(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h[k[t]] += wide[t];
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        g[k[t]] += large[t];
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        narrow[k[t]] -= wide[t];
+} // BINNED: 41 43 45
+
+static void several_operands(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h[k[t]] = (h[k[t]] * 0.5 + w[t]) / (u[t] + 2) - f[t];
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h[k[t]] = (h[k[t]] * f[t] + w[t]) / u[t] - wide[t];
+} // BINNED: 50
+
+static void several_updates(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        h[k[t]] += w[t];
+        h[(k[t] + 1) % M] -= w[t];
+        h[(k[t] + 2) % M] += w[t];
+        h[(k[t] + 3) % M] = h[(k[t] + 3) % M] * 0.75 + u[t];
+        h[(k[t] + 4) % M] += 1;
+    }
+} // BINNED: 57
+
+static void records_of_two_types(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        fs[k[t]] += f[t];
+        fs[(k[t] + 1) % M] += w[t];
+    }
+} // NOT-BINNED: 67
+
+static void uncertain_operand(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        if (w[t] < h[k[t]])
+            h[k[t]] = w[t] * 2 + u[t] * 3;
+} // NOT-BINNED: 74
+
+static void in_pairs(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        pairs[k[t]].x += w[t];
+        pairs[k[t]].y -= u[t];
+    }
+} // BINNED: 80
+
+static void out_of_step(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        off[k[t]].y += f[t];
+} // NOT-BINNED: 87
+
+static void of_two_kinds(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        kinds[k[t]].x += w[t];
+        kinds[k[t]].y += f[t];
+    }
+} // NOT-BINNED: 92
+
+static void too_large(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        longs[k[t]] += w[t];
+} // NOT-BINNED: 99
+
+// Integers, but no sums of integers: in private copies they would come out otherwise.
+static void truncated(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        counts[k[t]] += u[t] * 3.7;
+} // BINNED: 105
+
+static void steps(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        sums[k[t]] = sums[k[t]] * 3 % 1000003 + wide[t] % 5;
+} // BINNED: 110
+
+static void by_two_operators(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        counts[k[t]] += t;
+        counts[(k[t] + 1) % M] ^= t;
+    }
+} // BINNED: 115
+
+// An operand is evaluated once, for the record.
+static double twice(double x) {
+    return x + x;
+}
+static void by_functions(int n) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h[k[t]] = h[k[t]] * 0.5 + (fabs(w[t]) + twice(u[t]));
+} // BINNED: 126
+
+// Where what is read turns out to be what is written, all is thrown away: the loop runs in order.
+static void read_far_away(int n, const int *at, const int *deep, const double *from, double *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += from[deep[t]] * 0.5;
+} // BINNED: 132
+
+static void show(const char *what, const void *bytes, size_t size) {
+    case_print(what, bytes, size);
+}
+
+int main(void) {
+    static int deep[N];
+    static double both[2 * M];
+    case_subscripts(k, N, M);
+    case_subscripts(deep, N, M);
+    case_values(u, N);
+    for (int t = 0; t < N; t++) {
+        w[t] = case_value() * 3;
+        f[t] = (float)case_value();
+        wide[t] = (uint32_t)case_random();
+        large[t] = case_random();
+        u[t] = u[t] < 0 ? -u[t] : u[t];
+    }
+    for (int i = 0; i < M; i++)
+        h[i] = -0.0, g[i] = i % 7 ? 1 : -0.0;
+    w[11] = NAN, w[12] = -INFINITY, w[13] = INFINITY, w[14] = -0.0, w[15] = 1.7e308, w[16] = 5e-324;
+    k[13] = k[12], k[16] = k[15], w[17] = 1.7e308, k[17] = k[15];
+    for (int round = 0; round < 2; round++) {
+        odd_numbers(N);
+        show("h", h, sizeof h);
+        show("g", g, sizeof g);
+        for (int i = 0; i < M; i++)
+            h[i] = g[i] = both[i] = i;
+        unsigned_operands(N);
+        several_operands(N);
+        several_updates(N);
+        records_of_two_types(N);
+        uncertain_operand(N);
+        in_pairs(N);
+        out_of_step(N);
+        of_two_kinds(N);
+        too_large(N);
+        truncated(N);
+        steps(N);
+        by_two_operators(N);
+        by_functions(N);
+        read_far_away(N, k, deep, both, both);
+        read_far_away(N, k, deep, both, both + M / 2);
+        read_far_away(N, k, deep, both, both + M);
+        show("h", h, sizeof h);
+        show("g", g, sizeof g);
+        show("narrow", narrow, sizeof narrow);
+        show("fs", fs, sizeof fs);
+        show("pairs", pairs, sizeof pairs);
+        show("off", off, sizeof off);
+        for (int i = 0; i < M; i++)
+            printf("%a %a %La\n", kinds[i].x, kinds[i].y, longs[i]);
+        show("counts", counts, sizeof counts);
+        show("sums", sums, sizeof sums);
+        show("both", both, sizeof both);
+    }
+}

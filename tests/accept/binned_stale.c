@@ -1,0 +1,149 @@
+// Binning executes a body before what it reads is compared with what the loop writes: values that may
+// be stale then must decide nothing that could do harm. `w` may overlap `to`; int is no long.
+// INTEGERS: no
+#include <stdio.h>
+
+#include "case.h"
+
+enum { N = 1500, M = 100 };
+static int k[N], few[N];
+static long values[N], table[N];
+
+static void subscript(int n, const int *at, const long *w, const long *restrict deep, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += deep[w[t] & 7];
+} // NOT-BINNED: 13
+
+static void chosen(int n, const int *at, const long *w, const long *deep, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        int i = 0;
+        if (w[t] > 30)
+            i = 1;
+        to[at[t]] += deep[i];
+    }
+} // NOT-BINNED: 18
+
+static void in_turns(int n, const int *at, const long *w, const long *deep, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        long a = 0, b = 0, sum = 0;
+        for (int i = 0; i < 3; i++) {
+            sum += deep[a & 7];
+            a = b;
+            b = w[t];
+        }
+        to[at[t]] += sum;
+    }
+} // NOT-BINNED: 27
+
+static void length(int n, const int *at, const long *w, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const long count = w[t] % 4, most = count + 1;
+        long sum = 0;
+        for (long i = 0; i < most; i++)
+            sum += i;
+        to[at[t]] += sum;
+    }
+} // NOT-BINNED: 39
+
+static void divided(int n, const int *at, const long *w, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += w[t] / 3;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += w[t] / -1;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += 100 % (w[t] | 1);
+} // BINNED: 49
+
+static void passed_by(int n, const int *at, const long *w, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = at[t];
+        if (w[t] > 40)
+            continue;
+        to[i] += 1;
+    }
+} // NOT-BINNED: 58
+
+static void after_jump(int n, const int *at, const long *w, const long *deep, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = at[t];
+        if (t % 3 == 0)
+            continue;
+        to[i] += deep[t];
+        if (w[t] > 0)
+            to[i] += deep[t];
+    }
+} // NOT-BINNED: 67
+
+static void read_anyway(int n, const int *at, const long *w, long *to) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = at[t];
+        if (w[t] > 40)
+            to[i] += w[t];
+    }
+} // NOT-BINNED: 78
+
+static void alternative(int n, const int *at, const long *w, const long *deep, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += w[t] > 40 ? deep[t] : 0;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += w[t] > 40 && deep[t] > 40;
+} // NOT-BINNED: 86 88
+
+static long shared[N], numbers[8];
+static long pick(int i) {
+    return shared[i];
+}
+static long pick_twice(int i) {
+    return numbers[shared[i] & 7];
+}
+static long pick_at(long i) {
+    return numbers[i & 7];
+}
+
+static void by_functions(int n, const int *at, const long *w, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += pick(t);
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += pick_twice(t);
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += pick_at(w[t]);
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += w[t] > 40 ? pick(t) : 0;
+} // BINNED: 104
+
+// NOT-BINNED: 51 53 106 108 110
+
+static void lengths(int n, const int *at, const int *count, const long *w, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        for (int i = 0; i < count[t]; i++)
+            to[at[t]] += w[t] * i;
+} // BINNED: 117
+
+int main(void) {
+    static long to[M + N];
+    case_subscripts(k, N, M);
+    case_subscripts(few, N, 4);
+    for (int t = 0; t < N; t++) {
+        values[t] = case_below(80);
+        table[t] = shared[t] = case_below(80);
+        numbers[t % 8] = t;
+    }
+    for (int round = 0; round < 3; round++) {
+        /* in the second round they overlap: the last of what is written is the first that is read */
+        const long *w = round == 1 ? to + M - 1 : values;
+        for (int i = 0; i < M + N; i++)
+            to[i] = i % 50;
+        subscript(N, k, w, table, to);
+        chosen(N, k, w, table, to);
+        in_turns(N, k, w, table, to);
+        length(N, k, w, to);
+        divided(N, k, w, to);
+        passed_by(N, k, w, to);
+        after_jump(N, k, w, table, to);
+        read_anyway(N, k, w, to);
+        alternative(N, k, w, table, to);
+        by_functions(N, k, w, to);
+        lengths(N, k, few, w, to);
+        CASE_PRINT(to);
+    }
+}
