@@ -19,6 +19,7 @@ static long counts[M], sums[M];
 static struct __attribute__((packed)) off_step {
     char tag;
     float y;
+    char rest[3];
 } off[M];
 static struct pair {
     double x;
@@ -35,7 +36,7 @@ static void odd_numbers(int n) {
         h[k[t]] += w[t];
         g[k[t]] *= w[t];
     }
-} // BINNED: 34
+} // BINNED: 35
 
 static void unsigned_operands(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -44,14 +45,14 @@ static void unsigned_operands(int n) {
         g[k[t]] += large[t];
     for (int t = 0; t < n; t++) // EXPECT: transformed
         narrow[k[t]] -= wide[t];
-} // BINNED: 41 43 45
+} // BINNED: 42 44 46
 
 static void several_operands(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = (h[k[t]] * 0.5 + w[t]) / (u[t] + 2) - f[t];
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = (h[k[t]] * f[t] + w[t]) / u[t] - wide[t];
-} // BINNED: 50
+} // BINNED: 51
 
 static void several_updates(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -61,62 +62,62 @@ static void several_updates(int n) {
         h[(k[t] + 3) % M] = h[(k[t] + 3) % M] * 0.75 + u[t];
         h[(k[t] + 4) % M] += 1;
     }
-} // BINNED: 57
+} // BINNED: 58
 
 static void records_of_two_types(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         fs[k[t]] += f[t];
         fs[(k[t] + 1) % M] += w[t];
     }
-} // NOT-BINNED: 67
+} // NOT-BINNED: 68
 
 static void uncertain_operand(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (w[t] < h[k[t]])
             h[k[t]] = w[t] * 2 + u[t] * 3;
-} // NOT-BINNED: 74
+} // NOT-BINNED: 75
 
 static void in_pairs(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         pairs[k[t]].x += w[t];
         pairs[k[t]].y -= u[t];
     }
-} // BINNED: 80
+} // BINNED: 81
 
 static void out_of_step(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         off[k[t]].y += f[t];
-} // NOT-BINNED: 87
+} // NOT-BINNED: 88
 
 static void of_two_kinds(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         kinds[k[t]].x += w[t];
         kinds[k[t]].y += f[t];
     }
-} // NOT-BINNED: 92
+} // NOT-BINNED: 93
 
 static void too_large(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         longs[k[t]] += w[t];
-} // NOT-BINNED: 99
+} // NOT-BINNED: 100
 
 // Integers, but no sums of integers: in private copies they would come out otherwise.
 static void truncated(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         counts[k[t]] += u[t] * 3.7;
-} // BINNED: 105
+} // BINNED: 106
 
 static void steps(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         sums[k[t]] = sums[k[t]] * 3 % 1000003 + wide[t] % 5;
-} // BINNED: 110
+} // BINNED: 111
 
 static void by_two_operators(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         counts[k[t]] += t;
         counts[(k[t] + 1) % M] ^= t;
     }
-} // BINNED: 115
+} // BINNED: 116
 
 // An operand is evaluated once, for the record.
 static double twice(double x) {
@@ -125,13 +126,13 @@ static double twice(double x) {
 static void by_functions(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = h[k[t]] * 0.5 + (fabs(w[t]) + twice(u[t]));
-} // BINNED: 126
+} // BINNED: 127
 
 // Where what is read turns out to be what is written, all is thrown away: the loop runs in order.
 static void read_far_away(int n, const int *at, const int *deep, const double *from, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += from[deep[t]] * 0.5;
-} // BINNED: 132
+} // BINNED: 133
 
 static void show(const char *what, const void *bytes, size_t size) {
     case_print(what, bytes, size);
