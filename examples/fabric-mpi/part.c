@@ -23,11 +23,6 @@ void *part_memory(size_t count, size_t size) {
     return memory;
 }
 
-void part_share_blocks(int chunks, int ranks, int *owner) {
-    for (int k = 0; k < chunks; k++)
-        owner[k] = (int)((long long)k * ranks / chunks);
-}
-
 static int owns(const part *p, const int *owner, int vertex) {
     return owner[vertex / SOLVER_CHUNK] == p->rank;
 }
@@ -167,7 +162,7 @@ void part_make(part *p, const mesh *whole, const scene *of) {
     p->vertices = all.vertex_count;
     p->chunks = (all.vertex_count + SOLVER_CHUNK - 1) / SOLVER_CHUNK;
     int *owner = part_memory((size_t)p->chunks, sizeof *owner);
-    part_share_blocks(p->chunks, p->ranks, owner);
+    part_share_blocks(p, &all, owner);
     part_take(p, &all, owner);
     part_connect(p, owner);
     free(owner);

@@ -55,8 +55,10 @@ typedef struct part {
 void part_make(part *p, const mesh *whole, const scene *of);
 void part_free(part *p);
 
-/** The rank that owns each block, [chunks]: as many consecutive ones for each rank. */
-void part_share_blocks(int chunks, int ranks, int *owner);
+/** The rank that owns each block, owner [chunks]: as many consecutive ones for each, or, with the
+ *  option -mat_partitioning_type (PETSC_OPTIONS; ptscotch), as PETSc divides the blocks' graph.
+ * Every rank has one block at least. Collective. */
+void part_share_blocks(const part *p, const mesh *whole, int *owner);
 
 /* ---- exchange; the unit is of `size` doubles a vertex ---- */
 /** whole [vertices] to local [mesh.vertex_count]. */

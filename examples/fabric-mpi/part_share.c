@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Which rank owns which block. Any answer gives the same bits: what it decides is what is sent. */
+#include <stdlib.h>
+#include <string.h>
+
+#include <petscmat.h>
+
+#include "part_layout.h"
+#include "solver_parts.h"
+
+#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
+
+/* As many consecutive blocks for each rank. */
+static void share_consecutively(int chunks, int ranks, int *owner) {
+    for (int k = 0; k < chunks; k++)
+        owner[k] = (int)((long long)k * ranks / chunks);
+}
+
+static int by_pair(const void *a, const void *b) {
+    return memcmp(a, b, sizeof(int[2]));
+}
+
+/* Pairs of different blocks that a triangle joins, both ways, sorted; returns how many. */
+static int join_blocks(const mesh *whole, int (*pair)[2]) {
+    int count = 0, kept = 0;
+    for (int t = 0; t < whole->triangle_count; t++)
+        for (int k = 0; k < 3; k++) {
+            const int a = whole->triangle[t][k] / SOLVER_CHUNK;
+            const int b = whole->triangle[t][(k + 1) % 3] / SOLVER_CHUNK;
+            if (a == b)
+                continue;
+            memcpy(pair[count++], (int[2]){a, b}, sizeof *pair);
+            memcpy(pair[count++], (int[2]){b, a}, sizeof *pair);
+        }
+    qsort(pair, (size_t)count, sizeof *pair, by_pair);
+    for (int n = 0; n < count; n++)
+        if (n == 0 || memcmp(pair[n], pair[kept - 1], sizeof *pair) != 0)
+            memmove(pair[kept++], pair[n], sizeof *pair);
+    return kept;
+}
+
+/* The blocks' graph, as PETSc has it. */
+static Mat block_graph(const mesh *whole, int chunks) {
+    int(*pair)[2] = part_memory(6 * (size_t)whole->triangle_count, sizeof *pair);
+    const int count = join_blocks(whole, pair);
+    PetscInt *start, *to; /* the matrix keeps them */
+    Mat graph;
+    CHECK(PetscCalloc1(chunks + 1, &start));
+    CHECK(PetscMalloc1(count, &to));
+    for (int n = 0; n < count; n++)
+        start[pair[n][0] + 1]++;
+    for (int k = 0; k < chunks; k++)
+        start[k + 1] += start[k];
+    int *next = part_memory((size_t)chunks, sizeof *next);
+    for (int n = 0; n < count; n++)
+        to[start[pair[n][0]] + next[pair[n][0]]++] = pair[n][1];
+    CHECK(MatCreateMPIAdj(PETSC_COMM_SELF, chunks, chunks, start, to, NULL, &graph));
+    free(next);
+    free(pair);
+    return graph;
+}
+
+/* By one of PETSc's partitioners. */
+static void share_by_graph(const mesh *whole, int chunks, int ranks, int *owner) {
+    Mat graph = block_graph(whole, chunks);
+    MatPartitioning partitioning;
+    const PetscInt *of;
+    IS parts;
+    CHECK(MatPartitioningCreate(PETSC_COMM_SELF, &partitioning));
+    CHECK(MatPartitioningSetAdjacency(partitioning, graph));
+    CHECK(MatPartitioningSetNParts(partitioning, ranks));
+    CHECK(MatPartitioningSetFromOptions(partitioning));
+    CHECK(MatPartitioningApply(partitioning, &parts));
+    CHECK(ISGetIndices(parts, &of));
+    for (int k = 0; k < chunks; k++)
+        owner[k] = (int)of[k];
+    CHECK(ISRestoreIndices(parts, &of));
+    CHECK(ISDestroy(&parts));
+    CHECK(MatPartitioningDestroy(&partitioning));
+    CHECK(MatDestroy(&graph));
+}
+
+/* Has every rank a block? */
+static int all_have(const int *owner, int chunks, int ranks) {
+    int *has = part_memory((size_t)ranks, sizeof *has), count = 0;
+    for (int k = 0; k < chunks; k++)
+        has[owner[k]] = 1;
+    for (int r = 0; r < ranks; r++)
+        count += has[r];
+    free(has);
+    return count == ranks;
+}
+
+void part_share_blocks(const part *p, const mesh *whole, int *owner) {
+    PetscBool by_graph;
+    CHECK(PetscOptionsHasName(NULL, NULL, "-mat_partitioning_type", &by_graph));
+    if (p->rank == LEADER && by_graph && p->ranks > 1)
+        share_by_graph(whole, p->chunks, p->ranks, owner);
+    if (!by_graph || p->ranks == 1 || (p->rank == LEADER && !all_have(owner, p->chunks, p->ranks)))
+        share_consecutively(p->chunks, p->ranks, owner);
+    MPI_Bcast(owner, p->chunks, MPI_INT, LEADER, MPI_COMM_WORLD);
+}
