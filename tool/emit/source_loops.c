@@ -3,24 +3,10 @@
  *  read: `for (; redcc__each_0 < 4; redcc__each_0++)`. */
 #include "analysis/base/expression.h"
 #include "emit/loop.h"
+#include "ir/ir_words.h"
 
 const char *source_loop_counter(arena *a, unsigned depth) {
     return arena_format(a, "redcc__each_%u", depth);
-}
-
-static const char *comparison_text(ir_operator op) {
-    switch (op) {
-    case IR_OP_LESS:
-        return "<";
-    case IR_OP_LESS_EQUAL:
-        return "<=";
-    case IR_OP_GREATER:
-        return ">";
-    case IR_OP_GREATER_EQUAL:
-        return ">=";
-    default:
-        return "!=";
-    }
 }
 
 /** Does what is told, and how often, depend on this loop's counter? */
@@ -37,7 +23,7 @@ const char *source_loop_header(arena *a, const loop_source *read, unsigned depth
                                const char *counter, const char *bound, bool is_span) {
     const source_loop *loop = &read->loops[depth];
     const char *condition =
-        arena_format(a, "%s %s %s", counter, comparison_text(loop->comparison), bound);
+        arena_format(a, "%s %s %s", counter, ir_operator_spelling(loop->comparison), bound);
     if (is_span || !is_asked_for(read, depth))
         return arena_format(a, "if (%s)", condition);
     if (loop->step == 1 || loop->step == -1)

@@ -7,6 +7,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "emit/loop.h"
+#include "ir/ir_words.h"
 
 /* ---- where the program may not come -------------------------------------------------------- */
 
@@ -53,19 +54,11 @@ static bool is_integer(const ir_node *node) {
     return node->type && (node->type->kind == IR_INTEGER || node->type->kind == IR_BOOLEAN);
 }
 
-static const char *operator_text(ir_operator op) {
-    switch (op) {
-    case IR_OP_ADD:
-        return "+";
-    case IR_OP_SUBTRACT:
-        return "-";
-    case IR_OP_MULTIPLY:
-        return "*";
-    case IR_OP_SHIFT_LEFT:
-        return "<<";
-    default:
-        return NULL;
-    }
+/** Does the unsigned operator wrap around to what the signed one gives, where that has a meaning?
+ */
+static bool wraps_around(ir_operator op) {
+    return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY ||
+           op == IR_OP_SHIFT_LEFT;
 }
 
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context) {
@@ -74,12 +67,11 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
         return NULL;
     const char *type = node->type->size == 8 ? "redcc_int" : "int";
     const char *within = node->type->size == 8 ? "redcc_word" : "redcc_u32";
-    const char *op = operator_text(node->op);
     if (node->kind == IR_UNARY && node->op == IR_OP_MINUS) {
         const char *only = text_operand(a, node->children[0], rename, context);
         return only ? arena_format(a, "((%s)(0 - (%s)%s))", type, within, only) : NULL;
     }
-    if (node->kind != IR_BINARY || !op || !is_integer(node->children[0]) ||
+    if (node->kind != IR_BINARY || !wraps_around(node->op) || !is_integer(node->children[0]) ||
         !is_integer(node->children[1]))
         return NULL;
     const char *left = text_operand(a, node->children[0], rename, context);
@@ -88,7 +80,8 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
         return NULL;
     return node->op == IR_OP_SHIFT_LEFT
                ? arena_format(a, "((%s)((%s)%s << %s))", type, within, left, right)
-               : arena_format(a, "((%s)((%s)%s %s (%s)%s))", type, within, left, op, within, right);
+               : arena_format(a, "((%s)((%s)%s %s (%s)%s))", type, within, left,
+                              ir_operator_spelling(node->op), within, right);
 }
 
 /* ---- addresses ----------------------------------------------------------------------------- */
@@ -102,8 +95,9 @@ static const char *wide_number(arena *a, const ir_node *node, const ir_variable 
     if (node->kind == IR_BINARY && expression_mentions(node, counter)) {
         const char *left = wide_number(a, node->children[0], counter, rename, context);
         const char *right = wide_number(a, node->children[1], counter, rename, context);
-        const char *op = operator_text(node->op);
-        return left && right && op ? arena_format(a, "(%s %s %s)", left, op, right) : NULL;
+        return left && right && wraps_around(node->op)
+                   ? arena_format(a, "(%s %s %s)", left, ir_operator_spelling(node->op), right)
+                   : NULL;
     }
     const char *text = text_operand(a, node, rename, context);
     return text ? arena_format(a, "(redcc_size)%s", text) : NULL;
