@@ -4,9 +4,11 @@
  * are long beside the slice, which is evaluated once more for it. A static estimate decides what is
  * compiled; the runtime measures whether it pays.
  */
+#include "analysis/base/counted.h"
 #include "emit/loop.h"
 #include "emit/origin.h"
 #include "emit/syntax.h"
+#include "support/map.h"
 #include "support/vector.h"
 
 enum {
@@ -18,37 +20,14 @@ enum {
     MOST_WORK = 10000 /* more need not be told apart */
 };
 
-static bool has_integer(const ir_node *node, int64_t *value) {
-    if (!node || !(node->flags & IR_HAS_VALUE))
-        return false;
-    *value = node->value;
-    return true;
-}
-
-static const ir_node *first_value(const ir_node *initialisation) {
-    if (initialisation->kind == IR_DECLARATION)
-        initialisation = ir_child(initialisation, 0);
-    else if (initialisation->kind == IR_EXPRESSION)
-        initialisation = ir_child(initialisation, 0);
-    if (initialisation->kind == IR_DECLARATOR)
-        return ir_child(initialisation, 0);
-    return initialisation->kind == IR_ASSIGN ? ir_child(initialisation, 1) : NULL;
-}
-
 /** Of `for (c = 0; c < 3; c++)` 3; 0: the text does not say it. */
 static int64_t constant_trip(const ir_node *loop) {
-    int64_t first, bound;
-    if (loop->kind != IR_FOR)
+    const ir_variable *counter;
+    int64_t first, last;
+    if (!counted_constant(loop, &counter, &first, &last))
         return 0;
-    const ir_node *condition = loop->children[1];
-    if (condition->kind != IR_BINARY || !has_integer(first_value(loop->children[0]), &first) ||
-        !has_integer(condition->children[1], &bound))
-        return 0;
-    const int64_t trip = bound - first + (condition->op == IR_OP_LESS_EQUAL);
-    return (condition->op == IR_OP_LESS || condition->op == IR_OP_LESS_EQUAL) && trip > 0 &&
-                   trip <= MOST_WORK
-               ? trip
-               : 0;
+    const int64_t trip = last - first + 1;
+    return trip <= MOST_WORK ? trip : 0;
 }
 
 static bool is_floating(const ir_type *type) {
@@ -66,20 +45,43 @@ static int64_t own_work(const ir_node *node) {
     return node->op == IR_OP_DIVIDE ? DEAR : 1;
 }
 
-static int64_t work_of(const ir_node *node, int depth) {
+/** What functions cost, by id and depth of the call; -1: not asked yet. */
+typedef struct known_work {
+    int64_t (*of)[MOST_DEPTH + 1];
+} known_work;
+
+static int64_t work_of(const known_work *known, const ir_node *node, int depth);
+
+static int64_t work_of_callee(const known_work *known, const ir_function *callee, int depth) {
+    int64_t *work = &known->of[callee->id][depth];
+    if (*work < 0)
+        *work = work_of(known, callee->body, depth);
+    return *work;
+}
+
+static int64_t work_of(const known_work *known, const ir_node *node, int depth) {
     int64_t work = own_work(node);
     const ir_function *callee = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION
                                     ? node->children[0]->function
                                     : NULL;
     if (callee && callee->body && depth < MOST_DEPTH)
-        work += work_of(callee->body, depth + 1);
+        work += work_of_callee(known, callee, depth + 1);
     for (unsigned i = 0; i < node->child_count && work < MOST_WORK; i++)
-        work += work_of(node->children[i], depth);
+        work += work_of(known, node->children[i], depth);
     if (ir_is_loop(node)) {
         const int64_t trip = constant_trip(node);
         work *= trip ? trip : SOME;
     }
     return work < MOST_WORK ? work : MOST_WORK;
+}
+
+static int64_t work_of_iteration(const loop_text *loop) {
+    const unsigned count = loop->unit->function_count;
+    const known_work known = {.of = arena_allocate(loop->arena, (count + 1) * sizeof *known.of)};
+    for (unsigned i = 0; i < count; i++)
+        for (int depth = 0; depth <= MOST_DEPTH; depth++)
+            known.of[i][depth] = -1;
+    return work_of(&known, loop->facts->counted.body, 0);
 }
 
 /** Does the slice hold a loop whose length the text does not say? Twice it may be too dear. */
@@ -105,7 +107,7 @@ static bool has_source_loop(const loop_facts *facts) {
 bool can_prefetch(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
     return !facts->slice_has_floating_work && !has_open_loop(facts, facts->counted.body) &&
-           !has_source_loop(facts) && work_of(facts->counted.body, 0) >= LEAST_WORK;
+           !has_source_loop(facts) && work_of_iteration(loop) >= LEAST_WORK;
 }
 
 /* ---- gathers that the inspector need not tell ------------------------------------------------ */
@@ -138,23 +140,52 @@ static const ir_variable *resolve(const frame *in, const ir_node *node) {
     return NULL;
 }
 
-static void list_gathers(arena *a, const frame *in, const ir_node *node, gather_list *list) {
+/** What was gone through: functions, with the variables of the loop that they were given. */
+typedef struct gather_search {
+    arena *arena;
+    map *visited;
+    gather_list list;
+} gather_search;
+
+/** Is the function called as it was not called before, with a variable of the loop at all? */
+static bool is_new_call(gather_search *search, const frame *in) {
+    const unsigned count = in->function->parameter_count;
+    const size_t length = (count + 2) * sizeof(const void *);
+    const void **key = arena_allocate(search->arena, length);
+    bool has_variable = false;
+    key[0] = in->function;
+    key[1] = (const char *)in->function + in->depth; /* from here on fewer calls are followed */
+    for (unsigned i = 0; i < count; i++) {
+        key[i + 2] = resolve(in->caller, ir_child(in->call, i + 1));
+        has_variable |= key[i + 2] != NULL;
+    }
+    if (!has_variable)
+        return false;
+    void **place = map_at(search->visited, key, length);
+    const bool is_new = *place == NULL;
+    *place = search;
+    return is_new;
+}
+
+static void list_gathers(gather_search *search, const frame *in, const ir_node *node) {
+    gather_list *list = &search->list;
     if (node->kind == IR_INDEX) {
         const gather one = {resolve(in, node->children[0]), resolve(in, node->children[1])};
         bool is_new = one.base && one.subscript;
         for (unsigned i = 0; i < list->count; i++)
             is_new &= list->items[i].base != one.base || list->items[i].subscript != one.subscript;
         if (is_new)
-            VECTOR_PUSH(a, list, one);
+            VECTOR_PUSH(search->arena, list, one);
     }
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
         node->children[0]->function->body && in->depth < MOST_DEPTH) {
         const ir_function *callee = node->children[0]->function;
         const frame inner = {in, callee, node, in->depth + 1};
-        list_gathers(a, &inner, callee->body, list);
+        if (is_new_call(search, &inner))
+            list_gathers(search, &inner, callee->body);
     }
     for (unsigned i = 0; i < node->child_count; i++)
-        list_gathers(a, in, node->children[i], list);
+        list_gathers(search, in, node->children[i]);
 }
 
 /** Has each iteration of the slice given it a value when it comes to its end? */
@@ -215,13 +246,13 @@ static bool has_continue(const loop_facts *facts, const ir_node *node) {
 void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     const frame top = {.call = facts->loop};
-    gather_list list = {0};
+    gather_search search = {.arena = loop->arena, .visited = map_new(loop->arena)};
     if (!loop->prefetches || has_continue(facts, facts->counted.body))
         return;
-    list_gathers(loop->arena, &top, facts->counted.body, &list);
+    list_gathers(&search, &top, facts->counted.body);
     writer_fill(out, true);
-    for (unsigned i = 0; i < list.count; i++) {
-        const gather *one = &list.items[i];
+    for (unsigned i = 0; i < search.list.count; i++) {
+        const gather *one = &search.list.items[i];
         if (!is_rows(facts, one->base) || !is_mentioned[one->subscript->id] ||
             !is_computed(facts, one->subscript) || is_told(facts, one))
             continue;
