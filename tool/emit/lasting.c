@@ -28,9 +28,7 @@ void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
 int sought_value_of(const loop_facts *facts, const ir_node *statement) {
     const ir_node *assignment = statement->kind == IR_EXPRESSION ? ir_child(statement, 0) : NULL;
     const ir_node *target =
-        assignment && (assignment->kind == IR_ASSIGN ||
-                       (assignment->kind == IR_UNARY && assignment->op >= IR_OP_PRE_INCREMENT &&
-                        assignment->op <= IR_OP_POST_DECREMENT))
+        assignment && (assignment->kind == IR_ASSIGN || ir_is_increment(assignment))
             ? ir_child(assignment, 0)
             : NULL;
     for (unsigned i = 0; target && i < facts->private_count; i++)

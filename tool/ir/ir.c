@@ -13,6 +13,11 @@ bool ir_is_loop(const ir_node *node) {
     return node->kind == IR_FOR || node->kind == IR_WHILE || node->kind == IR_DO;
 }
 
+bool ir_is_increment(const ir_node *node) {
+    return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
+           node->op <= IR_OP_POST_DECREMENT;
+}
+
 /* Is the value that `child` gives to its parent used there? */
 static bool parent_uses_value(const ir_node *parent, const ir_node *child) {
     switch (parent->kind) {

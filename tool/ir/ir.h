@@ -325,6 +325,8 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
 bool ir_is_expression(const ir_node *node);
 /** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
 bool ir_is_loop(const ir_node *node);
+/** ++ or --, before or after its operand. */
+bool ir_is_increment(const ir_node *node);
 /** Is the value of this expression used by what is around it? (not: an expression statement, the
  *  left side of a comma, the header's initialisation and increment, a cast to void) */
 bool ir_value_is_used(const ir_node *node);

@@ -74,14 +74,9 @@ bool expression_mentions(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-static bool is_increment(const ir_node *node) {
-    return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-           node->op <= IR_OP_POST_DECREMENT;
-}
-
 bool expression_is_plain(const ir_node *node) {
     if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
-        is_increment(node))
+        ir_is_increment(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!expression_is_plain(node->children[i]))
@@ -171,13 +166,13 @@ bool expression_is_floating_work(const ir_node *node) {
         return is_floating(node->type);
     if (node->kind == IR_ASSIGN && node->op != IR_OP_NONE)
         return is_floating(node->children[0]->type) || is_floating(node->children[1]->type);
-    if (is_increment(node))
+    if (ir_is_increment(node))
         return is_floating(node->type);
     return false;
 }
 
 const ir_node *expression_written(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || is_increment(node))
+    if (node->kind == IR_ASSIGN || ir_is_increment(node))
         return node->children[0];
     return NULL;
 }
@@ -236,9 +231,7 @@ static bool is_harmless_operand(const ir_node *node, const ir_node *right) {
 
 bool expression_is_hazard(const ir_node *node) {
     const bool assigns = node->kind == IR_ASSIGN && node->op != IR_OP_NONE;
-    const bool counts = node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-                        node->op <= IR_OP_POST_DECREMENT;
-    if (node->kind == IR_CALL || node->kind == IR_OPAQUE || assigns || counts ||
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE || assigns || ir_is_increment(node) ||
         has_floating_hazard(node))
         return true;
     if (node->kind != IR_BINARY)

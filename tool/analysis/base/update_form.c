@@ -63,8 +63,7 @@ update_form update_form_of(const ir_node *node) {
     if (node->kind == IR_ASSIGN)
         return assignment_form(node);
     update_form form = {0};
-    if (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-        node->op <= IR_OP_POST_DECREMENT) {
+    if (ir_is_increment(node)) {
         form.is_update = form.has_operator = true;
         form.op = REDUCTION_SUM;
         form.target = node->children[0];

@@ -25,7 +25,7 @@ static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_up
         found->op = assignment->op == IR_OP_PRE_INCREMENT || assignment->op == IR_OP_POST_INCREMENT
                         ? IR_OP_ADD
                         : IR_OP_SUBTRACT;
-        return assignment->op >= IR_OP_PRE_INCREMENT && assignment->op <= IR_OP_POST_DECREMENT;
+        return ir_is_increment(assignment);
     }
     if (assignment->kind != IR_ASSIGN)
         return false;

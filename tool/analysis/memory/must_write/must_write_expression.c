@@ -64,8 +64,7 @@ static bool note_effect(ir_node *node, void *context) {
     effect_search *search = context;
     search->visits++;
     if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
-        (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-         node->op <= IR_OP_POST_DECREMENT))
+        ir_is_increment(node))
         search->is_found = true;
     return !search->is_found;
 }
