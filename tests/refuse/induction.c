@@ -90,6 +90,16 @@ void by_pointer(int n, int k) {
     }
 }
 
+void counter_twice(int n) {
+    for (int i = 0; i < n; i++, i++) // EXPECT: refuse counter-modified
+        h[s[i]] += e[i];
+}
+
+void counter_twice_behind(int n, int k) {
+    for (int i = 0; i < n; i++, k = i++) // EXPECT: refuse counter-modified
+        h[s[i]] += e[i];
+}
+
 extern int shared;
 
 void global(int n) {

@@ -252,6 +252,17 @@ static const ir_node *own_increment(const ir_node *increment, const ir_node *con
     return left ? left : own_increment(increment->children[1], condition);
 }
 
+/* i++, i++: is the counter written by another part than its own step? */
+static bool is_written_besides(const ir_node *node, const ir_variable *counter,
+                               const ir_node *step) {
+    if (node == step)
+        return false;
+    if (node->kind != IR_BINARY || node->op != IR_OP_COMMA)
+        return variable_is_written_in(node, counter);
+    return is_written_besides(node->children[0], counter, step) ||
+           is_written_besides(node->children[1], counter, step);
+}
+
 static counted_result recognise_for(const ir_node *loop) {
     const ir_node *increment = loop->children[2];
     const ir_node *condition = loop->children[1];
@@ -284,6 +295,8 @@ static counted_result recognise_for(const ir_node *loop) {
     const char *written = NULL;
     if (all != increment && written_by(all, counted.bound, &written))
         return not_counted(REASON_BOUND_VARIES, counted.bound, written);
+    if (is_written_besides(all, counted.counter, increment))
+        return not_counted(REASON_COUNTER_MODIFIED, all, counted.counter->name);
     return check(&counted, loop, NULL);
 }
 
