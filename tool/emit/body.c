@@ -277,7 +277,8 @@ static const char *printed_text(body_copy *copy, const ir_node *statement) {
 static void drop_increment(body_copy *copy) {
     const loop_text *loop = copy->loop;
     const ir_node *increment = loop->facts->counted.increment;
-    if (!increment || loop->facts->loop->kind != IR_WHILE)
+    if (!increment || loop->facts->loop->kind != IR_WHILE ||
+        loop->facts->counted.steps_in_condition)
         return;
     increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
     replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),

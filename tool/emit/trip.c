@@ -105,7 +105,8 @@ static header header_of(const counted_loop *counted) {
     h.inclusive =
         counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
     h.stride = h.ascends ? counted->step : -counted->step;
-    h.lower_is_natural = is_natural_constant(counted->lower, h.counter);
+    h.lower_is_natural =
+        !counted->steps_in_condition && is_natural_constant(counted->lower, h.counter);
     h.ends_at_bound = h.stride == 1 && !h.inclusive;
     return h;
 }
@@ -132,6 +133,8 @@ static void require_of_ends(conditions *list, const header *h) {
 
 /** What must hold of the counter's value after the loop. */
 static void require_of_final(conditions *list, const header *h, const char *counter_type) {
+    if (h->counted->steps_in_condition && !h->counter->is_signed)
+        return; /* the step below 0 by which it ends is the loop's own */
     if (h->compares_unsigned && !h->ascends && !h->ends_at_bound)
         require(list, "redcc__final >= 0");
     const bool bound_fits =
@@ -162,7 +165,7 @@ static const char *final_text(arena *a, const header *h) {
     return arena_format(a, "redcc__lower %s %lld * redcc__trip", sign, (long long)h->stride);
 }
 
-static const char *lower_text(loop_text *loop, const header *h) {
+static const char *first_text(loop_text *loop, const header *h) {
     const ir_node *lower = h->counted->lower;
     if (!lower)
         return arena_format(loop->arena, "(redcc_int)%s",
@@ -173,6 +176,15 @@ static const char *lower_text(loop_text *loop, const header *h) {
     if (lower->type->kind != IR_FLOATING && holds_all(h->counter, lower->type))
         return arena_format(loop->arena, "(redcc_int)%s", text);
     return arena_format(loop->arena, "(redcc_int)(%s)%s", loop->counter_type, text);
+}
+
+/** The counter's value in the first iteration. */
+static const char *lower_text(loop_text *loop, const header *h) {
+    const char *first = first_text(loop, h);
+    return h->counted->steps_in_condition
+               ? arena_format(loop->arena, "(redcc_int)((redcc_word)%s %c 1)", first,
+                              h->ascends ? '+' : '-')
+               : first;
 }
 
 static const char *bound_text(loop_text *loop, const header *h) {

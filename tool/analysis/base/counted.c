@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/counted.h"
 
+#include "analysis/base/counted_condition.h"
 #include "analysis/base/counted_start.h"
 #include "analysis/base/expression.h"
 
@@ -232,7 +233,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
         return not_counted(REASON_BOUND_VARIES, loop->bound, written);
     if (!step_agrees(loop))
         return not_counted(REASON_STEP, node, name);
-    if (may_wrap(loop))
+    if (loop->steps_in_condition ? counted_stepping_wraps(loop) : may_wrap(loop))
         return not_counted(REASON_COUNTER_WRAPS, node, name);
     return (counted_result){.is_counted = true, .loop = *loop};
 }
@@ -263,14 +264,38 @@ static bool is_written_besides(const ir_node *node, const ir_variable *counter,
            is_written_besides(node->children[1], counter, step);
 }
 
+static const ir_node *expression_of(const ir_node *part) {
+    return part->kind == IR_EXPRESSION ? part->children[0] : part;
+}
+
+static bool split_start(const ir_node *loop, counted_loop *counted) {
+    const ir_node *start = loop->children[0];
+    return start->kind == IR_DECLARATION ? counted_split_declaration(loop, start, counted)
+                                         : counted_split_initialisation(loop, start, counted);
+}
+
+/* for (i = n; --i >= 0;), while (n--): what else the header does is not the counter's. */
+static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
+    const char *name = counted->counter->name;
+    const char *written = NULL;
+    if (loop->kind == IR_FOR) {
+        if (!split_start(loop, counted))
+            return not_counted(REASON_TRIP_COUNT, loop->children[0], name);
+        if (variable_is_written_in(loop->children[2], counted->counter))
+            return not_counted(REASON_COUNTER_MODIFIED, loop->children[2], name);
+        if (written_by(loop->children[2], counted->bound, &written))
+            return not_counted(REASON_BOUND_VARIES, counted->bound, written);
+    }
+    return check(counted, loop, NULL);
+}
+
 static counted_result recognise_for(const ir_node *loop) {
-    const ir_node *increment = loop->children[2];
-    const ir_node *condition = loop->children[1];
-    if (increment->kind == IR_EXPRESSION)
-        increment = increment->children[0];
-    if (condition->kind == IR_EXPRESSION)
-        condition = condition->children[0];
+    const ir_node *increment = expression_of(loop->children[2]);
+    const ir_node *condition = expression_of(loop->children[1]);
     counted_loop counted = {.body = loop->children[3]};
+    if (counted_split_stepping(condition, &counted))
+        return recognise_stepping(loop, &counted);
+    counted = (counted_loop){.body = loop->children[3]};
     if (increment->kind == IR_EMPTY || condition->kind == IR_EMPTY)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *all = increment;
@@ -287,10 +312,8 @@ static counted_result recognise_for(const ir_node *loop) {
     }
     if (counted.step == 0)
         return not_counted(REASON_STEP, increment, counted.counter->name);
-    const ir_node *start = loop->children[0];
     if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
-        !(start->kind == IR_DECLARATION ? counted_split_declaration(loop, start, &counted)
-                                        : counted_split_initialisation(loop, start, &counted)))
+        !split_start(loop, &counted))
         return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
     const char *written = NULL;
     if (all != increment && written_by(all, counted.bound, &written))
@@ -315,6 +338,9 @@ static counted_result recognise_while(const ir_node *loop) {
     const ir_node *condition = loop->children[0];
     const ir_node *body = loop->children[1];
     counted_loop counted = {.body = body};
+    if (counted_split_stepping(condition, &counted))
+        return recognise_stepping(loop, &counted);
+    counted = (counted_loop){.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *last = body->children[body->child_count - 1];
@@ -339,6 +365,8 @@ counted_result counted_recognise_judged(ir_node *loop) {
 static counted_result without_calls(counted_result result, const ir_node *loop) {
     if (!result.is_counted)
         return result;
+    if (result.loop.steps_in_condition)
+        return not_counted(REASON_TRIP_COUNT, result.loop.increment, result.loop.counter->name);
     if (result.loop.counter->address_taken)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
     const ir_node *header = loop->kind == IR_FOR ? loop->children[2] : NULL;

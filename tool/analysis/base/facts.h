@@ -49,6 +49,8 @@ typedef struct counted_loop {
     const ir_node *body;      /* executed each iteration; for a while, the increment is its last
                                  statement, `increment`, and not part of the copy */
     const ir_node *increment;
+    bool steps_in_condition; /* `increment` stands in the condition: the first iteration has `lower`
+                                and one step, and an unsigned counter ends one step below 0 */
 } counted_loop;
 
 /* ---- arrays, updates ----------------------------------------------------------------------- */

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * The condition steps the counter, and compares it as it is then (--i >= 0) or as it was before
+ * (i-- > 0). Either way the first iteration has the first value and one step. What was greater than
+ * the bound before the step is, with integers, not less than it afterwards.
+ */
+#include "analysis/base/counted_condition.h"
+
+#include "analysis/base/expression.h"
+
+/* What `n--` is compared with, where nothing else is said. */
+static const ir_type number_type = {
+    .kind = IR_INTEGER, .is_signed = true, .size = 4, .spelling = "int"};
+static const ir_node zero = {
+    .kind = IR_NUMBER, .flags = IR_HAS_VALUE, .type = &number_type, .text = "0"};
+
+static bool is_step(const ir_node *node) {
+    return ir_is_increment(node) && node->children[0]->kind == IR_VARIABLE;
+}
+
+static bool is_before_test(const ir_node *step) {
+    return step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_PRE_DECREMENT;
+}
+
+/* The comparison of the stepped counter that says what `comparison` says of the one before the
+ * step; IR_OP_NONE: there is none, or it does not lead to the bound. */
+static ir_operator after_step(ir_operator comparison, int64_t step) {
+    if (comparison == IR_OP_NOT_EQUAL)
+        return step < 0 ? IR_OP_GREATER_EQUAL : IR_OP_LESS_EQUAL;
+    if (comparison == IR_OP_GREATER && step < 0)
+        return IR_OP_GREATER_EQUAL;
+    return comparison == IR_OP_LESS && step > 0 ? IR_OP_LESS_EQUAL : IR_OP_NONE;
+}
+
+bool counted_split_stepping(const ir_node *condition, counted_loop *counted) {
+    const ir_node *step = condition;
+    counted->comparison = IR_OP_NOT_EQUAL;
+    counted->bound = &zero;
+    if (condition->kind == IR_BINARY && condition->op >= IR_OP_LESS &&
+        condition->op <= IR_OP_NOT_EQUAL && condition->op != IR_OP_EQUAL) {
+        const unsigned side = is_step(condition->children[0]) ? 0 : 1;
+        step = condition->children[side];
+        counted->bound = condition->children[1 - side];
+        counted->comparison = side ? expression_mirrored(condition->op) : condition->op;
+    }
+    if (!is_step(step) || expression_mentions(counted->bound, step->children[0]->variable))
+        return false;
+    counted->counter = step->children[0]->variable;
+    counted->increment = step;
+    counted->step = step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_POST_INCREMENT ? 1 : -1;
+    counted->steps_in_condition = true;
+    if (!is_before_test(step))
+        counted->comparison = after_step(counted->comparison, counted->step);
+    return counted->comparison != IR_OP_NONE;
+}
+
+bool counted_stepping_wraps(const counted_loop *counted) {
+    const ir_type *counter = counted->counter->type;
+    const ir_type *bound = counted->bound->type;
+    int64_t constant;
+    if (counter->size < 4)
+        return true;
+    if (counter->is_signed) /* converted to an unsigned type, negative ones would be large */
+        return !bound->is_signed && bound->size >= 4;
+    return counted->step > 0 || is_before_test(counted->increment) ||
+           !expression_constant(counted->bound, &constant) || constant != 0;
+}
