@@ -109,6 +109,10 @@ static const header wide_headers[] = {
     {"long long", "for (%2$s = %3$s; %1$s-- != 0;) ", false, 0, false},
     {"signed char", "for (%2$s = 0; %1$s < %3$s; ++%1$s) ", true, 127, false},
     {"int", "EACH(%2$s, %1$s, %3$s) ", true, 0, false},
+    {"int", "for (%2$s = %3$s; --%1$s >= 0;) ", false, 0, false},
+    {"long", "for (%2$s = %3$s; %1$s--;) ", false, 0, false},
+    {"int", "for (%2$s = -1; ++%1$s < %3$s;) ", false, 0, false},
+    {"size_t", "for (%2$s = (size_t)%3$s; %1$s-- != 0;) ", false, 0, false},
     {"int", "for (%2$s = 0, end = %3$s - 1; %1$s <= end; %1$s++) ", false, 0, true},
     {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
 };
