@@ -22,6 +22,15 @@ static void planes(int n) {
         field[s[t]] += wave[t] * w[t];
 }
 
+static void imaginary(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const double complex z = w[t] - I * w[n - 1 - t];
+        field[s[t]] += z + 2.0i * conj(wave[t]) * 1.0if;
+        if (creal(z) > 0)
+            field[s[t]] -= 0x1p2i;
+    }
+}
+
 int main(void) {
     case_values(w, N);
     for (int t = 0; t < N; t++)
@@ -31,6 +40,7 @@ int main(void) {
         if (getenv("CASE_INTEGERS") == NULL)
             wide(N);
         planes(N);
+        imaginary(N);
         for (int i = 0; i < M; i++) { /* a long double has padding */
             shown[i][0] = (double)sums[i];
             shown[i][1] = (double)(sums[i] - (long double)shown[i][0]);

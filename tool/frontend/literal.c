@@ -154,6 +154,17 @@ static ir_node *convert_string(converter *c, CXCursor cursor) {
     return node;
 }
 
+/* 1.0iF, as complex.h has it for I; GNU's, and written as such. */
+static ir_node *convert_imaginary(converter *c, CXCursor cursor) {
+    file_text at = text_at(c, clang_getCursorLocation(cursor));
+    const char *literal = number_text(c, at);
+    ir_node *node =
+        new_number(c, cursor, literal ? arena_format(c->arena, "(__extension__ %s)", literal) : "");
+    if (!literal || node->type->kind != IR_COMPLEX)
+        return convert_opaque(c, cursor, node->type, "imaginary literal");
+    return node;
+}
+
 ir_node *convert_literal(converter *c, CXCursor cursor) {
     switch (clang_getCursorKind(cursor)) {
     case CXCursor_IntegerLiteral:
@@ -164,10 +175,8 @@ ir_node *convert_literal(converter *c, CXCursor cursor) {
         return convert_character(c, cursor);
     case CXCursor_StringLiteral:
         return convert_string(c, cursor);
-    default: { /* imaginary */
-        const ir_type *type = convert_type(c, clang_getCursorType(cursor));
-        return convert_opaque(c, cursor, type, "imaginary literal");
-    }
+    default:
+        return convert_imaginary(c, cursor);
     }
 }
 
