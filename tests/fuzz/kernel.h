@@ -99,6 +99,7 @@ typedef struct kernel {
     bool has_rows;    /* programs of seeds divisible by 5: rows.c */
     bool has_spans;   /* programs of seeds divisible by 3: spans.c */
     bool has_helpers; /* programs of seeds divisible by 7: helpers.c */
+    bool has_idioms;  /* programs of seeds divisible by 11: idioms.c */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -156,7 +157,7 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c */
+/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -173,6 +174,7 @@ void rows_behind_pointers(kernel *k);
 void loop_along_a_row(kernel *k);
 void call_of_helper(kernel *k);
 void in_pieces(kernel *k);
+void idiom(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

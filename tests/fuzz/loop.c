@@ -288,6 +288,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_rows = seed % 5 == 0;
     k.has_spans = seed % 3 == 0;
     k.has_helpers = seed % 7 == 0;
+    k.has_idioms = seed % 11 == 0;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

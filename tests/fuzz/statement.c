@@ -314,6 +314,11 @@ void statement(kernel *k) {
         end_statement(k, begin);
         return;
     }
+    if (k->has_idioms && chance(k, 30)) {
+        idiom(k);
+        end_statement(k, begin);
+        return;
+    }
     int which = below(k, 108), i = 0;
     while (which >= kinds[i].weight)
         which -= kinds[i++].weight;

@@ -24,7 +24,7 @@ void wrap(int *h, const int *k, unsigned n) {
 }
 
 void dec(int *h, const int *k, unsigned n) {
-    for (unsigned t = n; t-- > 0;) // EXPECT: refuse trip-count
+    for (unsigned t = n; t-- > 1;) // EXPECT: refuse counter-wraps
         h[k[t]]++;
 }
 

@@ -15,6 +15,7 @@
 /* ---- where the loop is certain to pass ----------------------------------------------------- */
 
 typedef struct search {
+    const loop_facts *facts;
     const ir_node *wanted;
     bool is_found;
     bool may_have_left; /* a jump may have been taken before what comes next */
@@ -129,6 +130,15 @@ static bool answers(const ir_node *node, const ir_node *wanted) {
     return syntax_same(node, wanted) || (other && syntax_same(other, structure));
 }
 
+/** mat_add(m, r, c, v): the address of what the call updates, which only its function spells. */
+static void pass_called_update(search *s, const ir_node *statement) {
+    for (unsigned i = 0; i < s->facts->update_count; i++) {
+        const reduction_update *update = &s->facts->updates[i];
+        if (update->statement == statement && !ir_contains(statement, update->target))
+            pass_address(s, update->target);
+    }
+}
+
 static void pass(search *s, const ir_node *node) {
     if (s->is_found || s->may_have_left)
         return;
@@ -137,6 +147,10 @@ static void pass(search *s, const ir_node *node) {
         return;
     }
     switch (node->kind) {
+    case IR_EXPRESSION:
+        pass(s, ir_child(node, 0));
+        pass_called_update(s, node);
+        return;
     case IR_IF:
     case IR_SWITCH:
         pass(s, ir_child(node, 0));
@@ -174,7 +188,7 @@ static void pass(search *s, const ir_node *node) {
 
 static bool is_certain(const loop_facts *facts, const ir_node *wanted) {
     const counted_loop *counted = &facts->counted;
-    search s = {.wanted = wanted};
+    search s = {.facts = facts, .wanted = wanted};
     if (counted->lower)
         pass(&s, counted->lower);
     pass(&s, counted->bound);

@@ -109,27 +109,42 @@ static bool writes_within(const access_list *known, const ir_variable *parameter
     return true;
 }
 
-static bool is_of_parameters(const ir_node *node) {
+/* p->v, p->m.v, p->m->v: what lies behind a parameter that points to a record, by its members. */
+static bool is_member_of(const ir_node *node, const ir_variable *parameter) {
+    if (node->kind != IR_MEMBER || !node->type)
+        return false;
+    const ir_node *record = node->children[0];
+    return ((node->flags & IR_ARROW) && is_parameter(record, parameter)) ||
+           is_member_of(record, parameter);
+}
+
+/* Parameters as numbers, and integers among the members of the record that `parameter` points to.
+ */
+static bool is_of_parameters(const ir_node *node, const ir_variable *parameter) {
     if (node->kind == IR_VARIABLE)
         return node->variable->storage == IR_PARAMETER && ir_type_is_scalar(node->type) &&
                node->type->kind != IR_POINTER;
+    if (node->kind == IR_MEMBER)
+        return node->type && node->type->kind == IR_INTEGER && is_member_of(node, parameter);
     if (node->kind != IR_NUMBER && node->kind != IR_BINARY && node->kind != IR_CAST &&
         node->kind != IR_UNARY)
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_of_parameters(node->children[i]))
+        if (!is_of_parameters(node->children[i], parameter))
             return false;
     return true;
 }
 
-/* p[k], p[k][c]: an element of what the parameter points to, by subscripts that the caller can
- * compute as well. */
+/* p[k], p[k][c], p->v[k]: an element of what the parameter points to, by subscripts that the caller
+ * can compute as well. */
 static bool is_plain_element(const ir_node *lvalue, const ir_variable *parameter) {
     const ir_node *node = lvalue;
-    while (node->kind == IR_INDEX && is_of_parameters(node->children[1])) {
+    while (node->kind == IR_INDEX && is_of_parameters(node->children[1], parameter)) {
         node = node->children[0];
-        if (is_parameter(node, parameter))
-            return node->type->kind == IR_POINTER && ir_type_is_scalar(lvalue->type);
+        if (is_parameter(node, parameter) || is_member_of(node, parameter))
+            return node->type && ir_type_is_scalar(lvalue->type) &&
+                   (node->type->kind == IR_POINTER ||
+                    (node->type->kind == IR_ARRAY && !is_parameter(node, parameter)));
         if (!node->type || node->type->kind != IR_ARRAY)
             return false;
     }
@@ -218,13 +233,23 @@ static const ir_node *target_by_address(const judgement *j, const ir_node *call,
     return target;
 }
 
+/* Is the array found through a member, which the call does not name? */
+static bool is_by_member(const written_part *part) {
+    const ir_node *base = part->element;
+    while (base && base->kind == IR_INDEX)
+        base = base->children[0];
+    return base && base->kind == IR_MEMBER;
+}
+
 /* By an array and subscripts apart. */
 static const ir_node *target_by_subscript(const judgement *j, const ir_node *call,
                                           const access_list *known, written_part *part) {
-    /* Of &s.x only the one object is certain to be there. */
     const ir_node *array = argument_for(call, part->parameter);
     part->element = written_element(known, part->parameter);
-    if (!part->element || (array->kind == IR_UNARY && array->op == IR_OP_ADDRESS))
+    if (!part->element)
+        return NULL;
+    /* Of &s.x only the one object is certain to be there. */
+    if (!is_by_member(part) && array->kind == IR_UNARY && array->op == IR_OP_ADDRESS)
         return NULL;
     const ir_node *target = ir_substitute(j->an->memory, part->element, call->children[0]->function,
                                           &call->children[1]);
@@ -250,7 +275,8 @@ update_call update_call_of(const judgement *j, const ir_node *call) {
     const ir_node *target = target_of(j, call, known, &part);
     if (!target)
         return none;
-    update_call found = {.statement = call->parent, .target = target};
+    update_call found = {
+        .statement = call->parent, .target = target, .is_by_member = is_by_member(&part)};
     find_operator(known, &part, &found);
     return found;
 }

@@ -15,6 +15,8 @@ typedef struct update_call {
     const ir_node *statement; /* NULL: the call is no update of this form */
     const ir_node *target;    /* the element or row */
     bool has_operator;        /* one operator, and the element is not read otherwise */
+    bool is_by_member; /* its array is a member of what the call is given: the call would not find a
+                          private copy of it */
     reduction_operator op;
 } update_call;
 

@@ -267,7 +267,8 @@ static bool judge_call(judgement *j, judged_access *write) {
         return false;
     if (!is_whole_row(&update))
         return refuse_store(j, write);
-    update_kind kind = {found.has_operator ? found.op : REDUCTION_NONE, !found.has_operator};
+    const update_kind kind = {found.has_operator ? found.op : REDUCTION_NONE,
+                              !found.has_operator || found.is_by_member};
     if (!update_array_find(j, &update, kind, &number))
         return false;
     if (!j->updates.count || j->updates.items[j->updates.count - 1].statement != found.statement)
