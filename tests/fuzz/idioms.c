@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Loops as programmers spell them: updates by functions that find the array in a record. Of
- * programs whose seeds are divisible by 11; the others stay what they were when these were added.
- */
+/* Loops as programmers spell them: updates by functions that find the array in a record, extrema of
+ * scalars. Of programs whose seeds are divisible by 11; the others stay what they were when these
+ * were added. */
 #include "fuzz/kernel.h"
 
 /* mat_add(&m, r, c, v), with m->values[r * m->width + c] += v. */
@@ -27,6 +27,39 @@ static void update_by_member(kernel *k) {
         subscript(k), contribution(k, a));
 }
 
+/* if (x > big) { big = x; at = i; }, and what looks like it. */
+static void scalar_extremum(kernel *k) {
+    static const char *const comparisons[] = {">", ">", "<", ">=", "<="};
+    const char *big = new_name(k, "big"), *at = new_name(k, "at"), *x = new_name(k, "x");
+    const char *op = comparisons[below(k, 5)];
+    const char *type = chance(k, 70) ? "double" : chance(k, 50) ? "float" : "int";
+    const char *e = type[0] == 'i' ? integer(k, 1) : value(k, 1);
+    const char *counter = chance(k, 95) ? k->scope.positions.name[0] : subscript(k);
+    declare_outside(k, type, big, chance(k, 50) ? "0" : chance(k, 50) ? "-100" : "100");
+    put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, big);
+    put(k, &k->body, "const %s %s = (%s)(%s);\n", type, x, type, e);
+    if (chance(k, 15))
+        put(k, &k->body, "if (%s)\n", condition(k));
+    if (chance(k, 20)) {
+        put(k, &k->body, "%s = %s %s %s ? %s : %s;\n", big, x, op, big, x, big);
+    } else if (chance(k, 15)) {
+        put(k, &k->body, "%s = %s %s %s ? %s : %s;\n", big, big, op, x, big, x);
+    } else if (chance(k, 30)) {
+        put(k, &k->body, "if (%s %s %s)\n%s = %s;\n", x, op, big, big, x);
+    } else {
+        declare_outside(k, chance(k, 60) ? "int" : "long", at, "-1");
+        put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, at);
+        put(k, &k->body, "if (%s %s %s) {\n%s = (%s);\n%s = %s;\n}\n", big, op, x, at, counter, big,
+            x);
+    }
+    if (chance(k, 8))
+        put(k, &k->body, "live[0] += (double)%s;\n", big);
+    add_name(&k->scope.values, type[0] == 'd' ? x : "0.5");
+}
+
 void idiom(kernel *k) {
-    update_by_member(k);
+    if (chance(k, 45))
+        scalar_extremum(k);
+    else
+        update_by_member(k);
 }

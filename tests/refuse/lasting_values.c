@@ -138,14 +138,14 @@ int by_the_array(int n, const int *k, double *h) {
     return i;
 }
 
-/* Carried: the maximum, and where it was. */
+/* Carried: the maximum, and the sum of the places where there was another. */
 int place_of_most(int n, const int *k, double *h) {
     int most = 0, place = -1;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
         h[k[t]] += 1;
         if (k[t] > most) {
             most = k[t];
-            place = t;
+            place += t;
         }
     }
     return place;

@@ -211,7 +211,7 @@ double greatest(int n, const int *k, const double *v, double *restrict h) {
     double most = 0;
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
         if (most < v[t])
-            most = v[t];
+            most = 2 * v[t];
         h[k[t]] += 1.0;
     }
     return most;

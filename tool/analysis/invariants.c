@@ -83,7 +83,13 @@ static void assert_updates(const loop_facts *facts) {
 
 static void assert_scalar(const loop_facts *facts, const scalar_update *scalar) {
     assert(scalar->variable && scalar->variable != facts->counted.counter);
-    assert(is_in_loop(facts, scalar->statement) && scalar->statement->kind == IR_EXPRESSION);
+    assert(is_in_loop(facts, scalar->statement));
+    assert(scalar->statement->kind == IR_EXPRESSION ||
+           (scalar->is_extremum && scalar->statement->kind == IR_IF));
+    assert(!scalar->is_extremum || (scalar->op >= IR_OP_LESS && scalar->op <= IR_OP_GREATER_EQUAL));
+    assert(!scalar->is_extremum || (scalar->value && !scalar->is_repeated));
+    assert(!scalar->is_negated || (scalar->is_extremum && !scalar->is_conditional));
+    assert(!scalar->place || scalar->is_extremum);
     assert(scalar->operand <= OPERAND_DOUBLE);
     assert(!scalar->is_repeated || scalar->operand == OPERAND_INTEGER);
     assert(!scalar->value || is_in_loop(facts, scalar->value));

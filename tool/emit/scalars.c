@@ -6,6 +6,7 @@
  */
 #include "emit/loop.h"
 #include "emit/origin.h"
+#include "ir/ir_words.h"
 
 static const char *type_of(const scalar_update *update) {
     static const char *const types[] = {"redcc_word", "float", "double"};
@@ -78,11 +79,15 @@ void declare_repeated_operands(loop_text *loop, writer *out) {
                         neutral_of(&loop->facts->scalars[i]));
 }
 
+/** Of extrema the value on entry, which the scalar has until the loop is done. */
 void write_neutral_operands(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
-        if (loop->facts->scalars[i].is_conditional)
-            store_operand(loop, out, i,
-                          arena_format(loop->arena, "(%s)", neutral_of(&loop->facts->scalars[i])));
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        const scalar_update *update = &loop->facts->scalars[i];
+        const char *neutral = update->is_extremum ? origin_variable(loop->arena, update->variable)
+                                                  : neutral_of(update);
+        if (update->is_conditional)
+            store_operand(loop, out, i, arena_format(loop->arena, "(%s)", neutral));
+    }
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
@@ -101,6 +106,22 @@ int scalar_update_at(const loop_facts *facts, const ir_node *statement) {
     return -1;
 }
 
+static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    arena *a = loop->arena;
+    const char *name = origin_variable(a, update->variable);
+    const char *operand = arena_format(a, "redcc__operands_%u[redcc__i]", number);
+    if (update->operand == OPERAND_INTEGER)
+        operand = arena_format(a, "(__typeof__(%s))%s", name, operand);
+    const char *place = "";
+    if (update->place)
+        place = arena_format(a, " %s = (%s)(redcc__lower + %lld * redcc__i);",
+                             origin_variable(a, update->place), loop->counter_type,
+                             (long long)loop->facts->counted.step);
+    writer_line(out, "        if (%s(%s %s %s)) { %s = %s;%s }", update->is_negated ? "!" : "",
+                operand, ir_operator_spelling(update->op), name, name, operand, place);
+}
+
 /** Several updates of an iteration are applied as they stand in it. */
 void apply_operands(loop_text *loop, writer *out) {
     if (loop->facts->scalar_count == 0)
@@ -111,6 +132,10 @@ void apply_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];
         const char *name = origin_variable(loop->arena, update->variable);
+        if (update->is_extremum) {
+            apply_extremum(loop, out, i);
+            continue;
+        }
         const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
         writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);",
                     name, name, from, name, sign_of(update->op), i);

@@ -160,17 +160,21 @@ typedef struct private_variable {
 /** How an operand of a scalar's update is kept: as the type in which the operation is made. */
 typedef enum operand_type { OPERAND_INTEGER, OPERAND_FLOAT, OPERAND_DOUBLE } operand_type;
 
-/** s op= e of a scalar that nothing else in the loop reads or writes: each iteration's operand is
- *  kept, and all are applied in order after the loop. */
+/** s op= e, or if (e > s) s = e, of a scalar that nothing else in the loop reads or writes: each
+ * iteration's operand is kept, and all are applied in order after the loop. */
 typedef struct scalar_update {
     ir_variable *variable;
-    const ir_node *statement; /* IR_EXPRESSION */
+    const ir_node *statement; /* IR_EXPRESSION; of extrema also IR_IF */
     const ir_node *value;     /* the operand; NULL: 1 */
     ir_operator op;           /* + - * & | ^ */
     operand_type operand;
     bool is_conditional; /* not executed in each iteration */
     bool is_repeated;    /* executed several times in one, in a loop inside: of integers, whose
                             operands an iteration may put together before */
+    bool is_extremum;    /* if (e op s) s = e; with a comparison op, of one type with s. Where it is
+                            conditional no operand is before s in that order */
+    bool is_negated;     /* is_extremum: if (!(e op s)) s = e */
+    ir_variable *place;  /* is_extremum: that gets the counter's value when s is set; or NULL */
 } scalar_update;
 
 /** target = value, of an element that the iteration reads again below: wherever else the loop's

@@ -135,3 +135,52 @@ bool source_ends_equal(const loop_source *a, const loop_source *b) {
             return false;
     return true;
 }
+
+/* ---- in each iteration ------------------------------------------------------------------------
+ */
+
+/* Is this part evaluated whenever `parent` is, once? */
+static bool is_certain_part(const ir_node *parent, const ir_node *part) {
+    switch (parent->kind) {
+    case IR_BLOCK:
+    case IR_DECLARATION:
+    case IR_DECLARATOR:
+    case IR_EXPRESSION:
+    case IR_ASSIGN:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+        return true;
+    case IR_UNARY:
+        return parent->op != IR_OP_ADDRESS;
+    case IR_BINARY:
+        return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
+    default:
+        return false;
+    }
+}
+
+bool executed_certainly_in(const ir_node *outer, const ir_node *node) {
+    for (; node != outer; node = node->parent)
+        if (!node->parent || !is_certain_part(node->parent, node))
+            return false;
+    return true;
+}
+
+/* Is there a `continue` of the loop above the node? */
+static bool is_passed_by(const ir_node *part, const ir_node *node) {
+    if (part->kind == IR_CONTINUE)
+        return part->id < node->id;
+    if (ir_is_loop(part))
+        return false;
+    for (unsigned i = 0; i < part->child_count; i++)
+        if (is_passed_by(part->children[i], node))
+            return true;
+    return false;
+}
+
+bool executed_in_each(const judgement *j, const ir_node *node) {
+    const ir_node *body = j->counted.body;
+    return ir_contains(body, node) && executed_certainly_in(body, node) &&
+           !is_passed_by(body, node);
+}

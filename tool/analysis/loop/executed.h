@@ -10,6 +10,11 @@
  *  arena. None where nothing is known. */
 unsigned executed_limits(const judgement *j, const ir_node *node, const counter_limit **limits);
 
+/** Is a piece of `outer` executed whenever `outer` is, once? */
+bool executed_certainly_in(const ir_node *outer, const ir_node *node);
+/** Is a piece of the body executed in each iteration, once? */
+bool executed_in_each(const judgement *j, const ir_node *node);
+
 /** Are the extents of two reads of one row computed alike? */
 bool source_ends_equal(const loop_source *a, const loop_source *b);
 

@@ -8,54 +8,14 @@
 #include "analysis/private/induction.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/loop/executed.h"
 #include "analysis/private/live.h"
 
-/* Is this part evaluated whenever `parent` is, once? */
-static bool is_certain_part(const ir_node *parent, const ir_node *part) {
-    switch (parent->kind) {
-    case IR_BLOCK:
-    case IR_DECLARATION:
-    case IR_DECLARATOR:
-    case IR_EXPRESSION:
-    case IR_ASSIGN:
-    case IR_INDEX:
-    case IR_MEMBER:
-    case IR_CAST:
-        return true;
-    case IR_UNARY:
-        return parent->op != IR_OP_ADDRESS;
-    case IR_BINARY:
-        return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
-    default:
-        return false;
-    }
-}
-
-static bool is_certain_in(const ir_node *outer, const ir_node *node) {
-    for (; node != outer; node = node->parent)
-        if (!node->parent || !is_certain_part(node->parent, node))
-            return false;
-    return true;
-}
-
-/* Is there a `continue` of the loop above the node? */
-static bool is_passed_by(const ir_node *part, const ir_node *node) {
-    if (part->kind == IR_CONTINUE)
-        return part->id < node->id;
-    if (ir_is_loop(part))
-        return false;
-    for (unsigned i = 0; i < part->child_count; i++)
-        if (is_passed_by(part->children[i], node))
-            return true;
-    return false;
-}
-
 static bool is_executed_once(const judgement *j, const ir_node *write) {
-    const ir_node *body = j->counted.body;
-    if (ir_contains(body, write))
-        return is_certain_in(body, write) && !is_passed_by(body, write);
+    if (ir_contains(j->counted.body, write))
+        return executed_in_each(j, write);
     return j->loop->kind == IR_FOR && ir_contains(j->loop->children[2], write) &&
-           is_certain_in(j->loop->children[2], write);
+           executed_certainly_in(j->loop->children[2], write);
 }
 
 static bool is_integer(const ir_type *type) {

@@ -3,12 +3,14 @@
  * The value of a scalar that the loop accumulates into does not matter while the loop runs, where
  * nothing else reads it: only the operands do. Each iteration keeps its own; after the loop they
  * are applied one after the other, which gives what the sequential loop gives, bit for bit.
+ * Of a minimum or maximum they are the values compared (scalar_extremum.c).
  * Integers may be put together within an iteration as well: modulo 2^64 their sums do not depend on
  * the order.
  */
 #include "analysis/reduction/scalars.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/reduction/scalar_extremum.h"
 
 static bool is_operator(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY || op == IR_OP_BIT_AND ||
@@ -50,7 +52,8 @@ static bool is_narrow_floating(const ir_type *type) {
 
 /* The type in which the operation is made: what the operand is converted to by it. Of integers all
  * that counts is the operand modulo 2^64. */
-static bool find_operand_type(const ir_variable *s, scalar_update *found) {
+static bool find_operand_type(scalar_update *found) {
+    const ir_variable *s = found->variable;
     const ir_type *value = found->value ? found->value->type : NULL;
     bool value_is_integer =
         !found->value || (value && (value->kind == IR_INTEGER || value->kind == IR_BOOLEAN));
@@ -60,8 +63,8 @@ static bool find_operand_type(const ir_variable *s, scalar_update *found) {
         found->operand = OPERAND_INTEGER;
         return value_is_integer && s->type->size <= 8 && (!value || value->size <= 8);
     }
-    if (!is_narrow_floating(s->type) ||
-        (found->op != IR_OP_ADD && found->op != IR_OP_SUBTRACT && found->op != IR_OP_MULTIPLY))
+    if (!is_narrow_floating(s->type) || (found->op != IR_OP_ADD && found->op != IR_OP_SUBTRACT &&
+                                         found->op != IR_OP_MULTIPLY && !found->is_extremum))
         return false;
     if (!value_is_integer && (!value || !is_narrow_floating(value)))
         return false;
@@ -96,23 +99,56 @@ static bool has_other_write(const judgement *j, const ir_node *statement,
     return false;
 }
 
+static bool is_declared_within(const judgement *j, const ir_variable *variable) {
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    return variable->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator));
+}
+
+/* Every access to the variable in the statement is the update's own. */
+static void mark_own(judgement *j, const ir_node *statement, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        judged_access *a = &j->accesses[i];
+        if (!a->access.callee && a->access.lvalue && is_variable(a->access.lvalue, variable) &&
+            ir_contains(statement, a->access.node))
+            a->class = CLASS_SELF;
+    }
+}
+
+static bool take_extremum(judgement *j, const ir_node *assignment) {
+    scalar_update found;
+    if (!scalar_extremum_of(j, assignment, &found) || !find_operand_type(&found) ||
+        found.statement->range.begin >= found.statement->range.end ||
+        is_declared_within(j, found.variable) ||
+        (found.place && is_declared_within(j, found.place)))
+        return false;
+    for (unsigned i = 0; i < j->scalars.count; i++)
+        if (j->scalars.items[i].statement == found.statement)
+            return true; /* if (e > s) { s = e; at = i; } is one */
+    mark_own(j, found.statement, found.variable);
+    if (found.place)
+        mark_own(j, found.statement, found.place);
+    VECTOR_PUSH(j->an->memory, &j->scalars, found);
+    return true;
+}
+
 bool scalar_take_update(judgement *j, judged_access *write) {
     const ir_node *target = write->access.lvalue;
     if (write->access.callee || !target || target->kind != IR_VARIABLE || !target->parent)
         return false;
     const ir_node *assignment = target->parent;
     const ir_node *statement = assignment->parent;
+    if (take_extremum(j, assignment))
+        return true;
     const ir_variable *s = target->variable;
     scalar_update found = {.variable = target->variable, .statement = statement};
     if (!statement || statement->kind != IR_EXPRESSION || ir_value_is_used(assignment) ||
         statement->range.begin >= statement->range.end || !recognise(assignment, s, &found) ||
-        !find_operand_type(s, &found) || has_other_write(j, statement, write))
+        !find_operand_type(&found) || has_other_write(j, statement, write))
         return false;
     found.is_repeated = !is_outside_inner_loops(j, statement);
     if (found.is_repeated && found.operand != OPERAND_INTEGER)
         return false;
-    const ir_node *declarator = variable_fact_of(j->an->facts, s)->declarator;
-    if (s->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator)))
+    if (is_declared_within(j, s))
         return false;
     found.is_conditional = write->access.is_conditional || found.is_repeated;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -147,20 +183,41 @@ static bool judge_repeated(judgement *j, const scalar_update *repeated) {
     return true;
 }
 
+/* A conditional extremum is all that happens to its scalar, or the value that stands for none could
+ * be behind it. */
+static bool judge_extremum(judgement *j, const scalar_update *extremum) {
+    for (unsigned i = 0; i < j->scalars.count; i++) {
+        const scalar_update *other = &j->scalars.items[i];
+        if (other->variable == extremum->variable &&
+            (!other->is_extremum || other->is_negated || other->op != extremum->op))
+            return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+                                    other->variable->name);
+    }
+    return true;
+}
+
+/* Is the variable touched by nothing else than updates of it, or the place by one? */
+static bool is_alone(judgement *j, const scalar_update *update, ir_variable *variable) {
+    const location where = {.object = variable, .type = variable->type};
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const judged_access *a = &j->accesses[i];
+        const bool is_own =
+            is_own_access(a, variable) &&
+            (variable != update->place || ir_contains(update->statement, a->access.node));
+        if (!is_own && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
+            return judgement_refuse(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
+    }
+    return true;
+}
+
 bool judge_scalars(judgement *j) {
     for (unsigned k = 0; k < j->scalars.count; k++) {
         const scalar_update *update = &j->scalars.items[k];
-        if (update->is_repeated && !judge_repeated(j, update))
+        if ((update->is_repeated && !judge_repeated(j, update)) ||
+            (update->is_extremum && update->is_conditional && !judge_extremum(j, update)) ||
+            !is_alone(j, update, update->variable) ||
+            (update->place && !is_alone(j, update, update->place)))
             return false;
-        const ir_node *assignment = update->statement->children[0];
-        location where = location_of(j->an->facts, assignment->children[0], j->loop);
-        for (unsigned i = 0; i < j->access_count; i++) {
-            const judged_access *a = &j->accesses[i];
-            if (!is_own_access(a, update->variable) &&
-                locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-                return judgement_refuse(j, REASON_SCALAR_CARRIED, a->access.node,
-                                        update->variable->name);
-        }
     }
     return true;
 }
