@@ -89,6 +89,29 @@ static int used_where_it_moves(int n, int k) {
     return k;
 }
 
+static int by_stride(int n, int k, const int by) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        h[s[k]] += e[i];
+        k += by;
+    }
+    return k;
+}
+
+static long by_strides(int n, int by, unsigned wide, signed char narrow) {
+    int i, q;
+    long r = 4000;
+    unsigned char c = 7;
+    for (i = 0, q = 3; i < n; i++, q = q + 2 * by) { // EXPECT: transformed
+        h[s[q]] += e[r];
+        r -= narrow;
+        r++;
+        bytes[s[i]] += c;
+        c += wide;
+        c--;
+    }
+    return 10 * r + 5 * q + c;
+}
+
 static int by_while(int n, int k) {
     int i = 0;
     while (i < n) { // EXPECT: transformed
@@ -153,6 +176,11 @@ int main(void) {
         sum = 3 * sum + (unsigned long)several(N);
         sum = 3 * sum + (unsigned long)wrapping(N);
         sum = 3 * sum + (unsigned long)used_where_it_moves(N, round);
+        sum = 3 * sum + (unsigned long)by_stride(N, round, 2);
+        sum = 3 * sum + (unsigned long)by_stride(N, round + 5, round == 2 ? 3 : 0);
+        sum = 3 * sum + (unsigned long)by_stride(N, 2 * N, -1);
+        sum = 3 * sum + (unsigned long)by_strides(N, 1, 4000000001u, (signed char)(round - 1));
+        sum = 3 * sum + (unsigned long)by_strides(0, 2000000000, 4, 5);
         sum = 3 * sum + (unsigned long)by_while(N, N + round);
         skipped_after(N, 3);
         sum = 3 * sum + (unsigned long)again_and_again(N, 2);

@@ -38,6 +38,52 @@ void by_what_is_read(int n, int k) {
     }
 }
 
+void by_what_is_written(int n, int k, int by) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k += by;
+        by = s[i];
+    }
+}
+
+extern int stride;
+
+void by_global(int n, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k += stride;
+    }
+}
+
+void by_itself(int n, int k) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k = k + (k & 1);
+    }
+}
+
+void by_two(int n, int k, int a, int b) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k += a;
+        k += b;
+    }
+}
+
+void by_fraction(int n, int k, float by) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k += by;
+    }
+}
+
+void from_the_stride(int n, int k, int by) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        h[s[i]] += e[k];
+        k = by - k;
+    }
+}
+
 void doubled(int n, int k) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
         h[s[i]] += e[k % N];

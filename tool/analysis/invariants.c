@@ -126,6 +126,7 @@ static void assert_private(const loop_facts *facts, const private_variable *item
     assert(!item->is_live_after || !item->is_last_sought);
     assert(item->is_stepped || (!item->is_step_wanted && !item->is_in_slice && !item->entry));
     assert(!item->is_stepped || item->variable->type->kind == IR_INTEGER);
+    assert(item->is_stepped || !item->by);
 }
 
 static void assert_span(const loop_facts *facts, const loop_span *span) {

@@ -135,7 +135,8 @@ static bool is_verifiable(const loop_facts *facts) {
 static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = 0;
     for (unsigned i = 0; i < facts->private_count; i++)
-        count += facts->privates[i].is_stepped && facts->privates[i].is_in_slice;
+        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice)
+            count += facts->privates[i].by ? 2 : 1;
     return count;
 }
 
@@ -153,8 +154,11 @@ void fill_key(loop_text *loop, writer *out) {
         return;
     unsigned number = 1 + facts->key_count;
     for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice)
+        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice) {
             writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);
+            if (facts->privates[i].by)
+                writer_line(out, "redcc__key[%u] = redcc__by_%u;", number++, i);
+        }
     for (unsigned i = 0; i < facts->key_count; i++) {
         const ir_node *key = facts->key[i];
         const char *text = loop_operand(loop, key);

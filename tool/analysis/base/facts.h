@@ -153,6 +153,9 @@ typedef struct private_variable {
     bool is_step_wanted; /* is_stepped: its value after the loop is needed */
     bool is_in_slice;    /* is_stepped: the inspector asks for it */
     int64_t step;
+    const ir_node *by; /* is_stepped: it is moved by this integer as well, of local variables that
+                          the loop leaves as they are; NULL: by none */
+    bool is_down;      /* `by` is subtracted */
     const ir_node *entry; /* is_stepped: its value on entry, which the header gives it; NULL: the
                              one that it has */
 } private_variable;

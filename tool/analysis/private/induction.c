@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * v = v0 + c (t - t0): where every iteration adds the same constant to v, exactly once and whatever
+ * v = v0 + c (t - t0): where every iteration adds the same c to v, exactly once and whatever
  * it does otherwise, each iteration can begin with a copy that has the value of the sequential loop
  * there, and execute its text as it stands. The sum is made modulo 2^64 and converted to v's type:
  * the sequential loop has the same value, where it does not overflow.
@@ -9,6 +9,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
+#include "analysis/loop/variation.h"
 #include "analysis/private/live.h"
 
 static bool is_executed_once(const judgement *j, const ir_node *write) {
@@ -38,22 +39,62 @@ static const ir_node *start_of(const judgement *j, const ir_variable *variable) 
     return NULL;
 }
 
-/* The sum of all steps in the loop; false: there is another write. */
-static bool sum_steps(const judgement *j, const ir_variable *variable, int64_t *sum) {
+/* Of numbers and local variables that nothing but the text can change, and the loop does not. */
+static bool is_steady(const judgement *j, const ir_node *node) {
+    if (node->kind == IR_VARIABLE)
+        return is_integer(node->type) && variable_is_automatic(node->variable) &&
+               !node->variable->address_taken && !node->variable->has_other_name &&
+               variation_is_invariant(j->an->facts, j->loop, node);
+    if ((node->kind != IR_NUMBER && node->kind != IR_CAST && node->kind != IR_BINARY &&
+         node->kind != IR_UNARY) ||
+        expression_is_hazard(node) || !node->type || !is_integer(node->type))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_steady(j, node->children[i]))
+            return false;
+    return true;
+}
+
+/* v += e, v -= e, v = v + e, with an e that stays: what is added; NULL: it is none of these. */
+static const ir_node *steady_step(const judgement *j, const ir_node *write, const ir_variable *v,
+                                  bool *is_down) {
+    if (write->kind != IR_ASSIGN || write->children[0]->kind != IR_VARIABLE ||
+        write->children[0]->variable != v)
+        return NULL;
+    const ir_node *value = write->children[1];
+    ir_operator op = write->op;
+    if (op == IR_OP_NONE && value->kind == IR_BINARY) {
+        const unsigned side = expression_mentions(value->children[0], v) ? 0 : 1;
+        const ir_node *self = value->children[side];
+        op = value->op;
+        if (self->kind != IR_VARIABLE || self->variable != v || (side && op != IR_OP_ADD))
+            return NULL;
+        value = value->children[1 - side];
+    }
+    *is_down = op == IR_OP_SUBTRACT;
+    return (op == IR_OP_ADD || op == IR_OP_SUBTRACT) && is_steady(j, value) ? value : NULL;
+}
+
+/* The sum of all steps in the loop, at most one of which is no constant; false: there is another
+ * write. */
+static bool sum_steps(const judgement *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
-    *sum = 0;
+    int64_t sum = 0;
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
         ir_variable *stepped;
         int64_t step;
         if (!ir_contains(j->loop, write) || write == start_of(j, variable))
             continue;
-        if (!counted_step(write, &stepped, &step) || stepped != variable ||
-            !is_executed_once(j, write))
+        if (!is_executed_once(j, write))
             return false;
-        *sum += step;
+        if (counted_step(write, &stepped, &step) && stepped == variable)
+            sum += step;
+        else if (item->by || !(item->by = steady_step(j, write, variable, &item->is_down)))
+            return false;
     }
-    return *sum <= INT32_MAX && *sum >= -(int64_t)INT32_MAX;
+    item->step = sum;
+    return sum <= INT32_MAX && sum >= -(int64_t)INT32_MAX;
 }
 
 static bool is_taken(const judgement *j, const ir_variable *variable) {
@@ -64,20 +105,17 @@ static bool is_taken(const judgement *j, const ir_variable *variable) {
 }
 
 bool induction_take(judgement *j, const ir_variable *variable) {
-    int64_t step;
+    const ir_node *start = start_of(j, variable);
+    private_variable item = {.variable = (ir_variable *)variable,
+                             .entry = start ? start->children[1] : NULL,
+                             .is_stepped = true};
     if (is_taken(j, variable))
         return true;
     if (!is_integer(variable->type) || !is_of_function(j, variable) ||
-        !sum_steps(j, variable, &step))
+        !sum_steps(j, variable, &item))
         return false;
-    const ir_node *start = start_of(j, variable);
     /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */
-    private_variable item = {.variable = (ir_variable *)variable,
-                             .entry = start ? start->children[1] : NULL,
-                             .is_stepped = true,
-                             .step = step,
-                             .is_step_wanted =
-                                 !start || variable_is_live_after(j->an->facts, j->loop, variable)};
+    item.is_step_wanted = !start || variable_is_live_after(j->an->facts, j->loop, variable);
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }
