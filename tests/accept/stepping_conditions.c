@@ -102,22 +102,22 @@ static int downwards_twice(int n, int m) {
 }
 
 int main(void) {
-    long sum = 0;
+    unsigned long sum = 0;
     case_values(e, N + 9);
     for (int round = 0; round < 4; round++) {
         if (round != 2)
             case_subscripts(s, N + 9, ROWS);
         for (int n = round < 2 ? N : 2; n >= 0; n = n > 1 ? 1 : n - 1) {
-            sum = 3 * sum + down_before(n) + down_after(n);
-            sum = 3 * sum + (long)down_unsigned((size_t)n) + down_narrow((unsigned)n);
-            sum = 3 * sum + while_there_are(n) + skips(n) + up_to_zero(n);
-            sum = 3 * sum + to_a_bound(n, -1) + counts_beside(n);
-            sum = 3 * sum + declared(n) + downwards_twice(2, n);
+            sum = 3 * sum + (unsigned long)(down_before(n) + down_after(n));
+            sum = 3 * sum + (unsigned long)((long)down_unsigned((size_t)n) + down_narrow((unsigned)n));
+            sum = 3 * sum + (unsigned long)(while_there_are(n) + skips(n) + up_to_zero(n));
+            sum = 3 * sum + (unsigned long)(to_a_bound(n, -1) + counts_beside(n));
+            sum = 3 * sum + (unsigned long)(declared(n) + downwards_twice(2, n));
         }
-        sum = 3 * sum + but_for_the_last(N) + down_after(-7) + down_before(-7);
-        sum = 3 * sum + to_a_bound(N, 17) + to_a_bound(5, 17);
+        sum = 3 * sum + (unsigned long)(but_for_the_last(N) + down_after(-7) + down_before(-7));
+        sum = 3 * sum + (unsigned long)(to_a_bound(N, 17) + to_a_bound(5, 17));
     }
-    printf("%ld\n", sum);
+    printf("%lu\n", sum);
     CASE_PRINT(h);
     CASE_PRINT(counted);
     return 0;
