@@ -294,7 +294,9 @@ static bool shows_order(kernel *k, const char *object) {
                                 (a->type == E_FLOAT || *a->operation != '+' || a->is_no_integer);
         const bool is_given = strncmp(a->given, object, length) == 0 &&
                               (a->given[length] == 0 || a->given[length] == ' ');
-        if (is_inexact && (is_given || strcmp(a->object, object) == 0))
+        /* What is stored in `out` may come from any of them. */
+        if (is_inexact &&
+            (is_given || strcmp(a->object, object) == 0 || strcmp(k->out.object, object) == 0))
             return true;
     }
     return false;

@@ -179,7 +179,8 @@ static void expect(const pilot *p, double error, double growth, double growth_of
     const int steps = (int)ceil(p->steps * more);
     a->settings = settings_of(p, steps, p->tolerance);
     a->order = order;
-    a->error = p->error / pow(more, order);
+    /* Runs as coarse as the error allows do not tell that it is smaller by far. */
+    a->error = fmax(p->error / pow(more, order), 0.25 * error);
     a->cpu_seconds = p->last.cpu_seconds * pow(more, fmin(fmax(growth, 0), 1.5));
     a->iterations =
         (double)p->last.cg_iterations * pow(more, fmin(fmax(growth_of_iterations, -0.5), 1.5));

@@ -32,10 +32,18 @@
 #define REDCC_UNFUSED_BLOCK
 #endif
 
+/* 2 ^ 5 that a macro expands to is not warned of; where the macro's text stands expanded, it would
+ * be. */
+#if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
+#define REDCC_QUIET_XOR _Pragma("GCC diagnostic ignored \"-Wxor-used-as-pow\"")
+#else
+#define REDCC_QUIET_XOR
+#endif
+
 /* gcc and clang: what the user's file does not warn of must not be warned of here. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
-        _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")
+        _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"") REDCC_QUIET_XOR
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** What one execution is described by: bases, extents of sources, key. */
