@@ -28,17 +28,9 @@ typedef struct pilot {
 } pilot;
 
 static scene settings_of(const pilot *p, int steps, double tolerance) {
-    scene s = divided(p->base, steps);
-    s.integrator = p->integrator;
+    scene s = divided_by(p->base, p->integrator, steps, tolerance);
     s.method = p->method;
     s.preconditioner = p->preconditioner;
-    if (p->integrator == INTEGRATOR_LINEAR_EULER) {
-        s.tolerance = tolerance;
-    } else {
-        s.tolerance = 0.1;
-        s.newton_tolerance = tolerance;
-        s.newton_iterations = 200;
-    }
     return s;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "integrator.h"
 #include "simulation.h"
 
 double cpu_seconds(void) {
@@ -20,6 +21,19 @@ scene divided(const scene *s, int steps) {
     result.step = s->step * s->steps / steps;
     result.steps = steps;
     return result;
+}
+
+scene divided_by(const scene *s, int integrator, int steps, double tolerance) {
+    scene of = divided(s, steps);
+    of.integrator = integrator;
+    if (integrator == INTEGRATOR_LINEAR_EULER) {
+        of.tolerance = tolerance;
+    } else {
+        of.tolerance = 0.1;
+        of.newton_tolerance = tolerance;
+        of.newton_iterations = 200;
+    }
+    return of;
 }
 
 static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {

@@ -30,6 +30,10 @@ double measured_distance(const measured *a, const measured *b, double *largest);
 /** The scene with its duration divided into so many steps. */
 scene divided(const scene *s, int steps);
 
+/** The same by this integrator, to this tolerance: of the linear system, or of Newton's method,
+ * which asks little of its linear systems. */
+scene divided_by(const scene *s, int integrator, int steps, double tolerance);
+
 /** CPU seconds of this process, all threads. */
 double cpu_seconds(void);
 

@@ -12,35 +12,24 @@ static const char *const preconditioner_names[] = {"gauss-seidel", "block-jacobi
                                                    "incomplete-cholesky"};
 static const char *const precision_names[] = {"double", "float", "mixed"};
 
-/* The tolerance that an integrator's accuracy goes by: of the linear system, or of Newton's method,
- * whose systems are then solved to a tenth. */
-static scene with_tolerance(const study *of, int kind, int steps, double tolerance) {
-    scene s = divided(&of->base, steps);
-    s.integrator = kind;
-    s.tolerance = kind == INTEGRATOR_LINEAR_EULER ? tolerance : 0.1;
-    s.newton_tolerance = kind == INTEGRATOR_LINEAR_EULER ? s.newton_tolerance : tolerance;
-    s.newton_iterations = 200;
-    return s;
-}
-
 /* A contestant at its best: with the loosest tolerance whose own error is a tenth of the error of
  * time stepping, or the tightest there is. 0, or -1 after a message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };
-    const scene tight = with_tolerance(of, kind, steps, 1e-8);
+    const scene tight = divided_by(&of->base, kind, steps, 1e-8);
     measured exact = {0};
     int found = COUNT - 1, status = measure(&tight, &of->cloth, 1, ANY_REJECTIONS, &exact);
     const double allowed = 0.1 * measured_distance(&exact, &of->reference, NULL);
     for (int k = 0; k + 1 < COUNT && status == 0 && found == COUNT - 1; k += of->quick ? 3 : 1) {
-        const scene s = with_tolerance(of, kind, steps, tolerances[k]);
+        const scene s = divided_by(&of->base, kind, steps, tolerances[k]);
         measured got = {0};
         status = measure(&s, &of->cloth, 1, ANY_REJECTIONS, &got);
         if (status == 0 && measured_distance(&got, &exact, NULL) <= allowed)
             found = k;
         measured_free(&got);
     }
-    const scene s = with_tolerance(of, kind, steps, tolerances[found]);
+    const scene s = divided_by(&of->base, kind, steps, tolerances[found]);
     if (status == 0)
         status = study_run(of, "dt", integrator_names[kind], &s, tolerances[found]);
     if (status == 0) {

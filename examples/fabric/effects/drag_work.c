@@ -4,13 +4,19 @@
 #include "drag.h"
 #include "vector.h"
 
-static double work_of(const int corner[3], double factor, const double wind[3],
-                      const double (*x)[3], const double (*v)[3]) {
-    double one[3], other[3], cross[3], work = 0;
+/* The triangle's normal, twice its area long; returns that length. */
+static double normal_of(const int corner[3], const double (*x)[3], double cross[3]) {
+    double one[3], other[3];
     vector_subtract(x[corner[1]], x[corner[0]], one);
     vector_subtract(x[corner[2]], x[corner[0]], other);
     vector_cross(one, other, cross);
-    const double length = vector_length(cross);
+    return vector_length(cross);
+}
+
+static double work_of(const int corner[3], double factor, const double wind[3],
+                      const double (*x)[3], const double (*v)[3]) {
+    double cross[3], work = 0;
+    const double length = normal_of(corner, x, cross);
     for (int p = 0; p < 3 && length > 0; p++) {
         const double along = vector_dot(cross, v[corner[p]]);
         work += factor / (6 * length) * (vector_dot(cross, wind) - along) * along;
@@ -20,11 +26,8 @@ static double work_of(const int corner[3], double factor, const double wind[3],
 
 static double work_along_of(const int corner[3], double factor, const double wind[3],
                             const double (*x)[3], const double (*v)[3]) {
-    double one[3], other[3], cross[3], work = 0;
-    vector_subtract(x[corner[1]], x[corner[0]], one);
-    vector_subtract(x[corner[2]], x[corner[0]], other);
-    vector_cross(one, other, cross);
-    const double length = vector_length(cross);
+    double cross[3], work = 0;
+    const double length = normal_of(corner, x, cross);
     for (int p = 0; p < 3 && length > 0; p++) {
         double past[3];
         vector_subtract(wind, v[corner[p]], past);
