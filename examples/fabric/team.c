@@ -50,7 +50,7 @@ static double work(volatile double *sink) {
 static int is_busy(void) {
     volatile double sink;
     double least = work(&sink), start = 0, seconds = 0;
-    for (int k = 0; k <= PROBES && seconds <= delay * 2 * PROBES * least; k++) {
+    for (int k = 0; k <= PROBES && seconds <= delay * (double)(2 * PROBES) * least; k++) {
         if (k == 1) /* the threads have been made */
             start = clock_seconds();
 #pragma omp parallel
@@ -62,7 +62,7 @@ static int is_busy(void) {
         least = between < least ? between : least;
         seconds = k > 0 ? clock_seconds() - start : 0;
     }
-    return seconds > delay * 2 * PROBES * least;
+    return seconds > delay * (double)(2 * PROBES) * least;
 }
 
 void team_start(team *t, int most, int busy) {
