@@ -45,9 +45,7 @@ static bool mentions(const ir_node *node, const ir_variable *variable) {
 static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     if (node->kind == IR_DECLARATOR)
         return node->variable;
-    const bool is_step = node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-                         node->op <= IR_OP_POST_DECREMENT;
-    if (node->kind != IR_ASSIGN && !is_step)
+    if (node->kind != IR_ASSIGN && !ir_is_increment(node))
         return NULL;
     const ir_variable *root = ir_root_variable(node->children[0]);
     *other |= node->children[0]->kind != IR_VARIABLE;

@@ -75,8 +75,8 @@ lifted lane_expression(lifter *l, const ir_node *node);
 const char *lane_vector(lifter *l, const ir_node *node);
 /** May it be evaluated where the program does not? */
 bool lane_is_safe(const lifter *l, const ir_node *node);
-/** An arithmetic operator or a comparison as C; NULL: another one. */
-const char *lane_operator(ir_operator op);
+/** Is it one of the arithmetic operators of vectors, + - * and /? */
+bool lane_has_operator(ir_operator op);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */

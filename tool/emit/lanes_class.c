@@ -27,7 +27,7 @@ bool lane_is_uniform(const lifter *l, const ir_node *node) {
     case IR_INITIALIZERS:
         return false;
     case IR_UNARY:
-        if (node->op >= IR_OP_PRE_INCREMENT && node->op <= IR_OP_POST_DECREMENT)
+        if (ir_is_increment(node))
             return false;
         break;
     case IR_SIZEOF:
@@ -149,8 +149,7 @@ static bool is_of_some_lanes(const lifter *l, const ir_node *node, const ir_vari
 static void spread_below_conditions(spreading *s, const ir_node *node) {
     lifter *l = s->l;
     const ir_node *target = ir_child(node, 0);
-    const bool is_assignment =
-        node->kind == IR_ASSIGN || (node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT);
+    const bool is_assignment = node->kind == IR_ASSIGN || ir_is_increment(node);
     if (!is_assignment || target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
         l->class_of[target->variable->id] != LANE_UNIFORM ||
         !is_of_some_lanes(l, node, target->variable))

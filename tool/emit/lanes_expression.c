@@ -8,6 +8,7 @@
 
 #include "emit/lanes.h"
 #include "emit/origin.h"
+#include "ir/ir_words.h"
 
 static const lifted nothing = {"0.0", false};
 
@@ -82,40 +83,17 @@ const char *lane_vector(lifter *l, const ir_node *node) {
     return as_vector(l, lane_expression(l, node));
 }
 
-const char *lane_operator(ir_operator op) {
-    switch (op) {
-    case IR_OP_ADD:
-        return "+";
-    case IR_OP_SUBTRACT:
-        return "-";
-    case IR_OP_MULTIPLY:
-        return "*";
-    case IR_OP_DIVIDE:
-        return "/";
-    case IR_OP_LESS:
-        return "<";
-    case IR_OP_GREATER:
-        return ">";
-    case IR_OP_LESS_EQUAL:
-        return "<=";
-    case IR_OP_GREATER_EQUAL:
-        return ">=";
-    case IR_OP_EQUAL:
-        return "==";
-    case IR_OP_NOT_EQUAL:
-        return "!=";
-    default:
-        return NULL;
-    }
+bool lane_has_operator(ir_operator op) {
+    return op >= IR_OP_ADD && op <= IR_OP_DIVIDE;
 }
 
 static lifted arithmetic(lifter *l, const ir_node *node) {
-    const char *op = node->op <= IR_OP_DIVIDE ? lane_operator(node->op) : NULL;
-    if (!op)
+    if (!lane_has_operator(node->op))
         return refuse(l, "an operator has no form for vectors");
     const lifted left = lane_expression(l, node->children[0]);
     const lifted right = lane_expression(l, node->children[1]);
-    return (lifted){arena_format(l->loop->arena, "(%s %s %s)", left.text, op, right.text),
+    return (lifted){arena_format(l->loop->arena, "(%s %s %s)", left.text,
+                                 ir_operator_spelling(node->op), right.text),
                     left.is_vector || right.is_vector};
 }
 

@@ -5,6 +5,7 @@
  */
 #include "emit/lanes.h"
 #include "emit/origin.h"
+#include "ir/ir_words.h"
 
 const char *lane_guarded(lifter *l, const ir_node *node, const char *text) {
     if (!l->mask || lane_is_safe(l, node))
@@ -61,7 +62,7 @@ const char *lane_mask(lifter *l, const ir_node *node) {
     if (is_comparison &&
         (lane_is_double(node->children[0]->type) || lane_is_double(node->children[1]->type)))
         return arena_format(a, "(redcc_mask)(%s %s %s)", lane_vector(l, node->children[0]),
-                            lane_operator(node->op), lane_vector(l, node->children[1]));
+                            ir_operator_spelling(node->op), lane_vector(l, node->children[1]));
     if (lane_is_plain(node) && !lane_mentions_lifted(l, node))
         return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
     lane_problem(l, "a condition of the iteration is no comparison of doubles");

@@ -7,6 +7,7 @@
 
 #include "emit/lanes.h"
 #include "emit/origin.h"
+#include "ir/ir_words.h"
 
 enum { MOST_DEPTH = 8 /* of calls */ };
 
@@ -273,44 +274,22 @@ const char *lane_call(lifter *l, const ir_node *call) {
 
 /* ---- statements ----------------------------------------------------------------------------- */
 
-static bool is_step(const ir_node *node) {
-    return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
-           node->op <= IR_OP_POST_DECREMENT;
-}
-
-static const char *assignment_operator(ir_operator op) {
-    switch (op) {
-    case IR_OP_NONE:
-        return "=";
-    case IR_OP_ADD:
-        return "+=";
-    case IR_OP_SUBTRACT:
-        return "-=";
-    case IR_OP_MULTIPLY:
-        return "*=";
-    case IR_OP_DIVIDE:
-        return "/=";
-    default:
-        return NULL;
-    }
-}
-
 static void assign_lifted(lifter *l, const ir_node *node) {
-    const char *op = assignment_operator(node->op);
     const lifted target = lane_expression(l, node->children[0]);
-    if (!op)
+    if (node->op != IR_OP_NONE && !lane_has_operator(node->op))
         lane_problem(l, "an operator has no form for vectors");
     else if (lane_needs_select(l, lane_lifted_root(l, node->children[0])))
         writer_line(l->out, "%s = redcc_select(%s, %s, %s);", target.text, l->mask,
                     node->op == IR_OP_NONE
                         ? lane_vector(l, node->children[1])
-                        : arena_format(l->loop->arena, "(%s %.1s %s)", target.text, op,
+                        : arena_format(l->loop->arena, "(%s %s %s)", target.text,
+                                       ir_operator_spelling(node->op),
                                        lane_expression(l, node->children[1]).text),
                     target.text);
     else if (node->op == IR_OP_NONE)
         writer_line(l->out, "%s = %s;", target.text, lane_vector(l, node->children[1]));
     else
-        writer_line(l->out, "%s %s %s;", target.text, op,
+        writer_line(l->out, "%s %s= %s;", target.text, ir_operator_spelling(node->op),
                     lane_expression(l, node->children[1]).text);
 }
 
@@ -319,7 +298,7 @@ static const char *assignment_of(lifter *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
         l->class_of[target->variable->id] == LANE_LIFTED ||
-        (!is_step(node) && node->kind != IR_ASSIGN)) {
+        (!ir_is_increment(node) && node->kind != IR_ASSIGN)) {
         lane_problem(l, "a statement has no form for vectors");
         return "(void)0";
     }
@@ -367,10 +346,10 @@ static bool is_uniform_step(lifter *l, const ir_node *node) {
         return true;
     if (node->kind == IR_BINARY && node->op == IR_OP_COMMA)
         return is_uniform_step(l, node->children[0]) && is_uniform_step(l, node->children[1]);
-    return (is_step(node) || node->kind == IR_ASSIGN) && node->children[0]->kind == IR_VARIABLE &&
-           lane_is_own(l, node->children[0]->variable) &&
+    return (ir_is_increment(node) || node->kind == IR_ASSIGN) &&
+           node->children[0]->kind == IR_VARIABLE && lane_is_own(l, node->children[0]->variable) &&
            l->class_of[node->children[0]->variable->id] == LANE_UNIFORM &&
-           (is_step(node) || lane_is_uniform(l, node->children[1]));
+           (ir_is_increment(node) || lane_is_uniform(l, node->children[1]));
 }
 
 /** In a block of its own, with what its header declares. */
