@@ -82,13 +82,22 @@ static void read_order(const char *value) {
     redcc_complain_of_unknown("REDCC_ORDER", value, order_names, 3);
 }
 
+/* Which of so many names the value is; `otherwise` where there is none, or, after a complaint,
+ * where it is none of them. */
+static unsigned read_named(const char *variable, const char *value, const char *const *names,
+                           unsigned count, unsigned otherwise) {
+    if (!value || !*value)
+        return otherwise;
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(value, names[i]) == 0)
+            return i;
+    redcc_complain_of_unknown(variable, value, names, count);
+    return otherwise;
+}
+
 static void read_sum(const char *value) {
     static const char *const names[] = {"plain", "compensated"};
-    if (!value || !*value)
-        return;
-    settings.compensated = strcmp(value, names[1]) == 0;
-    if (!settings.compensated && strcmp(value, names[0]) != 0)
-        redcc_complain_of_unknown("REDCC_SUM", value, names, 2);
+    settings.compensated = read_named("REDCC_SUM", value, names, 2, false);
 }
 
 static void stop_at_uncompensated(const struct method *method) {
@@ -101,45 +110,23 @@ static void stop_at_uncompensated(const struct method *method) {
 
 static void read_validate(const char *value) {
     static const char *const names[] = {"0", "1"};
-    if (!value || !*value)
-        return;
-    settings.validate = strcmp(value, names[1]) == 0;
-    if (!settings.validate && strcmp(value, names[0]) != 0)
-        redcc_complain_of_unknown("REDCC_VALIDATE", value, names, 2);
+    settings.validate = read_named("REDCC_VALIDATE", value, names, 2, false);
 }
 
 static void read_watch(const char *value) {
     static const char *const names[] = {"off", "auto"};
-    settings.watch = true;
-    if (!value || !*value)
-        return;
-    settings.watch = strcmp(value, names[1]) == 0;
-    if (!settings.watch && strcmp(value, names[0]) != 0)
-        redcc_complain_of_unknown("REDCC_WATCH", value, names, 2);
+    settings.watch = read_named("REDCC_WATCH", value, names, 2, true);
 }
 
 static void read_prefetch(const char *value) {
     static const char *const names[] = {"off", "auto", "on"};
-    settings.prefetch = PREFETCH_AUTO;
-    for (unsigned i = 0; value && *value && i < 3; i++)
-        if (strcmp(value, names[i]) == 0) {
-            settings.prefetch = (enum prefetch_setting)i;
-            return;
-        }
-    if (value && *value)
-        redcc_complain_of_unknown("REDCC_PREFETCH", value, names, 3);
+    settings.prefetch =
+        (enum prefetch_setting)read_named("REDCC_PREFETCH", value, names, 3, PREFETCH_AUTO);
 }
 
 static void read_lanes(const char *value) {
     static const char *const names[] = {"off", "auto", "2", "4", "8"};
-    settings.lanes = LANES_AUTO;
-    for (unsigned i = 0; value && *value && i < 5; i++)
-        if (strcmp(value, names[i]) == 0) {
-            settings.lanes = (enum lanes_setting)i;
-            return;
-        }
-    if (value && *value)
-        redcc_complain_of_unknown("REDCC_LANES", value, names, 5);
+    settings.lanes = (enum lanes_setting)read_named("REDCC_LANES", value, names, 5, LANES_AUTO);
 }
 
 /* Names with commas between them. */
