@@ -259,7 +259,7 @@ static int finish(cloth_run *run, const run_request *r) {
     return 0;
 }
 
-static int make_simulation(cloth_run *run) {
+static int make_simulation(cloth_run *run, const run_request *r) {
     char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
     run->sim = simulation_new(&run->cloth, &run->of, error);
@@ -267,7 +267,7 @@ static int make_simulation(cloth_run *run) {
         fprintf(stderr, "%s: %s\n", run->of.name, error);
         return -1;
     }
-    if (run->chooses_threads)
+    if (r->threads == 0) /* not given */
         simulation_choose_threads(run->sim);
     run->account = (run_account){.program = program_name,
                                  .of = &run->of,
@@ -281,8 +281,7 @@ static int make_simulation(cloth_run *run) {
 
 /** Nothing is removed or written before it is sure that there is a run to be had. */
 static int simulate(cloth_run *run, const run_request *r) {
-    run->chooses_threads = r->threads == 0;
-    return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run) == 0 &&
+    return begin(run, r) == 0 && make_mesh(run) == 0 && make_simulation(run, r) == 0 &&
                    run_prepare_folder(run, r) == 0 && take_steps(run, r) == 0
                ? finish(run, r)
                : -1;

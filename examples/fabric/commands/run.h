@@ -37,7 +37,6 @@ typedef struct cloth_run {
     char folder[FILE_PATH_SIZE];
     char frames_folder[FILE_PATH_SIZE];
     run_account account;
-    int chooses_threads; /* steps get as many as pay, and not all */
 } cloth_run;
 
 /** Names the folder, makes it and removes what an older run left there after record.step (of a run
