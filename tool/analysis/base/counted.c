@@ -28,10 +28,6 @@ static const ir_node *strip_casts(const ir_node *node) {
     return node;
 }
 
-static bool is_variable(const ir_node *node, const ir_variable *variable) {
-    return node->kind == IR_VARIABLE && node->variable == variable;
-}
-
 bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step) {
     const ir_node *target = expression_written(node);
     if (!target || target->kind != IR_VARIABLE)
@@ -48,9 +44,9 @@ bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step) {
         if (value->kind != IR_BINARY)
             return false;
         op = value->op;
-        if (is_variable(value->children[0], *variable))
+        if (expression_is_variable(value->children[0], *variable))
             value = value->children[1];
-        else if (op == IR_OP_ADD && is_variable(value->children[1], *variable))
+        else if (op == IR_OP_ADD && expression_is_variable(value->children[1], *variable))
             value = value->children[0];
         else
             return false;
@@ -73,10 +69,10 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
                             ir_operator *comparison, const ir_node **bound) {
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
-    if (is_variable(condition->children[0], counter)) {
+    if (expression_is_variable(condition->children[0], counter)) {
         *comparison = condition->op;
         *bound = condition->children[1];
-    } else if (is_variable(condition->children[1], counter)) {
+    } else if (expression_is_variable(condition->children[1], counter)) {
         *comparison = expression_mirrored(condition->op);
         *bound = condition->children[0];
     } else {

@@ -4,10 +4,6 @@
 
 #include "analysis/base/expression.h"
 
-static bool is_variable(const ir_node *node, const ir_variable *variable) {
-    return node->kind == IR_VARIABLE && node->variable == variable;
-}
-
 /* ---- declarations ---------------------------------------------------------------------------- */
 
 static const ir_node *declarator_of(const ir_node *declaration, const ir_variable *variable) {
@@ -61,7 +57,7 @@ bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
 /* The value that an assignment of the variable by = gives it; NULL: it is none. */
 static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
     return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
-                   is_variable(node->children[0], variable)
+                   expression_is_variable(node->children[0], variable)
                ? node->children[1]
                : NULL;
 }

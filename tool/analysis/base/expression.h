@@ -15,6 +15,11 @@ unsigned expression_occurrences(const ir_node *node, const ir_node *part);
 /** Is it the integer constant *value? */
 bool expression_constant(const ir_node *node, int64_t *value);
 
+/** Is it the variable itself? */
+static inline bool expression_is_variable(const ir_node *node, const ir_variable *variable) {
+    return node->kind == IR_VARIABLE && node->variable == variable;
+}
+
 bool expression_mentions(const ir_node *node, const ir_variable *variable);
 
 /** No assignment, increment, call or opaque node in it. */

@@ -11,19 +11,15 @@
 #include "analysis/base/expression.h"
 #include "analysis/loop/executed.h"
 
-static bool is_variable(const ir_node *node, const ir_variable *variable) {
-    return node->kind == IR_VARIABLE && node->variable == variable;
-}
-
 /* Does the condition compare the value with s? Says so as `value op s`. */
 static bool compares(const ir_node *condition, const ir_node *value, const ir_variable *s,
                      ir_operator *op) {
     if (condition->kind != IR_BINARY || condition->op < IR_OP_LESS ||
         condition->op > IR_OP_GREATER_EQUAL)
         return false;
-    const unsigned side = is_variable(condition->children[0], s) ? 1 : 0;
+    const unsigned side = expression_is_variable(condition->children[0], s) ? 1 : 0;
     *op = side ? expression_mirrored(condition->op) : condition->op;
-    return is_variable(condition->children[1 - side], s) &&
+    return expression_is_variable(condition->children[1 - side], s) &&
            expression_same(condition->children[side], value);
 }
 
@@ -33,8 +29,8 @@ static bool is_selection(const ir_node *assignment, scalar_update *found) {
     ir_variable *s = assignment->children[0]->variable;
     if (value->kind != IR_CONDITIONAL)
         return false;
-    found->is_negated = is_variable(value->children[1], s);
-    if (!is_variable(value->children[found->is_negated ? 1 : 2], s))
+    found->is_negated = expression_is_variable(value->children[1], s);
+    if (!expression_is_variable(value->children[found->is_negated ? 1 : 2], s))
         return false;
     found->variable = s;
     found->value = value->children[found->is_negated ? 2 : 1];
@@ -62,7 +58,7 @@ static bool take_statement(const judgement *j, const ir_node *condition, const i
         return true;
     }
     const bool is_place = !found->place && target->type->kind == IR_INTEGER &&
-                          is_variable(assignment->children[1], j->counted.counter);
+                          expression_is_variable(assignment->children[1], j->counted.counter);
     if (is_place)
         found->place = target;
     return is_place;

@@ -17,10 +17,6 @@ static bool is_operator(ir_operator op) {
            op == IR_OP_BIT_OR || op == IR_OP_BIT_XOR;
 }
 
-static bool is_variable(const ir_node *node, const ir_variable *variable) {
-    return node->kind == IR_VARIABLE && node->variable == variable;
-}
-
 /* s op= e, s = s op e, s = e + s, s++: fills operator and operand. */
 static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_update *found) {
     if (assignment->kind == IR_UNARY) {
@@ -35,8 +31,8 @@ static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_up
     found->op = assignment->op;
     found->value = value;
     if (assignment->op == IR_OP_NONE && value->kind == IR_BINARY) {
-        bool is_left = is_variable(value->children[0], s);
-        bool is_right = is_variable(value->children[1], s) &&
+        bool is_left = expression_is_variable(value->children[0], s);
+        bool is_right = expression_is_variable(value->children[1], s) &&
                         (value->op == IR_OP_ADD || value->op == IR_OP_MULTIPLY);
         if (!is_left && !is_right)
             return false;
@@ -108,7 +104,8 @@ static bool is_declared_within(const judgement *j, const ir_variable *variable) 
 static void mark_own(judgement *j, const ir_node *statement, const ir_variable *variable) {
     for (unsigned i = 0; i < j->access_count; i++) {
         judged_access *a = &j->accesses[i];
-        if (!a->access.callee && a->access.lvalue && is_variable(a->access.lvalue, variable) &&
+        if (!a->access.callee && a->access.lvalue &&
+            expression_is_variable(a->access.lvalue, variable) &&
             ir_contains(statement, a->access.node))
             a->class = CLASS_SELF;
     }
@@ -154,7 +151,8 @@ bool scalar_take_update(judgement *j, judged_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
         judged_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
-            is_variable(read->access.lvalue, s) && ir_contains(statement, read->access.node))
+            expression_is_variable(read->access.lvalue, s) &&
+            ir_contains(statement, read->access.node))
             read->class = CLASS_SELF;
     }
     write->class = CLASS_SELF;
@@ -163,7 +161,8 @@ bool scalar_take_update(judgement *j, judged_access *write) {
 }
 
 static bool is_own_access(const judged_access *a, const ir_variable *s) {
-    return a->class == CLASS_SELF && a->access.lvalue && is_variable(a->access.lvalue, s);
+    return a->class == CLASS_SELF && a->access.lvalue &&
+           expression_is_variable(a->access.lvalue, s);
 }
 
 /* Additions and subtractions commute with each other; else an operator does with itself alone. */
