@@ -79,7 +79,7 @@ static bool calls_what_contracts(arena *a, const ir_unit *unit, const loop_facts
     return r.multiplies && r.adds;
 }
 
-bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts) {
+static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts) {
     reach r = {.is_seen = ARENA_ARRAY(a, bool, unit->function_count + 1)};
     look_at(&r, facts->loop);
     return r.multiplies || r.adds; /* one of the two may stand outside */
@@ -123,20 +123,22 @@ static bool has_macro_of_pragma(const ir_unit *unit) {
 }
 
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const emit_options *options) {
+                           const emit_options *options, bool *is_forbidden) {
     bool matters = false;
     bool is_local = !options->lanes && !may_name_targets(unit) && !has_macro_of_pragma(unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         const loop_facts *facts = analysis->verdicts[i].facts;
         if (analysis->verdicts[i].kind != VERDICT_TRANSFORM || !may_be_contracted(a, unit, facts))
             continue;
+        is_forbidden[i] = true;
         matters |= options->order != EMIT_ORDER_ANY || facts->slice_has_floating_work;
         is_local = is_local && !calls_what_contracts(a, unit, facts) &&
                    may_have_attribute(a, unit, facts->function);
     }
-    return !matters   ? CONTRACTION_ALLOWED
-           : is_local ? CONTRACTION_OFF_IN_LOOPS
-                      : CONTRACTION_OFF_IN_FILE;
+    if (matters && is_local)
+        return CONTRACTION_OFF_IN_LOOPS;
+    memset(is_forbidden, 0, sizeof *is_forbidden * analysis->verdict_count);
+    return matters ? CONTRACTION_OFF_IN_FILE : CONTRACTION_ALLOWED;
 }
 
 /* ---- text ---------------------------------------------------------------------------------- */

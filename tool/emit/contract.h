@@ -12,13 +12,11 @@ typedef enum contraction {
     CONTRACTION_OFF_IN_FILE
 } contraction;
 
-/** Of all loops that are to be transformed. */
+/** Of all loops that are to be transformed. is_forbidden: [verdicts] becomes true where it is
+ * forbidden in the loop itself: something in it, or in what it calls, could be contracted, perhaps
+ * with what stands outside. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const emit_options *options);
-
-/** Is there anything in the loop, or in what it calls, that could be contracted, perhaps with what
- *  stands outside? */
-bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *facts);
+                           const emit_options *options, bool *is_forbidden);
 
 /** The directives that turn it off from the head of the file on. has_targets: functions are
  * compiled for several processors. */

@@ -233,15 +233,14 @@ static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsign
 
 /** What turns contraction off in a function stands once, right in front of it. */
 static void unfuse_functions(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                             loop_list *loops) {
+                             const bool *is_unfused, loop_list *loops) {
     const ir_function *last = NULL;
     for (unsigned i = 0; i < loops->count; i++) {
         const written_loop *it = &loops->items[i];
         const unsigned number = it->verdict;
         const ir_function *function = analysis->verdicts[number].facts->function;
         const bool is_in_front = it->replaced.begin == it->replaced.end;
-        if (is_in_front || function == last ||
-            !may_be_contracted(a, unit, analysis->verdicts[number].facts))
+        if (is_in_front || function == last || !is_unfused[number])
             continue;
         last = function;
         loop_piece piece;
@@ -301,7 +300,8 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
     emit_result result = {
         .text = unit->source->text, .length = unit->source->length, .obstacles = obstacles};
     loop_list loops = {0};
-    const contraction where = contraction_of(a, unit, analysis, options);
+    bool *is_unfused = ARENA_ARRAY(a, bool, analysis->verdict_count + 1);
+    const contraction where = contraction_of(a, unit, analysis, options, is_unfused);
     const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         const loop_verdict *verdict = &analysis->verdicts[i];
@@ -315,13 +315,11 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                                      .unit = unit,
                                      .facts = verdict->facts,
                                      .options = options,
-                                     .is_unfused = where == CONTRACTION_OFF_IN_LOOPS &&
-                                                   may_be_contracted(a, unit, verdict->facts)};
+                                     .is_unfused = is_unfused[i]};
             add_loop(&start, verdict, i, &loops, &obstacles[i]);
         }
     }
-    if (where == CONTRACTION_OFF_IN_LOOPS)
-        unfuse_functions(a, unit, analysis, &loops);
+    unfuse_functions(a, unit, analysis, is_unfused, &loops);
     result.loop_count = loops.count;
     result.loops = loops.items;
     assert_pieces(unit, analysis, &loops);
