@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "mesh_rest.h"
 #include "solver_direct.h"
@@ -366,14 +365,9 @@ static stage long_triangles(void) {
     return on;
 }
 
-static double cpu_of(stage *on, int steps) {
-    const clock_t begin = clock();
-    stage_run(on, steps);
-    return (double)(clock() - begin) / CLOCKS_PER_SEC;
-}
-
-/* What takes the conjugate gradients thousands of iterations is solved directly: it takes about as
- * long as where the scene asks for the direct solution, and ends in the same place. */
+/* What takes the conjugate gradients thousands of iterations is solved directly, where it is known
+ * from the first failure on: iterations are spent on the few systems tried again, and the cloth
+ * ends where it does when the scene asks for the direct solution. */
 static void S40_ribbon_of_800_to_1(void **state) {
     (void)state;
     enum { steps = 100 };
@@ -386,19 +380,19 @@ static void S40_ribbon_of_800_to_1(void **state) {
     }
     stage_begin(&on);
     stage_begin(&direct);
-    const double seconds = cpu_of(&on, steps), direct_seconds = cpu_of(&direct, steps);
+    stage_run(&on, steps);
+    stage_run(&direct, steps);
     const run_faults f = simulation_faults(on.sim);
-    print_message("S40 ribbon of 800:1: %.2f s (directly %.2f s), %ld solved directly, %ld "
-                  "iterations, apart by %.2g m, strain %.2g, %ld rejected\n",
-                  seconds, direct_seconds, f.solved_directly, simulation_iterations(on.sim),
-                  stage_distance(&on, &direct, NULL), f.greatest_strain,
-                  simulation_steps_rejected(on.sim));
+    print_message(
+        "S40 ribbon of 800:1: %ld solved directly, %ld iterations, apart by %.2g m, strain "
+        "%.2g, %ld rejected\n",
+        f.solved_directly, simulation_iterations(on.sim), stage_distance(&on, &direct, NULL),
+        f.greatest_strain, simulation_steps_rejected(on.sim));
     stage_assert_finite(&on);
     assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
     assert_int_equal(f.not_solved, 0);
     assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.max_iterations);
     assert_below(stage_distance(&on, &direct, NULL), 1e-4);
-    assert_below(seconds, 10);
     stage_end(&on);
     stage_end(&direct);
 }
