@@ -317,6 +317,7 @@ static void put_hashes(kernel *k, buffer *b) {
 void put_runner(kernel *k, buffer *b) {
     const unsigned long long seed = (unsigned long long)k->seed;
     put(k, b, "static void run_%llu(void) {\n", seed);
+    put(k, b, "    __typeof__(&kernel_%llu) volatile call = kernel_%llu;\n", seed, seed);
     put(k, b, "    struct context_%llu c = {%d};\n    struct view_%llu v = {%d};\n", seed, k->trips,
         seed, k->trips);
     put(k, b, "    fuzz_seed(%llu);\n", seed);
@@ -329,7 +330,7 @@ void put_runner(kernel *k, buffer *b) {
             put(k, b, "    %s = %s;\n", a->base, a->given);
     }
     put(k, b, "    for (int round = 0; round < %d; round++) {\n", 2 + below(k, 3));
-    put(k, b, "        kernel_%llu%s;\n", seed, arguments(k));
+    put(k, b, "        call%s;\n", arguments(k));
     put_hashes(k, b);
     if (chance(k, 60) && k->subscript[0].shape == SHAPE_FLAT)
         put(k, b, "        %s[fuzz_below(%d)] = fuzz_below(%d);\n", k->subscript[0].object,
