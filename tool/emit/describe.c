@@ -232,7 +232,7 @@ static void write_loop_object(loop_text *loop, writer *out) {
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
     const char *streams =
-        loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", loop->facts->array_count)
+        loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", bins_stream_count(loop))
                    : "";
     writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
                 loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",

@@ -159,9 +159,11 @@ const char *loop_condition(const loop_text *loop);
 void find_bins(loop_text *loop);
 /** what goes before an update whose element has this address; */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address);
-/** what applies records; the streams; the arguments of REDCC_PARALLEL_BINNED that say so. */
+/** bins_text.c: what applies records; the streams, and how many; the arguments of
+ *  REDCC_PARALLEL_BINNED that say so. */
 void write_bins(loop_text *loop, writer *out);
 void write_streams(loop_text *loop, writer *out);
+unsigned bins_stream_count(const loop_text *loop);
 const char *bins_phase(loop_text *loop);
 
 /** stale.c: may the body be executed before what it reads is compared with what it writes? */

@@ -273,25 +273,48 @@ REDCC_INLINE int redcc_is_copied(const redcc_bins *bins, redcc_int row) {
     return 0;
 }
 
-/** Where row 0 of the array would be, if the copy held it. */
-REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream) {
-    return (void *)((redcc_size)bins->copy[0] -
-                    (redcc_size)bins->first * (redcc_size)stream->rows[0]);
+/** Where an array stands: number `part` of the arrays of a stream. */
+typedef struct redcc_part {
+    redcc_u32 stream;
+    redcc_u32 part;
+} redcc_part;
+
+/** Where the array of this number stands; it is in one of the streams. */
+REDCC_INLINE redcc_part redcc_part_of(const redcc_stream *streams, redcc_u32 array) {
+    redcc_part it = {0, 0};
+    while (streams[it.stream].arrays[it.part] != array)
+        if (++it.part == streams[it.stream].array_count) {
+            it.part = 0;
+            it.stream++;
+        }
+    return it;
 }
 
-/** Go before an update, as REDCC_UPDATE. In bins its operands are kept; of updates that have none,
- *  only that there is one. */
-#define REDCC_UPDATE_BY(redcc_i, redcc_tag, redcc_base, redcc_at, redcc_record, redcc_values)      \
+/** Where row 0 of the array would be, if the copy held it. */
+REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *stream,
+                                   redcc_u32 part) {
+    return (void *)((redcc_size)bins->copy[part] -
+                    (redcc_size)bins->first * (redcc_size)stream->rows[part]);
+}
+
+/** Go before an update of array `redcc_i`, as REDCC_UPDATE. In bins its operands are kept, and
+ * those of the updates of other arrays that follow and share the record of stream `redcc_s`; */
+#define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
+                        redcc_values)                                                              \
     if (redcc__guarded == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
-        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_i],                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
     } else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
-#define REDCC_UPDATE_ALIKE(redcc_i, redcc_tag, redcc_base, redcc_at)                               \
+/** of updates that have none, only that there is one; */
+#define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__guarded == REDCC_IN_BINS)                                                           \
-        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_i],                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
     else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
+/** of those that share the record of one before, nothing. */
+#define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
+    if (redcc__guarded != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
 #define REDCC_IS_MADE(redcc_i, redcc_base, redcc_at)                                               \
     (redcc__guarded == REDCC_IN_COPIES                                                             \
          ? redcc_is_copied(redcc__bins_##redcc_i, REDCC_ELEMENT(redcc_base, redcc_at))             \
@@ -302,9 +325,12 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
     { redcc_v0, redcc_v1 }
 #define REDCC_VALUES_3(redcc_v0, redcc_v1, redcc_v2)                                               \
     { redcc_v0, redcc_v1, redcc_v2 }
+#define REDCC_VALUES_4(redcc_v0, redcc_v1, redcc_v2, redcc_v3)                                     \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3 }
 
 /** A function that applies records: the updates, on the element *redcc__to and the record redcc__e,
- *  of which redcc__tag says which one it is. */
+ *  of which redcc__tag says which one it is. Before the updates of a stream of several arrays
+ * stands a REDCC_APPLY_ALSO for each but the first. */
 #define REDCC_APPLY(redcc_name, redcc_element, redcc_record, redcc_bits, redcc_updates)            \
     REDCC_APPLY_HEAD(redcc_name, redcc_element, redcc_bits)                                        \
     const redcc_record redcc__e = ((const redcc_record *)redcc__applied->records)[redcc__n];       \
@@ -333,6 +359,19 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
                            redcc__applied->place[redcc__n + redcc__applied->ahead], redcc_bits)]), \
                        1)                                                                          \
                     : 0;
+
+/** Declares redcc__to_N, the element of the stream's array number N. */
+#define REDCC_APPLY_ALSO(redcc_n, redcc_element, redcc_bits)                                       \
+    redcc_element *const redcc__to_##redcc_n =                                                     \
+        &((redcc_element *)                                                                        \
+              redcc__applied->rows[redcc_n])[REDCC_PLACE_ROW(redcc__place, redcc_bits)];           \
+    const int redcc__ahead_##redcc_n __attribute__((__unused__)) =                                 \
+        redcc__applied->ahead                                                                      \
+            ? (__builtin_prefetch(                                                                 \
+                   &((redcc_element *)redcc__applied->rows[redcc_n])[REDCC_PLACE_ROW(              \
+                       redcc__applied->place[redcc__n + redcc__applied->ahead], redcc_bits)]),     \
+               1)                                                                                  \
+            : 0;
 
 /** A stream of one array, its rows its elements. */
 #define REDCC_STREAM(redcc_apply, redcc_array, redcc_element, redcc_bytes, redcc_bits,             \
@@ -369,12 +408,15 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
 /* What a chunk of iterations to be pushed holds of each array: a copy of its bins, and where its
  * elements are; or, if there is no such chunk, nothing. */
 #define REDCC_BINS_OF(redcc_i)                                                                     \
-    const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc_i];                                   \
+    const redcc_part redcc__part_##redcc_i = redcc_part_of(redcc__streams, redcc_i);               \
+    const redcc_bins redcc__bin_##redcc_i = redcc__all[redcc__part_##redcc_i.stream];              \
     const redcc_bins *const redcc__bins_##redcc_i = &redcc__bin_##redcc_i;                         \
     const redcc_owner redcc__owner_##redcc_i = {0, 0, 0, 0, 0, 0};                                 \
     void *const redcc__base_##redcc_i __attribute__((__unused__)) =                                \
         redcc__guarded == REDCC_IN_COPIES                                                          \
-            ? redcc_copy_base(redcc__bins_##redcc_i, &redcc__streams[redcc_i])                     \
+            ? redcc_copy_base(redcc__bins_##redcc_i,                                               \
+                              &redcc__streams[redcc__part_##redcc_i.stream],                       \
+                              redcc__part_##redcc_i.part)                                          \
             : redcc__bases[redcc_i];
 #define REDCC_BINS_1_OF(redcc_of) redcc_of(0)
 #define REDCC_BINS_2_OF(redcc_of) REDCC_BINS_1_OF(redcc_of) redcc_of(1)

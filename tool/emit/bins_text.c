@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What is written of the form for in-order binning (bins.c): macros of redcc/bins.h. */
+#include <string.h>
+
+#include "emit/bins.h"
+#include "emit/origin.h"
+
+static bool is_floating(const char *type) {
+    return strcmp(type, "float") == 0 || strcmp(type, "double") == 0;
+}
+
+static const char *element_of(const loop_text *loop, unsigned array) {
+    return origin_type(loop->arena, loop->facts->arrays[array].element);
+}
+
+static const char *record_name(loop_text *loop, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    return stream_value_count(its) < 2
+               ? its->types[0]
+               : arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
+}
+
+/* ---- in the body ---------------------------------------------------------------------------- */
+
+static const char *value_text(loop_text *loop, const ir_node *operand, const char *type) {
+    arena *a = loop->arena;
+    const char *text = is_floating(type) ? text_expression(a, operand, NULL, NULL)
+                                         : text_operand(a, operand, NULL, NULL);
+    if (!text) {
+        loop_obstacle(loop, operand->range, "an operand cannot be spelled a second time");
+        return "0";
+    }
+    return macro_argument(a, is_floating(type) ? text : arena_format(a, "(%s)%s", type, text));
+}
+
+/** The values of this record; those that others of the stream use are 0. */
+static const char *values_text(loop_text *loop, const bins_record *record) {
+    const bins_stream *stream = &loop->bins->streams[record->stream];
+    const unsigned count = stream_value_count(stream);
+    buffer out = {0};
+    if (count > 1)
+        buffer_format(&out, "REDCC_VALUES_%u(", count);
+    for (unsigned i = 0; i < count; i++)
+        buffer_format(&out, "%s%s", i > 0 ? ", " : "",
+                      i < record->operand_count
+                          ? value_text(loop, record->operands[i], stream->types[i])
+                          : "0");
+    if (count > 1)
+        buffer_byte(&out, ')');
+    const char *text = arena_copy(loop->arena, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+static const bins_record *record_of(const struct bins_text *bins, const reduction_update *update) {
+    for (const bins_record *record = bins->records;; record++)
+        for (unsigned i = 0; i < record->update_count; i++)
+            if (record->updates[i] == update)
+                return record;
+}
+
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
+    const bins_record *record = record_of(loop->bins, update);
+    const bins_stream *stream = &loop->bins->streams[record->stream];
+    const unsigned array = update->array;
+    const char *base = loop->arrays[array].local;
+    if (record->updates[0] != update)
+        return arena_format(loop->arena, "REDCC_UPDATE_WITH(%u, %s, %s)", array, base, address);
+    if (stream_value_count(stream) == 0)
+        return arena_format(loop->arena, "REDCC_UPDATE_ALIKE(%u, %u, %u, %s, %s)", array,
+                            record->stream, record->tag, base, address);
+    return arena_format(loop->arena, "REDCC_UPDATE_BY(%u, %u, %u, %s, %s, %s, %s)", array,
+                        record->stream, record->tag, base, address,
+                        record_name(loop, record->stream), values_text(loop, record));
+}
+
+/* ---- in front of the function --------------------------------------------------------------- */
+
+static unsigned tag_bits(const bins_stream *stream) {
+    unsigned bits = 0;
+    while (1u << bits < stream->tag_count)
+        bits++;
+    return bits;
+}
+
+/** The elements of the stream's arrays but for the first; then updates that differ follow their
+ *  tags. */
+static const char *updates_text(loop_text *loop, unsigned stream) {
+    const struct bins_text *bins = loop->bins;
+    const bins_stream *its = &bins->streams[stream];
+    buffer out = {0};
+    for (unsigned part = 1; part < its->array_count; part++)
+        buffer_format(&out, "REDCC_APPLY_ALSO(%u, %s, %u) ", part,
+                      element_of(loop, its->arrays[part]), tag_bits(its));
+    unsigned tag = 0;
+    for (unsigned i = 0; i < bins->record_count; i++) {
+        const bins_record *record = &bins->records[i];
+        if (record->stream != stream || record->tag != tag)
+            continue;
+        tag++;
+        if (tag < its->tag_count)
+            buffer_format(&out, "if (redcc__tag == %u) { %s} else ", record->tag, record->text);
+        else
+            buffer_format(&out, tag > 1 ? "{ %s}" : "%s", record->text);
+    }
+    const char *text = arena_copy(loop->arena, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return text;
+}
+
+static void write_record(loop_text *loop, writer *out, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    const unsigned count = stream_value_count(its);
+    if (count < 2)
+        return;
+    buffer members = {0};
+    for (unsigned i = 0; i < count; i++)
+        buffer_format(&members, "%s v%u; ", its->types[i], i);
+    writer_line(out, "typedef struct { %s} %s;", members.data, record_name(loop, stream));
+    buffer_free(&members);
+}
+
+void write_bins(loop_text *loop, writer *out) {
+    const struct bins_text *bins = loop->bins;
+    writer_fill(out, true);
+    for (unsigned i = 0; i < bins->stream_count; i++) {
+        const bins_stream *its = &bins->streams[i];
+        const char *element = element_of(loop, its->arrays[0]);
+        write_record(loop, out, i);
+        if (stream_value_count(its) == 0)
+            writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),
+                        i, element, tag_bits(its), updates_text(loop, i));
+        else
+            writer_line(out, "REDCC_APPLY(%s_%u, %s, %s, %u, %s)", outlined_name(loop, "apply"), i,
+                        element, record_name(loop, i), tag_bits(its), updates_text(loop, i));
+    }
+    writer_fill(out, false);
+}
+
+/* ---- the loop's description ------------------------------------------------------------------ */
+
+/** May the stream's updates be made on private copies? */
+static bool is_exact(const loop_text *loop, const bins_stream *stream) {
+    for (unsigned part = 0; part < stream->array_count; part++) {
+        const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
+        if (array->order_is_kept || array->is_interleaved || array->element->kind != IR_INTEGER)
+            return false;
+    }
+    for (unsigned i = 0; i < stream_value_count(stream); i++)
+        if (is_floating(stream->types[i]))
+            return false;
+    return true;
+}
+
+/** The entry of a stream: by a macro, or where it has several arrays as it is. */
+static const char *stream_text(loop_text *loop, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    const char *apply = arena_format(loop->arena, "%s_%u", outlined_name(loop, "apply"), stream);
+    const char *record = record_name(loop, stream);
+    const char *rest = arena_format(loop->arena, "%s, %u, %d",
+                                    record ? arena_format(loop->arena, "sizeof(%s)", record) : "0",
+                                    tag_bits(its), is_exact(loop, its));
+    if (its->array_count == 1)
+        return arena_format(loop->arena, "REDCC_STREAM(%s, %u, %s, %s)", apply, its->arrays[0],
+                            element_of(loop, its->arrays[0]), rest);
+    buffer numbers = {0}, rows = {0};
+    for (unsigned part = 0; part < its->array_count; part++) {
+        const char *comma = part > 0 ? ", " : "";
+        buffer_format(&numbers, "%s%u", comma, its->arrays[part]);
+        buffer_format(&rows, "%ssizeof(%s)", comma, element_of(loop, its->arrays[part]));
+    }
+    const char *text = arena_format(loop->arena, "{%s, %u, {%s}, {%s}, %s}", apply,
+                                    its->array_count, numbers.data, rows.data, rest);
+    buffer_free(&numbers);
+    buffer_free(&rows);
+    return text;
+}
+
+unsigned bins_stream_count(const loop_text *loop) {
+    return loop->bins->stream_count;
+}
+
+void write_streams(loop_text *loop, writer *out) {
+    const unsigned count = bins_stream_count(loop);
+    for (unsigned i = 0; i < count; i++)
+        writer_line(out, "%s%s%s", i == 0 ? "static const redcc_stream redcc__streams[] = {" : "",
+                    stream_text(loop, i), i + 1 < count ? "," : "};");
+}
+
+/** May all updates be made on private copies? */
+static bool are_all_exact(const loop_text *loop) {
+    for (unsigned i = 0; i < bins_stream_count(loop); i++)
+        if (!is_exact(loop, &loop->bins->streams[i]))
+            return false;
+    return true;
+}
+
+const char *bins_phase(loop_text *loop) {
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
+                        loop->bins->told_sources, are_all_exact(loop));
+}
