@@ -209,6 +209,12 @@ expect_no_file x.o
 expect_no_file "$RECORD"
 expect_match shown "bin/redcc' x.c -o "
 expect_match shown "fopenmp .*-ffp-contract=off"
+expect_match shown "falign-loops=64"
+for own in -falign-loops -falign-loops=16 -fno-align-loops; do
+  "$redcc_cc" --redcc-show -O2 $own -c x.c >shown || fail "$case_name"
+  expect_match shown "$own"
+  expect_no_match shown "falign-loops=64"
+done
 "$redcc_cc" --redcc-show x.o y.o -o p >shown || fail "$case_name"
 expect_match shown "libredcc_rt.a' -lgomp"
 "$redcc_cc" --redcc-help | grep -q '^Usage' || fail "$case_name: help"
