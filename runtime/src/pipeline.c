@@ -57,7 +57,7 @@ static enum stage begin_inspection(struct execution *execution) {
     if (!named && execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
         return refuse(execution, REASON_CHANGED);
     execution->inspected = true;
-    execution->inspection.deadline = execution->advice.deadline;
+    execution->inspection.deadline = 0; /* the sample has none; auto sets it, after that */
     return redcc_inspection_begin(&execution->inspection, !named)
                ? STAGE_SAMPLE
                : refuse(execution, REASON_NO_MEMORY);
@@ -114,10 +114,7 @@ static enum stage cut(struct execution *execution) {
 
 static enum stage after_sample(struct execution *execution) {
     const enum reason reason = redcc_sample_finish(&execution->inspection);
-    if (reason != REASON_NONE)
-        return refuse(execution, reason);
-    return redcc_inspection_is_late(&execution->inspection) ? refuse(execution, REASON_DEADLINE)
-                                                            : cut(execution);
+    return reason == REASON_NONE ? cut(execution) : refuse(execution, reason);
 }
 
 /* ---- sweep ----------------------------------------------------------------------------------- */

@@ -108,6 +108,7 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
         return;
     }
     plan->way = WAY_SEQUENTIAL;
+    it->steady = 0;
     tell(it, (struct outcome){RESULT_CHANGED, way, call->trip, it->trace->check * call->sequential,
                               0, 0});
     run_sequentially(it, call, true);
@@ -120,6 +121,7 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
     const double rest = trace->set_up[way] * (double)call->trip;
     it->so_far.set_ups++;
     if (rest > deadline) {
+        it->so_far.stopped++;
         tell(it, (struct outcome){RESULT_STOPPED, way, call->trip, spent + deadline + trace->block,
                                   0, deadline / rest});
         run_sequentially(it, call, true);
@@ -145,17 +147,12 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
                     const struct situation *now, struct decision entry) {
     const struct trace *trace = it->trace;
     struct prospect prospect[WAY_COUNT] = {{0}};
-    const double spent = trace->look + (entry.alone ? 0 : start_left(it));
+    const double team = entry.alone || it->started ? 0 : trace->start + trace->late;
+    const double spent = trace->look + team;
     struct situation there = *now;
     if (!entry.alone) {
         it->started = true;
         there.start = 0;
-    }
-    if (spent > entry.deadline) {
-        tell(it, (struct outcome){RESULT_STOPPED, WAY_SEQUENTIAL, call->trip,
-                                  entry.deadline + trace->block, 0, 0});
-        run_sequentially(it, call, true);
-        return;
     }
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const double trip = (double)call->trip;
@@ -200,7 +197,7 @@ static void widen_allowance(struct simulation *it, const struct simulated_call *
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         if (it->trace->possible[way] && call->execution[way] - call->sequential > most)
             most = call->execution[way] - call->sequential;
-    most += it->trace->block;
+    most += fmax(it->trace->block, it->trace->look) + it->trace->late;
     it->excess = fmax(it->excess, most);
 }
 

@@ -29,7 +29,8 @@ struct trace {
     double look;              /**< seconds of a sample */
     double check;             /**< of a sequential execution: to find that subscripts changed */
     double wake;              /**< seconds */
-    double start;             /**< seconds that starting the threads takes, once */
+    double start;             /**< seconds that starting the threads takes, once, */
+    double late;              /**< and by which it takes longer than that */
     double block;             /**< seconds by which a deadline is passed */
     bool hidden;              /**< a sample of the subscripts does not show that they changed */
     bool compared;            /**< all of them are compared with those of the call before */
@@ -42,11 +43,12 @@ struct simulated {
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
     double slowest;      /**< largest of total / sequential, nothing allowed for */
     double allowance;    /**< the bound's additive constant: the largest excess of one execution
-                              over the sequential one, a block, and the largest loan */
+                              over the sequential one, a block or a sample, and the largest loan */
     double owed;         /**< what is lent at the end, seconds */
     double loan;         /**< the largest, over the longest sequential execution */
     int looks;           /**< by one thread */
-    int set_ups;         /**< begun */
+    int set_ups;         /**< begun; */
+    int stopped;         /**< of them, at their deadline */
     int parallel;        /**< executions by a plan */
 };
 

@@ -146,6 +146,28 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
 
+/* A sample is there, and it was not its program's fault that threads came late: what it says is
+ * gone by, where a loan covers all of it. */
+static void a_sample_that_took_long_is_not_lost(void **state) {
+    struct called *called = *state;
+    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    assert_true(call_right(called)); /* so that threads are there */
+    redcc_loop_forget(&called->described.loop);
+    problem_describe(&called->problem, &called->described);
+    assert_false(call_right(called));
+    assert_false(call_right(called));
+    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    ((struct loop_state *)called->described.loop.state)->chooser.verified = true;
+    struct ledger *ledger =
+        &((struct loop_state *)called->described.loop.state)->chooser.state.ledger;
+    size_of(called)->look = 1e-12;
+    for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
+        size_of(called)->prospect[way].learned = 0;
+    ledger->overhead = ledger->sequential / 32 - 1e-9;
+    assert_true(call_right(called));
+    assert_int_equal(statistics_of(called)->plans_built, 1);
+}
+
 /* An inspection whose deadline has come: the arrays are as they were, and its cost is learned. */
 static void an_inspection_ends_at_its_deadline(void **state) {
     struct called *called = *state;
@@ -154,6 +176,7 @@ static void an_inspection_ends_at_its_deadline(void **state) {
     size->looked = true;
     size->prospect[WAY_INDEX] =
         (struct prospect){.possible = true, .set_up = 1e-9, .learned = 1e-9, .execution = 1e-8};
+    size->set_ups.invested = 1e-9; /* in vain: nothing is lent, so that the credit pays */
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_STOPPED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_DEADLINE]), 1);
@@ -284,6 +307,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_heavy_loop_is_set_up, begin_sorted, end),
         cmocka_unit_test_setup_teardown(changed_subscripts_are_not_inspected_at_once, begin_sorted,
                                         end),
+        cmocka_unit_test_setup_teardown(a_sample_that_took_long_is_not_lost, begin_sorted, end),
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),

@@ -172,12 +172,13 @@ static void loops_that_never_gain(void **unused) {
     check(trace, "short", (struct asked){1, 2, 1});
 }
 
-/* A loop of 2.5 ms, whose sample takes 1 ms and whose threads take 6 to start; plans are expected
- * to take 0.63 of it, and take `execution`, after set-ups that take `error` times what is expected;
- * other subscripts every `every` calls. It is to be no slower from the first call on. */
+/* A loop of 2.5 ms, whose sample takes half a millisecond and whose threads take 6 to start; plans
+ * are expected to take 0.63 of it, and take `execution`, after set-ups that take `error` times what
+ * is expected; other subscripts every `every` calls. It is to be no slower from the first call on.
+ */
 static void check_light(const char *name, double execution, double error, int every) {
     struct trace *trace = ordinary(400);
-    trace->look = 1e-3;
+    trace->look = 0.5e-3;
     trace->start = 6e-3;
     trace->set_up[WAY_INDEX] = 4e-9;
     trace->set_up[WAY_GRAPH] = 12e-9;
@@ -218,6 +219,56 @@ static void light_loops(void **unused) {
     check_light("light, no gain, set-ups three times as long", 1.05, 3, 1000);
     check_light("light, other subscripts each call", 0.63, 1, 1);
     check_light("light, other subscripts each call, no gain", 1.05, 3, 1);
+}
+
+/* Springs of a sorted mesh: 4 ms an execution, the first one twice as much, whose set-up takes half
+ * of one; nothing compares their subscripts. */
+static void a_light_loop_whose_subscripts_stay(void **unused) {
+    (void)unused;
+    static const struct {
+        int count;
+        double wanted;
+    } asked[] = {{20, 1.2}, {400, 1.65}};
+    for (int i = 0; i < 2; i++) {
+        struct trace *trace = ordinary(asked[i].count);
+        trace->possible[WAY_GRAPH] = false;
+        trace->set_up[WAY_INDEX] = 2e-9;
+        trace->set_up_error = 0.6;
+        trace->start = 1.5e-3;
+        for (int c = 0; c < trace->count; c++) {
+            trace->call[c].sequential = c ? 4e-3 : 8e-3;
+            trace->call[c].execution[WAY_INDEX] = 2.3e-3;
+        }
+        check_gain(trace, "light, subscripts stay", asked[i].wanted);
+    }
+}
+
+/* The system has no core for the threads at once: by as much longer a look takes. */
+static void threads_that_start_late(void **unused) {
+    (void)unused;
+    struct trace *trace = heavy(10, 0.06, 1.9);
+    trace->start = 1e-3;
+    trace->late = 40e-3;
+    check_gain(trace, "threads start late", 1.45);
+    trace = heavy(10, 0.3, 1.9); /* and in the set-up others run */
+    trace->set_up_error = 0.2;
+    assert_int_equal(simulate(trace).stopped, 0);
+    free(trace);
+    trace = ordinary(4); /* one thread looks, which waits for none */
+    trace->start = 0.1e-3;
+    trace->late = 40e-3;
+    assert_true(simulate(trace).slowest < 1.02);
+    free(trace);
+}
+
+/* Estimates are not exact: nothing is set up for a gain of less than a tenth. */
+static void a_gain_that_may_be_none(void **unused) {
+    (void)unused;
+    struct trace *trace = ordinary(400);
+    for (int c = 0; c < trace->count; c++)
+        trace->call[c].execution[WAY_INDEX] = trace->call[c].execution[WAY_GRAPH] = 9.2e-3;
+    assert_int_equal(simulate(trace).set_ups, 0);
+    free(trace);
 }
 
 static void noise(void **unused) {
@@ -425,18 +476,20 @@ static struct digits random_digits(void) {
 static void random_loops(void **unused) {
     (void)unused;
     random_state = 88172645463325252u;
-    double worst = 0, best[2] = {0, 0}; /* without noise, and with */
+    double worst[2] = {0, 0}, best[2] = {0, 0}; /* without noise, and with */
     for (int loop = 0; loop < 10000; loop++) {
         const struct digits digits = random_digits();
         struct trace *trace = loop_of(&digits, loop % 2 ? 0.3 * uniform() : 0);
         const struct simulated it = simulate(trace);
-        worst = fmax(worst, it.worst_prefix);
+        worst[loop % 2] = fmax(worst[loop % 2], it.worst_prefix);
         best[loop % 2] = fmax(best[loop % 2], (it.total - it.allowance) / it.best);
         free(trace);
     }
     if (getenv("CHOOSE_SHOW"))
-        printf("random: prefix %.4f, total/best %.4f and %.4f\n", worst, best[0], best[1]);
-    assert_true(worst <= 1 + share);
+        printf("random: prefix %.4f and %.4f, total/best %.4f and %.4f\n", worst[0], worst[1],
+               best[0], best[1]);
+    assert_true(worst[0] <= 1 + share);
+    assert_true(worst[1] <= (1 + share) * 1.005); /* what is not timed is not known exactly */
     assert_true(best[0] <= fastest * (1 + share));
     assert_true(best[1] <= fastest * (1 + share) * 1.1); /* noise makes plans faster still */
 }
@@ -506,13 +559,16 @@ static void loops_made_to_be_bad(void **unused) {
 static void the_worst_found(void **unused) {
     (void)unused;
     static const struct digits worst[] = {
-        {"71172003000538",
-         "6753910135427761884168220122577659901338928336344167243695138954447603415095675110975"
-         "173631779930738244054770782807158",
-         "1110011101011111111110011000111011010001010001101010001100011000001011101110101100100"
-         "010100111100010111111000001101000"},
-        {"90341107077132", "122030101302222011133203202333200032320003030032323013031220302",
-         "000101111101111101110011010111110000011111111000011110001000100"}};
+        {"51372000076053",
+         "89968108885384879513243333105532807599076764998933970399481323712161519255898593"
+         "472487868354754971782316863626313809052",
+         "11101001111000111110101100011011000111011011100001111001100101010000000100001010"
+         "111000101101010100111011100111010010000"},
+        {"94213101295728",
+         "21302033332322320110033030321331310331333133002313032333332313130033302331300312"
+         "103202133300330231030343100333301",
+         "11111011111000010010000111100010000110000010001111001001101001010000100110011011"
+         "110110111110011000101111011111001"}};
     random_state = 1;
     const double sequential = badness(&worst[0], false), best = badness(&worst[1], true);
     if (getenv("CHOOSE_SHOW"))
@@ -528,6 +584,9 @@ int main(void) {
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
         cmocka_unit_test(light_loops),
+        cmocka_unit_test(a_light_loop_whose_subscripts_stay),
+        cmocka_unit_test(threads_that_start_late),
+        cmocka_unit_test(a_gain_that_may_be_none),
         cmocka_unit_test(noise),
         cmocka_unit_test(noise_of_many_kinds),
         cmocka_unit_test(drift),

@@ -174,8 +174,6 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     chooser->skipped = decision.action == ACTION_SEQUENTIAL ? chooser->skipped + 1 : 0;
     if (decision.action == ACTION_SEQUENTIAL)
         advice.reason = reason_for(chooser, decision.rule);
-    else if (decision.action == ACTION_INSPECT)
-        advice.deadline = reuse->call->entered + decision.deadline;
     return advice;
 }
 
@@ -314,7 +312,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
     entry->way = decision.way;
     if (decision.action != ACTION_INSPECT)
         return ROUTE_SERIAL;
-    entry->deadline = inspection->deadline = redcc_seconds() + decision.deadline;
+    inspection->deadline = redcc_seconds() + decision.deadline;
     if (entry->way != WAY_COPIES)
         return entry->way == WAY_GRAPH ? ROUTE_GRAPH : ROUTE_OWNERS;
     redcc_partition_in_one(partition); /* nobody need know who touches what, only how far */
@@ -426,6 +424,8 @@ enum partitioned redcc_advise_partitioned(const struct chooser *chooser,
 void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum reason reason) {
     if (outcome->result == RESULT_REFUSED)
         chooser->refused = reason;
+    if (outcome->result == RESULT_CHANGED) /* though the sample was the same */
+        chooser->steady = 0;
     redcc_observe(&chooser->state, outcome);
 }
 

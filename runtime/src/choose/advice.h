@@ -40,7 +40,6 @@ struct advice {
     enum way way;       /* REUSE; INSPECT: as soon as it is decided */
     bool timed;         /* SEQUENTIAL */
     bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
-    double deadline;    /* INSPECT: on the clock of redcc_seconds; 0: none */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
     enum reason reason; /* for SEQUENTIAL */
     enum rule rule;
@@ -62,7 +61,7 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
 bool redcc_wants_estimate(const struct inspection *inspection);
 
 /** How shall the inspection go on? SERIAL: it is not worth it. May join stealable blocks of the
- *  partition to their owners, or make it one piece. Sets entry->way, and the deadline of both. */
+ *  partition to their owners, or make it one piece. Sets entry->way, and the deadline. */
 enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                                 struct inspection *inspection, const struct estimate *estimate);
 

@@ -11,20 +11,21 @@ static const double share = 1.0 / 32;
  * LOCALWRITE on loops without runs took up to 1.6 times the sequential loop, but there estimates
  * say so; else no more than 1.25 times. */
 static const double reserve = 0.25;
-/* Before any sample was taken: 1024 iterations of some touches, 0.2 to 0.9 ms where data is
- * shuffled. */
-static const double first_look = 1e-3;
+/* Before any sample was taken: 256 iterations of some touches, by one thread. */
+static const double first_look = 0.4e-3;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
 static const double unknown = 4;
 
 /* A loan is twice what the set-up is expected to cost, and at most so many executions: twice what
  * cutting the access graph of a heavy loop takes. */
 static const double loan_most = 1.25;
+/* ... and a part of an execution, for a thread that the system has no core for at once. */
+static const double waited = 0.25;
 /* It is given where so many executions by the plan are expected to repay the set-up, and all
  * subscripts were compared with those of the call before, or their samples were met in so many
- * calls in a row; */
+ * calls in a row: then they are likely to stay for as many more (rent or buy); */
 static const double repaid_within = 2;
-enum { SURE = 8 };
+enum { SURE = 4 };
 /* or where the first one will: then it does not matter whether the subscripts stay. */
 static const double repaid_at_once = 0.9;
 /* Threads are started for a look as well where look and start take so much of an execution. */
@@ -41,6 +42,10 @@ enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024 };
 
 double redcc_credit(const struct choice_state *state) {
     return share * state->ledger.sequential - state->ledger.overhead + state->ledger.loan;
+}
+
+static double least_of(double a, double b) {
+    return a < b ? a : b;
 }
 
 static struct decision sequentially(struct size_state *size, enum rule rule) {
@@ -82,19 +87,23 @@ static bool are_new(const struct situation *now) {
 static double cost_of(const struct size_state *size, const struct situation *now, enum way way) {
     const struct prospect *it = &size->prospect[way];
     const double body = redcc_usual(&size->sequential) * (double)now->trip / now->threads;
-    const double left = set_up_of(it) - now->spent;
-    return (left > 0 ? left : 0) + now->start + (are_new(now) && it->learned == 0 ? body : 0);
+    const double all = set_up_of(it), left = all - now->spent;
+    return (left > all / 2 ? left : all / 2) + now->start +
+           (are_new(now) && it->learned == 0 ? body : 0);
 }
 
 /* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
- * alone where the subscripts were not yet met; where plans were ended by other subscripts, as many
- * as the last one, until that is long ago. */
+ * alone where the subscripts were not yet met. Where plans were ended by other subscripts: until
+ * these are as old as those of the last one were, or, where that is long ago or they are older, as
+ * long again. */
 static double horizon_of(const struct size_state *size, const struct situation *now) {
     const struct set_ups *it = &size->set_ups;
     const long since = (size->rest.calls - it->begun) / 8;
     if (it->lifetime == 0)
         return are_new(now) && now->steady >= 0 ? 1 : (double)size->rest.calls;
-    return (double)(it->lifetime > since ? it->lifetime : since);
+    const long age = now->steady > 0 ? now->steady : 0;
+    const long life = it->lifetime > since ? it->lifetime : since;
+    return (double)(life > age ? life - age : age);
 }
 
 /* The way that is the cheapest, set-up included, over the executions to come; of those that the
@@ -106,11 +115,10 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
     enum way best = WAY_SEQUENTIAL;
     double least_cost = current * horizon;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
-        const struct prospect *it = &size->prospect[way];
         const double set_up = cost_of(size, now, way), each = redcc_expected(size, way);
         const double cost = set_up + each * horizon;
         const double all = now->spent + set_up;
-        if (!it->possible || each >= redcc_better * current || cost >= least_cost ||
+        if (!redcc_is_better(size, way, current) || cost >= least_cost ||
             all > room_for(state, size, now->trip, way) || all * factor > size->set_ups.since)
             continue;
         best = way;
@@ -131,11 +139,16 @@ static void lend(struct choice_state *state, double seconds) {
         state->ledger.loan = seconds;
 }
 
+/* Are the subscripts likely to stay? */
+static bool is_sure(const struct situation *now) {
+    return now->verified || now->steady >= SURE;
+}
+
 /* The best way that is worth a loan; SEQUENTIAL: none. */
 static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
-    const bool is_sure = now->verified || now->steady >= SURE;
-    const double repaid = is_sure ? repaid_within : repaid_at_once;
+    const double repaid =
+        is_sure(now) ? least_of(repaid_within, horizon_of(size, now)) : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
     double least_cost = usual * soon * trip;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
@@ -173,18 +186,16 @@ static enum way kept_way(const struct choice_state *state, const struct size_sta
     return best;
 }
 
-static double least_of(double a, double b) {
-    return a < b ? a : b;
-}
-
 /* A set-up that a loan or the credit allows, for a way better than `current` seconds an iteration,
  * if there is one. */
 static struct decision set_up(struct choice_state *state, struct size_state *size,
                               const struct situation *now, double current) {
     enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
+    const double usual = redcc_usual(&size->sequential) * (double)now->trip;
+    const double patience = way != WAY_SEQUENTIAL ? waited * usual : 0;
     if (way != WAY_SEQUENTIAL)
-        lend(state, least_of(now->spent + 2 * cost_of(size, now, way),
-                             loan_most * redcc_usual(&size->sequential) * (double)now->trip));
+        lend(state,
+             least_of(now->spent + 2 * cost_of(size, now, way) + patience, loan_most * usual));
     else
         way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
@@ -194,13 +205,13 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
-                             .deadline = least_of(2 * cost_of(size, now, way), allowed),
+                             .deadline = least_of(2 * cost_of(size, now, way) + patience, allowed),
                              .rule = RULE_SET_UP};
 }
 
-/* By all threads, so that a set-up can follow at once, where the credit covers starting them; where
- * the subscripts stay and that is little beside an execution, it is lent. Else by one thread: most
- * light loops are not worth more than the look. */
+/* By all threads, so that a set-up can follow at once, where the subscripts are likely to stay and
+ * the credit covers starting them; where that is little beside an execution, it is lent. Else by
+ * one thread, which waits for nobody: most light loops are not worth more than the look. */
 static struct decision look(struct choice_state *state, struct size_state *size,
                             const struct situation *now) {
     const double cost = size->look > 0 ? size->look : first_look;
@@ -214,8 +225,7 @@ static struct decision look(struct choice_state *state, struct size_state *size,
         lend(state, now->start);
     size->rule = RULE_LOOKING;
     return (struct decision){.action = ACTION_INSPECT,
-                             .alone = redcc_credit(state) < cost + now->start,
-                             .deadline = redcc_credit(state),
+                             .alone = !is_sure(now) || redcc_credit(state) < cost + now->start,
                              .rule = RULE_LOOKING};
 }
 
@@ -338,6 +348,7 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
     if (size->threads > 0 && size->threads != now->threads)
         *size = (struct size_state){0};
     size->threads = now->threads;
+    size->steady = now->steady > 0 ? now->steady : 0;
     size->rest.calls++;
     if (is_resting(size))
         return (struct decision){

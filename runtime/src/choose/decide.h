@@ -62,7 +62,7 @@ struct decision {
     enum way way;
     bool alone;      /**< INSPECT: by one thread, for redcc_note_prospects; no thread is started */
     bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
-    double deadline; /**< INSPECT: seconds after which it must be given up */
+    double deadline; /**< of redcc_pick_way: seconds after which the set-up must be given up */
     enum rule rule;
 };
 
@@ -119,7 +119,8 @@ struct set_ups {
     int misses;      /* in a row that were abandoned before they had earned their cost */
     long begun;      /* the call that made the last one */
     long uses;       /* executions by it */
-    long lifetime;   /* executions by the plan before it, which other subscripts ended; 0: none */
+    long met;        /* calls before that one in a row that had its subscripts */
+    long lifetime;   /* calls that had those of the plan before it, which others ended; 0: none */
 };
 
 /** Exponential back-off. */
@@ -132,6 +133,7 @@ struct size_state {
     enum rule rule;
     enum way way; /* PARALLEL: of the plan */
     int threads;
+    int steady;       /* of the last call (situation.steady), not below 0 */
     bool looked;      /* the prospects are known */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds an iteration of the sequential loop, as they were then known */

@@ -104,6 +104,7 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
                            .invested = seconds,
                            .misses = misses,
                            .begun = size->rest.calls,
+                           .met = size->steady,
                            .lifetime = it->lifetime};
     size->prospect[way].learned = seconds;
     size->prospect[way].possible = true;
@@ -127,7 +128,7 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
     state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
     if (outcome->set_up > 0) {
         if (size->stand == STAND_SAVING && size->set_ups.uses > 0)
-            size->set_ups.lifetime = size->set_ups.uses;
+            size->set_ups.lifetime = size->set_ups.met + size->set_ups.uses;
         count_set_up(size, outcome->way, outcome->set_up);
     }
     size->set_ups.uses++;
@@ -155,12 +156,8 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
 static void observe_stop(struct size_state *size, const struct outcome *outcome) {
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
-    if (outcome->way == WAY_SEQUENTIAL) { /* not even the sample was there */
-        size->look = twice;
-    } else {
-        count_set_up(size, outcome->way, outcome->seconds);
-        size->prospect[outcome->way].learned = whole > twice ? whole : twice;
-    }
+    count_set_up(size, outcome->way, outcome->seconds);
+    size->prospect[outcome->way].learned = whole > twice ? whole : twice;
     if (size->stand != STAND_PARALLEL)
         size->stand = STAND_SAVING;
     size->rule = RULE_STOPPED;

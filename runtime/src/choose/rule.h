@@ -19,8 +19,8 @@
       "taken so far and would not repay a loan at once, or its like has failed lately",            \
       "the original loop")                                                                         \
     X(RULE_LOOKING, "looking", "the credit allows a sample; what may be gained is not known",      \
-      "a sample, and what follows from it; by one thread alone, where starting the others may "    \
-      "cost too much")                                                                             \
+      "a sample, and what follows from it; by one thread alone, where nothing says that the "      \
+      "subscripts stay, or starting the others may cost too much")                                 \
     X(RULE_SET_UP, "set-up",                                                                       \
       "a way is expected to pay for its set-up, which credit or loan allow",                       \
       "an inspection with a deadline, and a plan")                                                 \

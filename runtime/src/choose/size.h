@@ -6,8 +6,8 @@
 
 #include "choose/decide.h"
 
-/** A way is worth a trial below this, of the other's time: medians of executions of one loop differ
- *  by 3 to 5 % without a cause. */
+/** A way that was measured is worth a trial below this, of the other's time: medians of executions
+ * of one loop differ by 3 to 5 % without a cause. */
 static const double redcc_better = 0.95;
 /** Below this one execution shows it: twice the noise of a busy machine. */
 static const double redcc_clear = 0.8;
@@ -39,6 +39,10 @@ int redcc_next_misses(const struct set_ups *set_ups);
  *  execution takes longer than others. */
 double redcc_expected(const struct size_state *size, enum way way);
 
+/** May that way be had, and is it worth a trial where an iteration takes `current` seconds? */
+bool redcc_is_better(const struct size_state *size, enum way way, double current);
+
+/** ... any way, instead of the sequential loop? */
 bool redcc_some_way_is_better(const struct size_state *size);
 
 /** Begins to compare two ways. */

@@ -7,7 +7,8 @@
 #include "plan/method.h"
 
 enum {
-    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together */
+    SAMPLED_FOR_AN_OWNER = 512, /* iterations, by all threads together; */
+    SAMPLED_FOR_A_LOOK = 128,   /* by one, for an estimate alone */
     SAMPLED_MOST = 8192,
     SAMPLED_TOUCHES = 32768,                    /* kept of them, by few owners; by many */
     SAMPLED_TOUCHES_AN_OWNER = 2048,            /* so many each, */
@@ -21,7 +22,8 @@ enum {
 static redcc_int sample_stride(const struct inspection *inspection) {
     const struct partition *partition = &inspection->partition;
     const redcc_int shares = partition->owners / (1 + partition->stealable);
-    const redcc_int wanted = shares * SAMPLED_FOR_AN_OWNER;
+    const bool looks = inspection->call->threads < inspection->call->planned;
+    const redcc_int wanted = shares * (looks ? SAMPLED_FOR_A_LOOK : SAMPLED_FOR_AN_OWNER);
     return inspection->call->request.trip / (wanted < SAMPLED_MOST ? wanted : SAMPLED_MOST) | 1;
 }
 
