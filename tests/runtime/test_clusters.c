@@ -254,6 +254,13 @@ static void begin_told(struct told *told, struct units *units, struct partition 
         redcc_told_begin(told, units, partition, seen, 0, (const size_t[]){0, 0}, MOST_KEPT));
 }
 
+static void end_told(struct told *told, struct units *units, struct partition *partition) {
+    redcc_told_end(told);
+    redcc_units_end(units);
+    redcc_partition_end(partition);
+    assert_int_equal(redcc_memory_live(), 0);
+}
+
 /* Two rows an iteration, of which the one before has touched the first. */
 static void tell_rows(struct told *told, uint32_t first, uint32_t end) {
     for (uint32_t r = first; r < end; r++) {
@@ -283,15 +290,13 @@ static void touches_are_kept_up_to_a_limit(void **unused) {
     assert_true(told.too_much && !told.failed);
     assert_in_range(told.leading.count, MOST_KEPT, 2 * MOST_KEPT + 64);
     assert_int_equal(told.iterations, 1200);
-    redcc_told_end(&told);
+    end_told(&told, &units, &partition);
     begin_told(&told, &units, &partition, &seen);
     redcc_memory_fail_after(0);
     tell_rows(&told, 0, 400);
     redcc_memory_fail_after(-1);
     assert_true(told.failed && !told.too_much);
-    redcc_told_end(&told);
-    redcc_units_end(&units);
-    redcc_partition_end(&partition);
+    end_told(&told, &units, &partition);
 }
 
 int main(void) {
