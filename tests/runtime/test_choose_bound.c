@@ -131,8 +131,8 @@ static void heavy_loops(void **unused) {
     check_gain(heavy(3, 0.6, 1.74), "heavy, 3, set-up of 0.6", 1);
     check_gain(heavy(1, 0.6, 1.74), "heavy, once", 1);
     trace = heavy(40, 1, 1.74);
-    trace->compared = false; /* no loan: they may change */
-    check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.6, 1});
+    trace->compared = false; /* a loan when they have stayed for long enough to repay it */
+    check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.15, 1});
 }
 
 /* The loan is lost: once, and not again before a set-up has paid. */
@@ -308,7 +308,7 @@ static void noise_of_many_kinds(void **unused) {
         if (getenv("CHOOSE_SHOW"))
             printf("noise %d, 100 draws: total/best %.4f at most, %.4f on average\n", gain, worst,
                    sum / 100);
-        assert_true(worst <= 1.28 && sum / 100 <= 1.08);
+        assert_true(worst <= 1.28 && sum / 100 <= 1.085);
     }
 }
 

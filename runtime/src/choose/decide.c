@@ -23,7 +23,8 @@ static const double loan_most = 1.25;
 static const double waited = 0.25;
 /* It is given where so many executions by the plan are expected to repay the set-up, and all
  * subscripts were compared with those of the call before, or their samples were met in so many
- * calls in a row: then they are likely to stay for as many more (rent or buy); */
+ * calls in a row: then they are likely to stay for as many more (rent or buy), and half of those
+ * may be what repays it; */
 static const double repaid_within = 2;
 enum { SURE = 4 };
 /* or where the first one will: then it does not matter whether the subscripts stay. */
@@ -147,8 +148,8 @@ static bool is_sure(const struct situation *now) {
 /* The best way that is worth a loan; SEQUENTIAL: none. */
 static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
-    const double repaid =
-        is_sure(now) ? least_of(repaid_within, horizon_of(size, now)) : repaid_at_once;
+    const double awaited = now->steady > 2 * repaid_within ? now->steady / 2.0 : repaid_within;
+    const double repaid = is_sure(now) ? least_of(awaited, horizon_of(size, now)) : repaid_at_once;
     enum way best = WAY_SEQUENTIAL;
     double least_cost = usual * soon * trip;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++) {
