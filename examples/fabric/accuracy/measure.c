@@ -8,7 +8,8 @@
 #include <time.h>
 
 #include "integrator.h"
-#include "simulation.h"
+#include "simulation_state.h"
+#include "vector.h"
 
 double cpu_seconds(void) {
     struct timespec now;
@@ -16,10 +17,24 @@ double cpu_seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+double total_energy(const simulation *sim) {
+    double sum = sim->monitor.energy;
+    for (int i = 0; i < sim->mesh->vertex_count; i++)
+        sum -= sim->mass[i] * vector_dot(sim->scene->gravity, sim->x[i]);
+    return sum;
+}
+
 scene divided(const scene *s, int steps) {
     scene result = *s;
     result.step = s->step * s->steps / steps;
     result.steps = steps;
+    return result;
+}
+
+scene refined(const scene *s, double factor) {
+    scene result = *s;
+    result.vertices = (int)(factor * s->vertices);
+    result.boundary = (int)(sqrt(factor) * s->boundary);
     return result;
 }
 
@@ -34,6 +49,13 @@ scene divided_by(const scene *s, int integrator, int steps, double tolerance) {
         of.newton_iterations = 200;
     }
     return of;
+}
+
+static void note_end(const simulation *sim, measured *result) {
+    const run_faults faults = simulation_faults(sim);
+    result->strain = faults.watched ? sim->monitor.strain : NAN;
+    result->energy = faults.watched ? total_energy(sim) : NAN;
+    result->depth = faults.watched ? faults.deepest : NAN;
 }
 
 static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
@@ -57,6 +79,7 @@ static int run_once(const scene *s, const mesh *cloth, long most_rejections, mea
     result->rejected = simulation_steps_rejected(sim);
     result->cg_iterations = simulation_iterations(sim);
     result->newton_iterations = simulation_newton_iterations(sim);
+    note_end(sim, result);
     memcpy(result->x, simulation_positions(sim), sizeof *result->x * (size_t)result->vertices);
     simulation_free(sim);
     return 0;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One run of a scene in memory: where it ends and what it took. */
+/** One run of a scene in memory: where and how it ends and what it took. */
 #ifndef FABRIC_ACCURACY_MEASURE_H
 #define FABRIC_ACCURACY_MEASURE_H
 
 #include "mesh.h"
 #include "scene.h"
+#include "simulation.h"
 
 typedef struct measured {
     int finished; /* else the simulator gave up, or was stopped for its rejections */
@@ -13,6 +14,9 @@ typedef struct measured {
     double cpu_seconds; /* of the process, all threads, in the steps; least of the repetitions */
     long steps, rejected;
     long cg_iterations, newton_iterations;
+    double strain, energy; /* at the end: of the triangle with most; J. Both, and depth, are not
+                              numbers where the scene has no monitor */
+    double depth;          /* m, of the deepest vertex in a collider, in all of the run */
 } measured;
 
 /** No limit on rejected steps. */
@@ -27,10 +31,16 @@ void measured_free(measured *m);
  *  not finish. */
 double measured_distance(const measured *a, const measured *b, double *largest);
 
+/** Kinetic, elastic and of position in gravity's field, J; as the monitor knows it. */
+double total_energy(const simulation *sim);
+
 /** The scene with its duration divided into so many steps. */
 scene divided(const scene *s, int steps);
 
-/** The same by this integrator, to this tolerance: of the linear system, or of Newton's method,
+/** The scene with so many times the vertices, of a generated mesh. */
+scene refined(const scene *s, double factor);
+
+/** `divided`, by this integrator, to this tolerance: of the linear system, or of Newton's method,
  * which asks little of its linear systems. */
 scene divided_by(const scene *s, int integrator, int steps, double tolerance);
 

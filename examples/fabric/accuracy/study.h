@@ -13,9 +13,13 @@
  *                                         the experiment has it
  *   front                                 1: nothing in the table is both faster and more exact
  *   side, stiffness, contact, wind        of the scene: m; scene_stiffness; 1: there is some
+ *   error_strain, error_energy            of the triangle stretched most; J; against the reference
+ *   depth                                 m, of the deepest vertex in a collider, in all of the run
  */
 #ifndef FABRIC_ACCURACY_STUDY_H
 #define FABRIC_ACCURACY_STUDY_H
+
+#include <stdio.h>
 
 #include "accuracy/measure.h"
 
@@ -25,7 +29,7 @@ typedef struct study_row {
     int vertices;
     double step, tolerance;
     measured got; /* x is freed once errors are known */
-    double error_rms, error_max, error_own;
+    double error_rms, error_max, error_own, error_strain, error_energy;
     int front;
 } study_row;
 
@@ -50,9 +54,10 @@ extern const char *const integrator_names[]; /* by integrator_kind, NULL after t
  *  inverted. No unit. */
 double scene_stiffness(const scene *s);
 
-/** Runs the scene and files the result. 0, or -1 after a message. */
+/** Runs the scene on the cloth, which may be another than the study's, and files the result. 0, or
+ *  -1 after a message. */
 int study_run(study *of, const char *experiment, const char *variant, const scene *s,
-              double tolerance);
+              const mesh *cloth, double tolerance);
 /** Finds of->reference: the implicit midpoint and BDF2 with ever more steps, until they agree to a
  *  tenth of the midpoint's error at the most steps of the study. 0, or -1 after a message. */
 int study_reference(study *of);
@@ -64,6 +69,12 @@ void study_compare(study *of);
  * rows. Always 0 in a quick study.
  */
 int study_trusts_reference(study *of);
+/** A table of another form: folder/NAME, begun with its line of columns. NULL after a message. */
+FILE *study_open(const study *of, const char *name, const char *columns);
+/** 0, or -1 after a message: not all of it was written. */
+int study_close(FILE *file);
+/** The least z, m: what runs can be told apart by whose vertices are others. */
+double lowest_point(int count, const double (*x)[3]);
 /** Writes folder/NAME.csv of all rows and forgets them. 0, or -1 after a message. */
 int study_write(study *of, const char *name);
 void study_free(study *of);
@@ -76,8 +87,10 @@ int study_integrator(study *of); /* energy in time; what step and stiffness each
 int study_preconditioner(
     study *of);                 /* iterations and time to a tolerance, and the direct solution */
 int study_precision(study *of); /* float, mixed, double */
+int study_solver(study *of);    /* direct against iterative, over step and mesh */
 int study_sum(study *of);       /* the orders of reduction of the parallel program */
 int study_mesh(study *of);      /* finer meshes */
+int study_horizon(study *of);   /* how runs from nearly the same start part */
 
 /** folder/NAME.gnuplot, and NAME.png where gnuplot is installed. 0, or -1 after a message. */
 int study_plot(const study *of, const char *name);

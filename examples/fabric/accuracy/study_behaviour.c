@@ -18,34 +18,6 @@
 #include "simulation_state.h"
 #include "vector.h"
 
-static FILE *open_csv(const study *of, const char *name, const char *columns) {
-    char path[FILE_PATH_SIZE];
-    if (files_join(path, of->folder, name) != 0)
-        return NULL;
-    FILE *file = fopen(path, "w");
-    if (!file)
-        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
-    else
-        fputs(columns, file);
-    return file;
-}
-
-static int close_csv(FILE *file) {
-    const int failed = ferror(file);
-    if (fclose(file) == 0 && !failed)
-        return 0;
-    fprintf(stderr, "accuracy: a table could not be written\n");
-    return -1;
-}
-
-/* Kinetic, elastic and of position in gravity's field, J. */
-static double total_energy(const simulation *sim) {
-    double sum = sim->monitor.energy;
-    for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sum -= sim->mass[i] * vector_dot(sim->scene->gravity, sim->x[i]);
-    return sum;
-}
-
 /* The scene without what takes energy, in the middle number of steps. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
@@ -98,30 +70,22 @@ int study_integrator(study *of) {
     static const double steps[] = {0.001, 0.0033, 0.01, 0.033, 0.1};
     static const double stiffness[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
     int status = 0;
-    FILE *file = open_csv(of, "energy.csv", "integrator,time,change,rejected\n");
+    FILE *file = study_open(of, "energy.csv", "integrator,time,change,rejected\n");
     if (!file)
         return -1;
     for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT && status == 0; kind++)
         status = write_energy(of, (integrator_kind)kind, file);
-    if (close_csv(file) != 0 || status != 0)
+    if (study_close(file) != 0 || status != 0)
         return -1;
-    file = open_csv(of, "robustness.csv",
-                    "integrator,step,stretch,outcome,meaning,rejected,cpu_seconds\n");
+    file = study_open(of, "robustness.csv",
+                      "integrator,step,stretch,outcome,meaning,rejected,cpu_seconds\n");
     if (!file)
         return -1;
     for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT && status == 0; kind++)
         for (int h = of->quick ? 3 : 0; h < 5 && status == 0; h++)
             for (int k = 0; k < (of->quick ? 2 : 6) && status == 0; k++)
                 status = write_survival(of, (integrator_kind)kind, steps[h], stiffness[k], file);
-    return close_csv(file) != 0 ? -1 : status;
-}
-
-/* The lowest vertex: what a finer mesh must agree on, whose vertices are others. */
-static double lowest(const measured *of) {
-    double z = INFINITY;
-    for (int i = 0; i < of->vertices; i++)
-        z = of->x[i][2] < z ? of->x[i][2] : z;
-    return z;
+    return study_close(file) != 0 ? -1 : status;
 }
 
 int study_mesh(study *of) {
@@ -130,14 +94,13 @@ int study_mesh(study *of) {
     char error[256] = "";
     double before = NAN;
     FILE *file =
-        open_csv(of, "mesh.csv", "vertices,triangles,cg_iterations,cpu_seconds,lowest,change\n");
+        study_open(of, "mesh.csv", "vertices,triangles,cg_iterations,cpu_seconds,lowest,change\n");
     int status = file ? 0 : -1;
     for (int k = 0; k < count && status == 0; k++) {
         measured got;
         mesh cloth;
-        scene s = divided(&of->base, of->steps[of->step_count - 1]);
-        s.vertices = (int)(factors[k] * of->base.vertices);
-        s.boundary = (int)(sqrt(factors[k]) * of->base.boundary);
+        const scene finer = refined(&of->base, factors[k]);
+        scene s = divided(&finer, of->steps[of->step_count - 1]);
         s.tolerance = 1e-5;
         if (scene_mesh(&s, &cloth, NULL, error) != 0) {
             fprintf(stderr, "%s: mesh: %s\n", s.name, error);
@@ -146,7 +109,7 @@ int study_mesh(study *of) {
         }
         status = measure(&s, &cloth, of->repeat, ANY_REJECTIONS, &got);
         if (status == 0) {
-            const double z = lowest(&got);
+            const double z = lowest_point(got.vertices, (const double(*)[3])got.x);
             fprintf(file, "%d,%d,%ld,%.6g,%.9g,%.4g\n", s.vertices, cloth.triangle_count,
                     got.cg_iterations, got.cpu_seconds, z, z - before);
             fprintf(stderr, "%6d vertices: lowest %.6f m, %.3f s\n", s.vertices, z,
@@ -156,7 +119,7 @@ int study_mesh(study *of) {
         }
         mesh_free(&cloth);
     }
-    return file && close_csv(file) != 0 ? -1 : status;
+    return file && study_close(file) != 0 ? -1 : status;
 }
 
 /* An order, and a method that makes use of it: left to itself the runtime takes whatever is
@@ -244,7 +207,7 @@ int study_sum(study *of) {
         return -1;
     }
     FILE *file =
-        open_csv(of, "sum.csv", "order,method,sum,threads,seconds,cpu_seconds,difference\n");
+        study_open(of, "sum.csv", "order,method,sum,threads,seconds,cpu_seconds,difference\n");
     int status = file ? 0 : -1;
     for (int way = 0; way < WAYS && status == 0; way++)
         for (int k = 0; k < 3 && status == 0; k++) {
@@ -268,5 +231,5 @@ int study_sum(study *of) {
                 state_free(&now);
         }
     state_free(&first);
-    return file && close_csv(file) != 0 ? -1 : status;
+    return file && study_close(file) != 0 ? -1 : status;
 }

@@ -12,12 +12,15 @@ static const char *const preconditioner_names[] = {"gauss-seidel", "block-jacobi
                                                    "incomplete-cholesky"};
 static const char *const precision_names[] = {"double", "float", "mixed"};
 
+/* The row of the scene as it is, by its own integrator, step and tolerances. */
+static const char *const scene_default = "default";
+
 /* A contestant at its best: with the loosest tolerance whose own error is a tenth of the error of
  * time stepping, or the tightest there is. 0, or -1 after a message. */
 static int run_fairly(study *of, int kind, int steps) {
     static const double tolerances[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6};
     enum { COUNT = sizeof tolerances / sizeof *tolerances };
-    const scene tight = divided_by(&of->base, kind, steps, 1e-8);
+    const scene tight = divided_by(&of->base, kind, steps, 1e-7);
     measured exact = {0};
     int found = COUNT - 1, status = measure(&tight, &of->cloth, 1, ANY_REJECTIONS, &exact);
     const double allowed = 0.1 * measured_distance(&exact, &of->reference, NULL);
@@ -31,7 +34,7 @@ static int run_fairly(study *of, int kind, int steps) {
     }
     const scene s = divided_by(&of->base, kind, steps, tolerances[found]);
     if (status == 0)
-        status = study_run(of, "dt", integrator_names[kind], &s, tolerances[found]);
+        status = study_run(of, "dt", integrator_names[kind], &s, &of->cloth, tolerances[found]);
     if (status == 0) {
         study_row *r = &of->rows[of->row_count - 1];
         r->error_own = measured_distance(&r->got, &exact, NULL);
@@ -41,7 +44,8 @@ static int run_fairly(study *of, int kind, int steps) {
 }
 
 int study_dt(study *of) {
-    if (study_reference(of) != 0)
+    if (study_reference(of) != 0 ||
+        study_run(of, "dt", scene_default, &of->base, &of->cloth, of->base.tolerance) != 0)
         return -1;
     for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++)
         for (int k = 0; k < of->step_count; k++)
@@ -66,7 +70,7 @@ int study_cg(study *of) {
     for (int k = 0; k < count; k++) {
         scene s = divided(&of->base, steps);
         s.tolerance = tolerances[k];
-        if (study_run(of, "cg", "linear-euler", &s, tolerances[k]) != 0)
+        if (study_run(of, "cg", "linear-euler", &s, &of->cloth, tolerances[k]) != 0)
             return -1;
     }
     compare_own(of, 0, 0);
@@ -87,7 +91,7 @@ int study_newton(study *of) {
             s.tolerance = 1e-2;
             s.newton_tolerance = tolerances[k];
             s.newton_iterations = 200;
-            if (study_run(of, "newton", integrator_names[kind], &s, tolerances[k]) != 0)
+            if (study_run(of, "newton", integrator_names[kind], &s, &of->cloth, tolerances[k]) != 0)
                 return -1;
         }
         compare_own(of, first, first);
@@ -101,7 +105,7 @@ static int run_direct(study *of, const scene *s) {
     if (!direct_solver_available())
         return 0;
     direct.method = METHOD_DIRECT;
-    return study_run(of, "preconditioner", "direct", &direct, 0);
+    return study_run(of, "preconditioner", "direct", &direct, &of->cloth, 0);
 }
 
 int study_preconditioner(study *of) {
@@ -110,13 +114,14 @@ int study_preconditioner(study *of) {
     scene s = divided(&of->base, steps);
     s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
     s.tolerance = 1e-12;
-    if (study_run(of, "preconditioner", "gauss-seidel", &s, s.tolerance) != 0)
+    if (study_run(of, "preconditioner", "gauss-seidel", &s, &of->cloth, s.tolerance) != 0)
         return -1;
     for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
         for (int k = 0; k < (of->quick ? 1 : 4); k++) {
             s.preconditioner = kind;
             s.tolerance = tolerances[k];
-            if (study_run(of, "preconditioner", preconditioner_names[kind], &s, s.tolerance) != 0)
+            if (study_run(of, "preconditioner", preconditioner_names[kind], &s, &of->cloth,
+                          s.tolerance) != 0)
                 return -1;
         }
     if (run_direct(of, &s) != 0)
@@ -131,15 +136,61 @@ int study_precision(study *of) {
     scene s = divided(&of->base, steps);
     s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
     s.tolerance = 1e-12;
-    if (study_run(of, "precision", "double", &s, s.tolerance) != 0)
+    if (study_run(of, "precision", "double", &s, &of->cloth, s.tolerance) != 0)
         return -1;
     for (int precision = PRECISION_DOUBLE; precision <= PRECISION_MIXED; precision++)
         for (int k = 0; k < (of->quick ? 1 : 4); k++) {
             s.precision = precision;
             s.tolerance = tolerances[k];
-            if (study_run(of, "precision", precision_names[precision], &s, s.tolerance) != 0)
+            if (study_run(of, "precision", precision_names[precision], &s, &of->cloth,
+                          s.tolerance) != 0)
                 return -1;
         }
     compare_own(of, 0, 0);
     return study_write(of, "precision");
+}
+
+/* What one mesh costs a step by each way, at steps of several lengths. */
+static int compare_ways(study *of, const mesh *cloth) {
+    static const double steps[] = {0.001, 0.0033, 0.01, 0.033}, shortest = 0.02; /* s */
+    static const struct {
+        const char *name;
+        int method;
+        double tolerance;
+    } ways[] = {{"gauss-seidel to 1e-2", METHOD_CONJUGATE_GRADIENTS, 1e-2},
+                {"gauss-seidel to 1e-6", METHOD_CONJUGATE_GRADIENTS, 1e-6},
+                {"direct", METHOD_DIRECT, 0}};
+    for (int h = of->quick ? 2 : 0; h < 4; h++)
+        for (int way = 0; way < 3; way++) {
+            scene s = of->base;
+            s.integrator = INTEGRATOR_LINEAR_EULER;
+            s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+            s.step = steps[h];
+            s.steps = (int)fmax(4, ceil(shortest / steps[h]));
+            s.method = ways[way].method;
+            s.tolerance =
+                ways[way].method == METHOD_DIRECT ? of->base.tolerance : ways[way].tolerance;
+            if ((s.method != METHOD_DIRECT || direct_solver_available()) &&
+                study_run(of, "solver", ways[way].name, &s, cloth, ways[way].tolerance) != 0)
+                return -1;
+        }
+    return 0;
+}
+
+int study_solver(study *of) {
+    static const double factors[] = {0.25, 1, 4};
+    char error[256] = "";
+    for (int k = 0; k < (of->quick ? 1 : 3); k++) {
+        mesh cloth;
+        const scene s = refined(&of->base, factors[k]);
+        if (scene_mesh(&s, &cloth, NULL, error) != 0) {
+            fprintf(stderr, "%s: mesh: %s\n", s.name, error);
+            return -1;
+        }
+        const int status = compare_ways(of, &cloth);
+        mesh_free(&cloth);
+        if (status != 0)
+            return -1;
+    }
+    return study_write(of, "solver");
 }

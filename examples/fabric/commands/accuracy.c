@@ -25,12 +25,12 @@ static const option accuracy_options[] = {
     [ERROR] = {"--error", "LENGTH", "advise: the rms error to reach, in m, or with mm, um"},
     {NULL, NULL, NULL}};
 
-static const char *const names[] = {"dt",        "cg",  "newton", "integrator", "preconditioner",
-                                    "precision", "sum", "mesh",   "all",        "advise",
-                                    NULL};
+static const char *const names[] = {"dt",        "cg",     "newton", "integrator", "preconditioner",
+                                    "precision", "solver", "sum",    "mesh",       "horizon",
+                                    "all",       "advise", NULL};
 static int (*const experiments[])(study *) = {
-    study_dt,        study_cg,  study_newton, study_integrator, study_preconditioner,
-    study_precision, study_sum, study_mesh};
+    study_dt,        study_cg,     study_newton, study_integrator, study_preconditioner,
+    study_precision, study_solver, study_sum,    study_mesh,       study_horizon};
 enum { EXPERIMENTS = sizeof experiments / sizeof *experiments, ALL = EXPERIMENTS, ADVISE };
 
 typedef struct request {
@@ -168,12 +168,12 @@ static int give_advice(const request *r) {
 }
 
 static int run_experiments(study *of, int name) {
-    static const char *const refined = "mesh";
     for (int k = 0; k < EXPERIMENTS; k++)
-        if (of->base.sheet_from == SHEET_FILE && strcmp(names[k], refined) == 0) {
+        if (of->base.sheet_from == SHEET_FILE &&
+            (experiments[k] == study_mesh || experiments[k] == study_solver)) {
             if (name == k || name == ALL)
                 fprintf(stderr, "%s: its mesh is a file, which cannot be refined: no '%s'\n",
-                        of->base.name, refined);
+                        of->base.name, names[k]);
             if (name == k)
                 return -1;
         } else if ((name == k || name == ALL) &&
@@ -213,7 +213,8 @@ static int run(const command *self, int argc, char **argv) {
 
 const command accuracy_command = {
     "accuracy",
-    "dt|cg|newton|integrator|preconditioner|precision|sum|mesh|all|advise [SCENE] [options]",
+    "dt|cg|newton|integrator|preconditioner|precision|solver|sum|mesh|horizon|all|advise [SCENE] "
+    "[options]",
     "Measures what accuracy costs in time; writes a table and a plot an experiment. 'advise' picks "
     "step,\nintegrator, tolerance and solver for an error by runs of the scene itself.",
     accuracy_options, run};

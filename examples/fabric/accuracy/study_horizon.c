@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Where chaos ends what any accuracy buys: runs whose starts are next to nothing apart. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "accuracy/study.h"
+#include "random.h"
+
+/* Runs beside the one that nobody moved, and how far each coordinate is moved at most, m. */
+enum { MOVED_RUNS = 16 };
+static const double moved = 1e-9;
+
+/* All runs of a scene, in step with one another; [0] is the one that is not moved. */
+typedef struct flock {
+    mesh cloth[1 + MOVED_RUNS]; /* of the moved ones only `position` is their own */
+    simulation *run[1 + MOVED_RUNS];
+    int count;
+} flock;
+
+static void flock_free(flock *all) {
+    for (int r = 0; r < all->count; r++) {
+        simulation_free(all->run[r]);
+        if (r > 0)
+            free(all->cloth[r].position);
+    }
+}
+
+/* 0, or -1 after a message. */
+static int flock_add(flock *all, const study *of, random_source *source) {
+    char error[256] = "";
+    const int r = all->count;
+    mesh *cloth = &all->cloth[r];
+    *cloth = of->cloth;
+    if (r > 0) {
+        cloth->position = malloc(sizeof *cloth->position * ((size_t)cloth->vertex_count + 1));
+        if (!cloth->position) {
+            fprintf(stderr, "%s: out of memory\n", of->base.name);
+            return -1;
+        }
+        for (int i = 0; i < cloth->vertex_count; i++)
+            for (int a = 0; a < 3; a++)
+                cloth->position[i][a] = of->cloth.position[i][a] + moved * random_signed(source);
+    }
+    all->count++;
+    all->run[r] = simulation_new(cloth, &of->base, error);
+    if (all->run[r])
+        return 0;
+    fprintf(stderr, "%s: %s\n", of->base.name, error);
+    return -1;
+}
+
+static double distance_rms(const simulation *a, const simulation *b, int count) {
+    const double(*x)[3] = simulation_positions(a), (*y)[3] = simulation_positions(b);
+    double sum = 0;
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++)
+            sum += (x[i][c] - y[i][c]) * (x[i][c] - y[i][c]);
+    return sqrt(sum / count);
+}
+
+/* A row for each run; returns the root mean square of their distances from the first, m. */
+static double write_rows(const study *of, const flock *all, FILE *file) {
+    const int vertices = of->cloth.vertex_count;
+    double squares = 0;
+    for (int r = 0; r < all->count; r++) {
+        const simulation *run = all->run[r];
+        const double apart = distance_rms(run, all->run[0], vertices);
+        squares += apart * apart;
+        fprintf(file, "%.6g,%d,%.4g,%.6g,%.6g\n", simulation_time(run), r, apart, total_energy(run),
+                lowest_point(vertices, simulation_positions(run)));
+    }
+    return sqrt(squares / MOVED_RUNS);
+}
+
+/* Steps all runs until one gives up, and tells when they are how far apart. */
+static void follow(const study *of, flock *all, FILE *file) {
+    static const double marks[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}; /* m */
+    enum { MARKS = sizeof marks / sizeof *marks };
+    char error[256] = "";
+    int passed = 0;
+    for (int n = 0; n < of->base.steps; n++) {
+        for (int r = 0; r < all->count; r++)
+            if (simulation_step(all->run[r], error) != 0) {
+                fprintf(stderr, "%s: run %d: %s\n", of->base.name, r, error);
+                return;
+            }
+        const double apart = write_rows(of, all, file);
+        for (; passed < MARKS && apart > marks[passed]; passed++)
+            fprintf(stderr, "horizon: %g mm apart after %.3g s\n", 1e3 * marks[passed],
+                    simulation_time(all->run[0]));
+    }
+}
+
+/* Mean and standard deviation of what the moved runs end with. */
+static void tell_ends(const study *of, const flock *all) {
+    double sum[2] = {0}, squares[2] = {0};
+    for (int r = 1; r < all->count; r++) {
+        const double value[] = {
+            total_energy(all->run[r]),
+            lowest_point(of->cloth.vertex_count, simulation_positions(all->run[r]))};
+        for (int k = 0; k < 2; k++) {
+            sum[k] += value[k] / MOVED_RUNS;
+            squares[k] += value[k] * value[k] / MOVED_RUNS;
+        }
+    }
+    fprintf(stderr,
+            "horizon: after %.3g s the %d runs have %.4g +- %.2g J, their lowest point at %.4g +- "
+            "%.2g m\n",
+            simulation_time(all->run[0]), MOVED_RUNS, sum[0],
+            sqrt(fmax(squares[0] - sum[0] * sum[0], 0)), sum[1],
+            sqrt(fmax(squares[1] - sum[1] * sum[1], 0)));
+}
+
+int study_horizon(study *of) {
+    random_source source = {1};
+    flock *all = calloc(1, sizeof *all);
+    FILE *file = study_open(of, "horizon.csv", "time,run,distance_rms,energy,lowest\n");
+    int status = all && file ? 0 : -1;
+    while (status == 0 && all->count <= MOVED_RUNS)
+        status = flock_add(all, of, &source);
+    if (status == 0) {
+        follow(of, all, file);
+        tell_ends(of, all);
+    }
+    if (all)
+        flock_free(all);
+    free(all);
+    return file && study_close(file) != 0 ? -1 : status;
+}
