@@ -46,8 +46,11 @@ static const char dt_plot[] =
     "with linespoints lw 2 pt 7 lc rgb color(n), "
     "'' skip 1 using (is('linear-euler') && $5 == coarse ? $11 : NaN)"
     ":($12 * 1e3):(say('linear-euler')) with labels left offset 1,0.6 tc rgb color(1), "
-    "for [n=2:4] '' skip 1 using (is(word(integrators, n)) && $5 == fine ? $11 : NaN)"
-    ":($12 * 1e3):(say(word(integrators, n))) with labels left offset 1,0 tc rgb color(n), "
+    "'' skip 1 using (is('euler') && $5 == coarse ? $11 : NaN):($12 * 1e3):(say('euler')) "
+    "with labels left offset 0.5,0.9 tc rgb color(2), "
+    "for [n=3:4] '' skip 1 using (is(word(integrators, n)) && $5 == fine ? $11 : NaN)"
+    ":($12 * 1e3):(say(word(integrators, n))) with labels left offset 1,(n == 3 ? 0.7 : 0) "
+    "tc rgb color(n), "
     "'' skip 1 using (is('default') ? $11 : NaN):($12 * 1e3) with points pt 4 ps 2.5 lw 2 lc "
     "'black', "
     "'' skip 1 using (is('default') ? $11 : NaN):($12 * 1e3):('as the scene is') "
@@ -79,8 +82,8 @@ static const char dt_plot[] =
     "    plot for [n=1:4] 'dt.csv' skip 1 using (is(word(integrators, n)) ? $11 : NaN)"
     ":(amount(column(20 + p))) with linespoints lw 2 pt 7 lc rgb color(n), "
     "for [n=1:4] '' skip 1 using (is(word(integrators, n)) && $5 == coarse ? $11 : NaN)"
-    ":(amount(column(20 + p))):(word('lin. Euler BDF2 midp.', n)) with labels right offset -1,0 "
-    "tc rgb color(n)\n"
+    ":(amount(column(20 + p))):(word('lin. Euler BDF2 midp.', n)) with labels right offset -1,"
+    "(n == 3 ? -0.6 : 0) tc rgb color(n)\n"
     "  } else {\n"
     "    set label 9 'none in any run' at graph 0.5, 0.5 center\n    set yrange [0.1:10]\n"
     "    plot NaN\n    unset label 9\n    set yrange [*:*]\n  }\n}\n"
@@ -133,12 +136,14 @@ static const char integrator_plot[] =
     "stats 'energy.csv' skip 1 using 2 nooutput\nend = STATS_max\n"
     "set output 'energy.png'\nset xlabel 'time, s'\nset ylabel 'change of total energy, mJ'\n"
     "set title 'Energy without damping and drag: '.scene\nset xrange [0 : end * 1.4]\n"
+    "set offsets 0, 0, graph 0.05, graph 0.1\n"
     "plot for [n=1:4] 'energy.csv' skip 1 using 2:"
     "(strcol(1) eq word(integrators, n) ? $3 * 1e3 : NaN) with lines lw 2 lc rgb color(n), "
     "for [n=1:4] '' skip 1 using (strcol(1) eq word(integrators, n) && $2 == end ? $2 : NaN)"
     ":($3 * 1e3):(say(word(integrators, n))) with labels left offset 1,"
     "(n == 1 ? -0.7 : n == 2 ? 0.4 : n == 3 ? -0.4 : 0.4) tc rgb color(n)\n"
-    "set terminal pngcairo size 900,760 font 'sans,11'\nset output 'robustness.png'\n"
+    "unset offsets\nset terminal pngcairo size 900,760 font 'sans,11'\n"
+    "set output 'robustness.png'\n"
     "set logscale xy\nset palette defined (0 '#009e73', 1 '#e69f00', 2 '#d50000')\n"
     "set cbrange [0:2]\nunset colorbox\n"
     "set multiplot layout 2,2 title 'What step and stiffness each survives: '.scene\n"
@@ -158,14 +163,12 @@ static const char integrator_plot[] =
     "set xlabel 'CPU time of the run, s'\nset xtics @nice\n" \
     "set ylabel 'error of the algebra alone, mm (root mean square)'\nset format y '10^{%L}'\n" \
     "set xrange [fast / 1.5 : slow * 2]\n" \
-    "# Beside which point the name stands: lines meet at their ends.\n" \
-    "beside(k) = k eq 'gauss-seidel' || k eq 'float' ? 1e-8 : k eq 'jacobi' || k eq 'mixed' ? 1e-4 " \
-    ": k eq 'block-jacobi' ? 1e-8 : 1e-6\n" \
-    "named(k) = is(k) && (k eq 'direct' || column(6) == beside(k))\n" \
+    "coarse(k) = is(k) && column(6) == 1e-2\nset yrange [* : 1e5]\n" \
     "plot for [k in names] '" NAME ".csv' skip 2 using 11:(is(k) ? $14 * 1e3 : NaN) " \
     "with linespoints lw 2 pt 7 lc rgb color(words(names[1:strstrt(names, k)])), " \
-    "for [k in names] '' skip 2 using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
-    "with labels left boxed offset 0.8,0.3 tc rgb color(words(names[1:strstrt(names, k)]))\n"
+    "for [k in names] '' skip 2 using (coarse(k) ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels left rotate by 50 offset 0.3,0.7 tc rgb color(words(names[1:strstrt(names, k)])), " \
+    "'' skip 2 using (is('direct') ? $11 : NaN):($14 * 1e3):('direct') with labels left offset 1,0\n"
 
 static const char mesh_plot[] =
     "set terminal pngcairo size 1200,480 font 'sans,11'\nset logscale x\nset output 'mesh.png'\n"
@@ -180,18 +183,20 @@ static const char mesh_plot[] =
 static const char sum_plot[] =
     "set terminal pngcairo size 1200,480 font 'sans,11'\nset output 'sum.png'\n"
     "set multiplot layout 1,2 title 'Orders of reduction, at 1, 2 and 3 threads: '.scene\n"
-    "place = '1 2 3'\nrow(n) = 6 - floor(n / 3)\n"
+    "row(n) = 6 - floor(n / 3)\n"
     "way(n) = strcol(1).', '.strcol(2).(strcol(3) eq 'plain' ? '' : ', '.strcol(3))\n"
     "set yrange [0.4:6.6]\nset lmargin at screen 0.22\nset rmargin at screen 0.58\n"
     "set xlabel 'CPU time of the run, s'\nset logscale x\nset offsets graph 0.1, graph 0.1, 0, 0\n"
-    "plot 'sum.csv' skip 1 using 6:(row($0)):ytic(way(0)) with points pt 7 ps 2.5 lc rgb color(1), "
-    "'' skip 1 using 6:(row($0)):4 with labels offset 0,1\n"
+    "set xtics @nice\n"
+    "plot 'sum.csv' skip 1 using 6:(row($0)):ytic(way(0)) with points pt 7 ps 2 lc rgb color(1), "
+    "for [k=1:3] '' skip 1 using ($4 == k ? $6 : NaN):(row($0)):4 with labels "
+    "offset 1.2 * (k - 2),0.9\n"
     "set lmargin at screen 0.64\nset rmargin at screen 0.97\nset format x '10^{%L}'\n"
-    "set xlabel 'largest distance from the first, m (left: none)'\nset ytics ('' 1, '' 2, '' 3, '' "
-    "4, '' 5, '' 6)\n"
-    "plot 'sum.csv' skip 1 using ($7 > 1e-17 ? $7 : 1e-17):(row($0)) with points pt 7 ps 2.5 "
-    "lc rgb color(2), '' skip 1 using ($7 > 1e-17 ? $7 : 1e-17):(row($0)):4 with labels offset "
-    "0,1\n"
+    "set xtics autofreq\nset xlabel 'largest distance from the first, m (left: none)'\n"
+    "set ytics ('' 1, '' 2, '' 3, '' 4, '' 5, '' 6)\ndistance(d) = d > 1e-17 ? d : 1e-17\n"
+    "plot 'sum.csv' skip 1 using (distance($7)):(row($0)) with points pt 7 ps 2 lc rgb color(2), "
+    "for [k=1:3] '' skip 1 using ($4 == k ? distance($7) : NaN):(row($0)):4 with labels "
+    "offset 1.2 * (k - 2),0.9\n"
     "unset multiplot\n";
 
 static const char solver_plot[] =
@@ -210,7 +215,7 @@ static const char solver_plot[] =
     "NaN)"
     ":($11 / $7 * 1e3) with linespoints lw 2 pt 7 lc rgb color(n), "
     "for [n=1:3] '' skip 1 using ($3 == size && $5 > 0.03 && is(word(ways, n)) ? $5 * 1e3 : NaN)"
-    ":($11 / $7 * 1e3):(word('\"to 1e-2\" \"to 1e-6\" direct', n)) with labels left offset 1,0 "
+    ":($11 / $7 * 1e3):(word('\"to 1e-2\" \"to 1e-6\" direct', n)) with labels left offset 1,(n == 3 ? 0.5 : -0.4) "
     "tc rgb color(n)\n  }\n}\nunset multiplot\n";
 
 static const char horizon_plot[] =
@@ -218,7 +223,7 @@ static const char horizon_plot[] =
     "set output 'horizon.png'\nset logscale y\nset format y '10^{%L}'\n"
     "set title 'Where chaos ends what accuracy buys: '.scene\n"
     "set xlabel 'time, s'\nset ylabel 'distance from the run that was not moved, mm'\n"
-    "set xrange [0 : end]\nset yrange [* : 2 < *]\n"
+    "set xrange [0 : end]\nset yrange [* : 1e3]\n"
     "set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead dt 2 lc 'black'\n"
     "set label 1 '1 mm' at graph 0.01, first 1 offset 0,0.7\n"
     "set label 2 'each of 16 runs whose starts are 1e-6 mm apart' at graph 0.98, graph 0.08 right "
