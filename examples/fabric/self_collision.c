@@ -37,7 +37,9 @@ int self_collision_init(self_collision *s, const mesh *m, double gap, double fri
     *s = (self_collision){.mesh = m, .gap = gap, .friction = friction, .step = step};
     s->grid.box = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.box);
     s->grid.owned = calloc((size_t)m->triangle_count + 1, sizeof *s->grid.owned);
-    if (s->grid.box && s->grid.owned && share_out(s) == 0)
+    s->turns.vertex = calloc((size_t)m->vertex_count + 1, sizeof *s->turns.vertex);
+    s->turns.v = calloc((size_t)m->vertex_count + 1, sizeof *s->turns.v);
+    if (s->grid.box && s->grid.owned && s->turns.vertex && s->turns.v && share_out(s) == 0)
         return 0;
     self_collision_free(s);
     return -1;
@@ -51,6 +53,9 @@ void self_collision_free(self_collision *s) {
     for (int part = 0; part < SELF_PARTS; part++)
         free(s->grid.part[part].pair);
     free(s->pair);
+    free(s->turns.vertex);
+    free(s->turns.v);
+    free(s->turns.pair);
     *s = (self_collision){0};
 }
 
@@ -102,27 +107,67 @@ static double asked(const self_collision *s, const self_pair *pair, double h, co
     return speed < least ? least - speed : 0;
 }
 
+static int is_quiet(const self_collision *s, int n) {
+    const int seen = s->turns.pair[n], *vertex = s->pair[n].vertex, *changed = s->turns.vertex;
+    return seen >= 0 && changed[vertex[0]] <= seen && changed[vertex[1]] <= seen &&
+           changed[vertex[2]] <= seen && changed[vertex[3]] <= seen;
+}
+
+/* asked, of pair n at velocities v. */
+static double asked_now(const self_collision *s, int n, double h, const double (*x)[3],
+                        const double (*v)[3], self_contact *found) {
+    double start[4][3], end[4][3];
+    gather(&s->pair[n], h, x, v, start, end);
+    return asked(s, &s->pair[n], h, v, (const double(*)[3])start, (const double(*)[3])end, found);
+}
+
+/* Side by side: which velocities were changed since the last round, and what asks for nothing as a
+ * round begins. Most pairs do, and are not looked at one after the other. */
+static void look_through(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
+    self_turns *turns = &s->turns;
+    turns->now++;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < s->mesh->vertex_count; i++)
+        if (memcmp(v[i], turns->v[i], sizeof v[i]) != 0)
+            turns->vertex[i] = turns->now;
+#pragma omp parallel for schedule(static)
+    for (int n = 0; n < s->pair_count; n++) {
+        self_contact found;
+        if (!is_quiet(s, n) && !(asked_now(s, n, h, x, v, &found) > 0))
+            turns->pair[n] = turns->now;
+    }
+}
+
+/* Returns the change of the normal velocity, m/s; 0: none. */
+static double push_pair(self_collision *s, const movable *of, int n, double h, const double (*x)[3],
+                        double (*v)[3], double *work) {
+    self_contact found;
+    feature both = {.count = 4};
+    const double change = asked_now(s, n, h, x, (const double(*)[3])v, &found);
+    if (!(change > 0)) {
+        s->turns.pair[n] = s->turns.now;
+        return 0;
+    }
+    for (int k = 0; k < 4; k++) {
+        both.vertex[k] = s->pair[n].vertex[k];
+        both.weight[k] = found.weight[k];
+    }
+    if (!impulse_give(of, &both, found.normal, change, s->friction, NULL, v, work))
+        return 0;
+    s->turns.now++;
+    for (int k = 0; k < 4; k++)
+        s->turns.vertex[both.vertex[k]] = s->turns.now;
+    return change;
+}
+
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work) {
     double largest = 0;
-    for (int n = 0; n < s->pair_count; n++) {
-        const self_pair *pair = &s->pair[n];
-        const double(*moving)[3] = (const double(*)[3])v;
-        double start[4][3], end[4][3];
-        self_contact found;
-        gather(pair, h, x, moving, start, end);
-        const double change =
-            asked(s, pair, h, moving, (const double(*)[3])start, (const double(*)[3])end, &found);
-        if (!(change > 0))
-            continue;
-        feature both = {.count = 4};
-        for (int k = 0; k < 4; k++) {
-            both.vertex[k] = pair->vertex[k];
-            both.weight[k] = found.weight[k];
-        }
-        if (impulse_give(of, &both, found.normal, change, s->friction, NULL, v, work))
-            largest = fmax(largest, change);
-    }
+    look_through(s, h, x, (const double(*)[3])v);
+    for (int n = 0; n < s->pair_count; n++)
+        if (!is_quiet(s, n))
+            largest = fmax(largest, push_pair(s, of, n, h, x, v, work));
+    memcpy(s->turns.v, v, sizeof *v * (size_t)s->mesh->vertex_count);
     return largest;
 }
 
@@ -136,6 +181,22 @@ int self_collision_passes(const self_collision *s, const self_pair *pair, double
                             &found);
 }
 
+/* For pairs that were just found. 0, or -1: out of memory. */
+static int forget_turns(self_turns *turns, int vertices, int pairs) {
+    if (turns->pair_room < pairs) {
+        free(turns->pair);
+        turns->pair = malloc((size_t)pairs * sizeof *turns->pair);
+        turns->pair_room = turns->pair ? pairs : 0;
+    }
+    if (pairs > 0 && !turns->pair)
+        return -1;
+    turns->now = 0;
+    memset(turns->vertex, 0, (size_t)vertices * sizeof *turns->vertex);
+    for (int n = 0; n < pairs; n++)
+        turns->pair[n] = -1;
+    return 0;
+}
+
 int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
     int passing = 0;
     s->left = 1;
@@ -145,7 +206,7 @@ int self_collision_check(self_collision *s, double h, const double (*x)[3], cons
     for (int n = 0; n < s->pair_count; n++)
         passing += self_collision_passes(s, &s->pair[n], h, x, v);
     s->left = passing;
-    return 0;
+    return forget_turns(&s->turns, s->mesh->vertex_count, s->pair_count);
 }
 
 /* Keeps the pairs that may come near. What impulses move a vertex by in a step is less than a gap,
@@ -181,5 +242,5 @@ int self_collision_find(self_collision *s, double h, const double (*x)[3], const
         return -1;
     s->visits += s->pair_count;
     drop_far_pairs(s, h, x, v);
-    return 0;
+    return forget_turns(&s->turns, s->mesh->vertex_count, s->pair_count);
 }

@@ -47,6 +47,16 @@ typedef struct self_grid {
     self_pairs part[SELF_PARTS]; /* of what was found last */
 } self_grid;
 
+/** Which pairs need not be looked at again: what asked for nothing does so for as long as its
+ *  vertices keep their velocities. Times are numbers of impulses given since pairs were found. */
+typedef struct self_turns {
+    int now;
+    int *vertex;    /* [vertices] when its velocity changed last */
+    double (*v)[3]; /* [vertices] m/s, at the end of the last round */
+    int *pair;      /* [pairs] when it asked for nothing; -1: not yet */
+    int pair_room;
+} self_turns;
+
 typedef struct self_collision {
     const mesh *mesh;
     double gap, friction; /* m */
@@ -54,6 +64,7 @@ typedef struct self_collision {
     self_grid grid;
     self_pair *pair; /* [pair_count] */
     int pair_count, pair_room;
+    self_turns turns;
     int left; /* pairs that still pass through each other, of the step treated last */
     long visits;
 } self_collision;
@@ -66,7 +77,8 @@ void self_collision_free(self_collision *s);
  * (m/s). 0, or -1: out of memory, or not all is finite. */
 int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
 
-/** One round of impulses over the pairs found, in order: changes v, adds the energy that gives to
+/** One round of impulses over the pairs found last, for this h and x, in order:
+ *  changes v, adds the energy that gives to
  *  *work (J); returns the largest change of a normal velocity, m/s. */
 double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
                            double (*v)[3], double *work);

@@ -70,7 +70,7 @@ static double needed_bytes(const stage *on) {
     if (s->collider_count > 0)
         bytes += vertices * 2 * 200;
     if (s->self_gap > 0)
-        bytes += triangles * (48 + 4);
+        bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v and turn */
     return bytes;
 }
 
