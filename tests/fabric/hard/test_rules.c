@@ -184,6 +184,13 @@ static void test_drawing_apart(void **state) {
     assert_near(largest, 0.25 * 0.004 / 0.02, 1e-4);
     for (int i = 0; i < on.m.vertex_count; i++)
         assert_true(x[i][2] > 0 ? v[i][2] >= 0 : v[i][2] <= 0);
+    /* Pairs that ask for nothing any more are looked at again when somebody else moves them. */
+    for (int n = 0; n < 100 && self_collision_push(&s, &of, 0.02, x, v, &work) > 0; n++)
+        ;
+    assert_near(self_collision_push(&s, &of, 0.02, x, v, &work), 0, 0);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        v[i][2] -= x[i][2] > 0 ? 1 : 0;
+    assert_true(self_collision_push(&s, &of, 0.02, x, v, &work) > 0.5);
     self_collision_free(&s);
     free(v);
     stage_end(&on);
