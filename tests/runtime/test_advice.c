@@ -69,6 +69,16 @@ static struct size_state *size_of(struct called *called) {
     return &state->chooser.state.size[63 - __builtin_clzll(TRIP)];
 }
 
+static struct ledger *ledger_of(struct called *called) {
+    return &((struct loop_state *)called->described.loop.state)->chooser.state.ledger;
+}
+
+/* Leaves it so many seconds of credit, however long its calls took. */
+static void leave_credit(struct called *called, double seconds) {
+    struct ledger *ledger = ledger_of(called);
+    ledger->overhead = ledger->sequential / 32 - seconds;
+}
+
 static int begin(void **state, bool sorted) {
     static struct called called;
     called.problem = one_touch_each(sorted);
@@ -105,12 +115,12 @@ static void the_first_call_is_sequential_and_timed(void **state) {
 /* Nothing is begun while it may cost more than the credit. */
 static void nothing_is_begun_without_credit(void **state) {
     struct called *called = *state;
-    for (int call = 0; call < 10; call++)
+    for (int call = 0; call < 10; call++) {
+        leave_credit(called, -1e-3);
         assert_false(call_right(called));
-    const struct loop_state *loop = called->described.loop.state;
-    const struct ledger *ledger = &loop->chooser.state.ledger;
+    }
     assert_int_equal(statistics_of(called)->plans_built, 0);
-    assert_true(ledger->sequential > 0);
+    assert_true(ledger_of(called)->sequential > 0);
 }
 
 /* Iterations that take long: a plan as soon as that is known, and it is used again. */
@@ -132,10 +142,8 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
     problem_tell_slow(&called->described.loop, TRIP, 1e-6);
     assert_true(call_right(called));
     assert_true(call_right(called));
-    struct loop_state *loop = called->described.loop.state;
     called->problem.row[TRIP / 2 + 1] = 0; /* which the sample does not see */
-    loop->chooser.state.ledger.overhead =  /* next to no credit, and no loan while less than that */
-        loop->chooser.state.ledger.sequential / 32 - 1e-9;
+    leave_credit(called, 1e-9);            /* next to none, and no loan while less than that */
     assert_false(call_right(called));
     assert_int_equal(statistics_of(called)->rule, RULE_CHANGED);
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_CHANGED]), 1);
@@ -150,20 +158,19 @@ static void changed_subscripts_are_not_inspected_at_once(void **state) {
  * gone by, where a loan covers all of it. */
 static void a_sample_that_took_long_is_not_lost(void **state) {
     struct called *called = *state;
-    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    problem_tell_slow(&called->described.loop, TRIP, 1e-3);
     assert_true(call_right(called)); /* so that threads are there */
     redcc_loop_forget(&called->described.loop);
     problem_describe(&called->problem, &called->described);
     assert_false(call_right(called));
+    leave_credit(called, -1e-3);
     assert_false(call_right(called));
-    problem_tell_slow(&called->described.loop, TRIP, 1e-6);
+    problem_tell_slow(&called->described.loop, TRIP, 1e-3); /* deadlines are seconds away */
     ((struct loop_state *)called->described.loop.state)->chooser.verified = true;
-    struct ledger *ledger =
-        &((struct loop_state *)called->described.loop.state)->chooser.state.ledger;
     size_of(called)->look = 1e-12;
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         size_of(called)->prospect[way].learned = 0;
-    ledger->overhead = ledger->sequential / 32 - 1e-9;
+    leave_credit(called, 1e-9);
     assert_true(call_right(called));
     assert_int_equal(statistics_of(called)->plans_built, 1);
 }
