@@ -246,7 +246,6 @@ static void account_binned(struct execution *execution, double now) {
     statistics->last.trip = trip;
     statistics->last.length = rest + (trip - rest) / call->threads;
     statistics->last.compensated = false;
-    statistics->validated.passed_over += call->validate;
     count_nodes(execution, statistics);
     redcc_trace(TRACE_EXECUTION, call->request.loop,
                 "%lld iterations by %d threads, %ld rounds of %s, %zu bytes; %.3g s", trip,
@@ -260,12 +259,7 @@ static void account_binned(struct execution *execution, double now) {
 
 bool redcc_account(struct execution *execution) {
     struct run *run = &execution->run;
-    const struct request *request = &execution->call.request;
-    const bool validated = run->validation.began;
-    const double now = validated ? run->executed : redcc_seconds();
-    if (validated)
-        redcc_validation_end(&run->validation, run->plan, request->loop, request->bases,
-                             run->validated);
+    const double now = run->executed > 0 ? run->executed : redcc_seconds();
     tell_team(execution);
     redcc_count_lost(execution);
     if (run->plan)

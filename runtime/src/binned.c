@@ -11,13 +11,22 @@ static void end(struct thread_state *thread, redcc_worker *worker) {
     struct execution *execution = thread->execution;
     const struct binning *binning = &execution->state->binning;
     const redcc_int trip = execution->call.request.trip;
-    const bool begun = binning->round.begin > 0;
-    redcc_run_rest(worker, thread->thread == 0 && begun ? binning->round.begin : trip);
+    const redcc_int binned = binning->round.begin;
+    const bool begun = binned > 0;
+    if (thread->thread == 0 && begun && execution->run.validation.began)
+        redcc_run_check(worker, binned);
+    else
+        redcc_run_rest(worker, thread->thread == 0 && begun ? binned : trip);
     if (thread->thread > 0)
         return;
     execution->binned = begun;
     execution->reason = binning->reason;
     execution->inspection.overlap = binning->overlap;
+}
+
+void redcc_hold_written(void *execution, uint32_t array, struct range written) {
+    struct execution *it = execution;
+    redcc_validation_grow(&it->run.validation, it->call.request.loop->array_count, array, written);
 }
 
 int redcc_bins_next(redcc_worker *worker, redcc_bins *bins, const void *operands) {

@@ -307,9 +307,10 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->woken = 0;
     redcc_run_begin(&execution->run);
     redcc_run_choose_manner(&execution->run, &state->manners);
-    redcc_bins_begin(&state->binning);
-    execution->run.validated =
-        call->validate && !state->temporary ? &state->reported.statistics.validated : NULL;
+    const bool is_validated = call->validate && !state->temporary;
+    execution->run.validated = is_validated ? &state->reported.statistics.validated : NULL;
+    redcc_bins_begin(&state->binning,
+                     (struct written_witness){is_validated ? redcc_hold_written : NULL, execution});
     return true;
 }
 

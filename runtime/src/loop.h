@@ -90,6 +90,10 @@ bool redcc_account(struct execution *execution);
 void redcc_tell_auto(struct loop_state *state, const redcc_loop *loop,
                      const struct outcome *outcome, enum reason reason);
 
+/** A written_witness (bins/binning.h) whose `whom` is the execution: with validation, what the
+ * bytes hold is kept. */
+void redcc_hold_written(void *execution, uint32_t array, struct range written);
+
 /** Counts a call of a loop that ran sequentially, for want of memory before redcc_enter. */
 void redcc_note_no_memory(redcc_loop *loop);
 

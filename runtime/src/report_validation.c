@@ -12,8 +12,7 @@ static void begin_line(const struct reported *loop) {
 }
 
 static bool ran_in_parallel(const struct reported *loop) {
-    const struct statistics *it = &loop->statistics;
-    return it->plans_built + it->plans_reused + it->validated.passed_over > 0;
+    return loop->statistics.in_loops > 0;
 }
 
 /* Why a loop never ran in parallel, which most of its calls say. */
@@ -63,7 +62,7 @@ static void tell(const struct reported *loop) {
         begin_line(loop);
         fprintf(stderr,
                 "%ld executions not compared: no copy of the elements can be made before the loop "
-                "(pointers in memory lead to them, or the loop is binned)\n",
+                "(pointers in memory lead to them)\n",
                 it->passed_over);
     }
     if (it->executions > 0)

@@ -163,6 +163,10 @@ const struct loop_state *work_state(void) {
     return work_loop.loop.state;
 }
 
+long work_validated(void) {
+    return work_state()->reported.statistics.validated.executions;
+}
+
 long work_fallbacks(enum reason reason) {
     return atomic_load(&work_state()->reported.statistics.fallback[reason]);
 }
@@ -177,5 +181,7 @@ bool work_compare(const struct work *w, int threads) {
     if (!done)
         work_oracle(w);
     assert_memory_equal(&now, &expected, sizeof now);
+    if (work_state())
+        assert_int_equal(work_state()->reported.statistics.validated.broken, 0);
     return done;
 }

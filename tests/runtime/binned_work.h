@@ -69,6 +69,9 @@ bool work_compare(const struct work *w, int threads);
 /** The runtime's. */
 const struct loop_state *work_state(void);
 
+/** How often an execution was compared with the sequential loop (REDCC_VALIDATE=1). */
+long work_validated(void);
+
 /** How often the loop ran sequentially for the reason. */
 long work_fallbacks(enum reason reason);
 

@@ -4,6 +4,7 @@
  * updates of an array, loops inside. */
 #include "base/memory.h"
 #include "binned_work.h"
+#include "settings.h"
 
 #include <errno.h>
 #include <setjmp.h>
@@ -29,6 +30,7 @@ static void records_of_several_arrays_and_updates(void **unused) {
         assert_true(work_compare(&w, threads[(n + 3) % 6]));
         assert_int_equal(work_state()->binning.reason,
                          REASON_NONE); /* x lies beside what is written */
+        assert_int_equal(work_validated(), redcc_settings()->validate ? 2 : 0);
         work_free(&w);
     }
     redcc_bins_tuning = usual;
@@ -46,8 +48,10 @@ static void reads_overlap_from(redcc_int from, redcc_int round) {
         w.m[t] = w.j[w.start[t]] - (ROWS - X);
     for (int threads = 1; threads <= 7; threads += 3) {
         redcc_bins_tuning.round = round;
+        const long validated = work_state() ? work_validated() : 0;
         const bool binned = work_compare(&w, threads);
         assert_int_equal(binned, from >= round);
+        assert_int_equal(work_validated() - validated, binned && redcc_settings()->validate);
         assert_int_equal(work_state()->binning.reason, from < TRIP ? REASON_OVERLAP : REASON_NONE);
         assert_true(work_state()->binning.round.begin <= from);
         if (binned && from < TRIP)

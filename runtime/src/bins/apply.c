@@ -5,6 +5,8 @@
 #include "base/share.h"
 #include "plan/elements.h"
 
+#include <string.h>
+
 /* All threads' records of one bin, in the order of the loop. */
 static void apply_bin(const struct binning *binning, uint32_t s, uint32_t bin,
                       const void *operands) {
@@ -74,6 +76,32 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
             rule->fill(binner->buffer[s].push.copy[a], bytes / rule->size);
         }
     }
+}
+
+/* The rows of one thread's copy of an array of the stream that are not neutral any more. */
+static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
+                                     const char *copy) {
+    const redcc_stream *stream = &binning->loop->streams[s];
+    const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
+    const struct window window = binning->stream[s].window;
+    uint64_t neutral = 0; /* no integer is larger */
+    rule->fill(&neutral, 1);
+    struct row_range rows = redcc_no_rows;
+    for (uint64_t at = 0; at < window.rows * stream->rows[a]; at += rule->size)
+        if (memcmp(copy + at, &neutral, rule->size) != 0) {
+            const redcc_int row = window.first + (redcc_int)(at / stream->rows[a]);
+            rows = redcc_rows_union(rows, (struct row_range){row, row});
+        }
+    return rows;
+}
+
+struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
+    struct row_range rows = redcc_no_rows;
+    for (uint32_t a = 0; a < binning->loop->streams[s].array_count; a++)
+        for (int t = 0; t < binning->call->threads; t++)
+            rows = redcc_rows_union(
+                rows, changed_rows(binning, s, a, binning->binner[t]->buffer[s].push.copy[a]));
+    return rows;
 }
 
 /* A share of the rows, copy after copy. */

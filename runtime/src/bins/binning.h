@@ -72,6 +72,13 @@ struct round {
     unsigned long long error_before; /* as *error, where it is thrown away */
 };
 
+/** Whom to tell which bytes of an array will be written next, before they are; tell NULL: nobody.
+ */
+struct written_witness {
+    void (*tell)(void *whom, uint32_t array, struct range written);
+    void *whom;
+};
+
 struct binning {
     const struct call *call;
     const redcc_binned *loop; /* NULL: it has no form for bins */
@@ -92,6 +99,7 @@ struct binning {
     struct overlap overlap;   /* of REASON_OVERLAP */
     long rounds;
     size_t bytes;
+    struct written_witness witness;
 };
 
 /** The loop's descriptor for bins; NULL: it has none. */
@@ -124,6 +132,9 @@ struct used_bins redcc_used_bins(const struct binning *binning, uint32_t s);
 /** May the records of the round be applied, or the copies be brought in? NONE, or why not. */
 enum reason redcc_bins_guard(struct binning *binning);
 
+/** Tells the witness what the round will write. The guard has allowed it. */
+void redcc_bins_tell_written(const struct binning *binning);
+
 /* ---- apply.c --------------------------------------------------------------------------------- */
 
 /** The thread's part of applying all records. operands: the program's. */
@@ -134,6 +145,9 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
 
 /** The thread's part of bringing all threads' copies in. */
 void redcc_private_merge(const struct binning *binning, const struct binner *binner);
+
+/** The rows to which some thread's private copy will bring something. */
+struct row_range redcc_private_rows(const struct binning *binning, uint32_t s);
 
 /** Can the stream's updates be made on private copies, at the places of this call? */
 bool redcc_private_possible(const struct binning *binning, const redcc_stream *stream);
@@ -147,7 +161,7 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 void redcc_binner_join(struct binner *binner, int threads);
 
 /** Begins an execution. One thread. */
-void redcc_bins_begin(struct binning *binning);
+void redcc_bins_begin(struct binning *binning, struct written_witness witness);
 
 /** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,

@@ -48,7 +48,7 @@ static struct row_range places_in(const struct binning *binning, uint32_t s, uin
 static struct row_range written_rows(const struct binning *binning, uint32_t s, bool exact) {
     const struct window window = binning->stream[s].window;
     if (binning->copies)
-        return redcc_window_rows(window);
+        return exact ? redcc_private_rows(binning, s) : redcc_window_rows(window);
     const struct used_bins used = redcc_used_bins(binning, s);
     if (used.end == 0)
         return redcc_no_rows;
@@ -61,20 +61,21 @@ static struct row_range written_rows(const struct binning *binning, uint32_t s, 
                                   places_in(binning, s, used.end - 1).highest};
 }
 
-/* By array of the loop: [array_count]. */
-static void find_written(const struct binning *binning, bool exact, struct range *written) {
-    for (uint32_t array = 0; array < binning->loop->loop.array_count; array++)
-        written[array] = redcc_nowhere;
+/* What the round will write of an array of the loop. */
+static struct range written_of(const struct binning *binning, uint32_t array, bool exact) {
+    struct range range = redcc_nowhere;
     for (uint32_t s = 0; s < binning->loop->stream_count; s++) {
         const redcc_stream *stream = &binning->loop->streams[s];
-        const struct row_range rows = written_rows(binning, s, exact);
-        for (uint32_t a = 0; !redcc_rows_empty(rows) && a < stream->array_count; a++) {
-            struct range *range = &written[stream->arrays[a]];
-            const struct range more = {redcc_row_address(binning, stream, a, rows.lowest),
+        for (uint32_t a = 0; a < stream->array_count; a++) {
+            if (stream->arrays[a] != array)
+                continue;
+            const struct row_range rows = written_rows(binning, s, exact);
+            if (!redcc_rows_empty(rows))
+                range = (struct range){redcc_row_address(binning, stream, a, rows.lowest),
                                        redcc_row_address(binning, stream, a, rows.highest + 1)};
-            *range = redcc_range_union(*range, more);
         }
     }
+    return range;
 }
 
 static struct range range_of(redcc_extent extent) {
@@ -103,7 +104,8 @@ static bool are_apart(const struct range *written, uint32_t count) {
 static enum reason ask(struct binning *binning, bool exact, struct range *written,
                        struct range *read) {
     const redcc_loop *loop = &binning->loop->loop;
-    find_written(binning, exact, written);
+    for (uint32_t array = 0; array < loop->array_count; array++)
+        written[array] = written_of(binning, array, exact);
     if (!redcc_ranges_are_apart(read, loop->source_count, written, loop->array_count,
                                 &binning->overlap))
         return REASON_OVERLAP;
@@ -124,4 +126,10 @@ enum reason redcc_bins_guard(struct binning *binning) {
     redcc_memory_give(written);
     redcc_memory_give(read);
     return reason;
+}
+
+void redcc_bins_tell_written(const struct binning *binning) {
+    const redcc_loop *loop = &binning->loop->loop;
+    for (uint32_t array = 0; array < loop->array_count; array++)
+        binning->witness.tell(binning->witness.whom, array, written_of(binning, array, true));
 }

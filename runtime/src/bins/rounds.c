@@ -218,6 +218,8 @@ static enum bins_phase after_push(struct binning *binning) {
         return end_with(binning, reason);
     if (!binning->copies)
         learn(binning);
+    if (binning->witness.tell)
+        redcc_bins_tell_written(binning);
     return BINS_APPLY;
 }
 
@@ -309,8 +311,9 @@ void redcc_binner_join(struct binner *binner, int threads) {
     binner->begun = false;
 }
 
-void redcc_bins_begin(struct binning *binning) {
+void redcc_bins_begin(struct binning *binning, struct written_witness witness) {
     binning->phase = BINS_START;
+    binning->witness = witness;
     binning->round = (struct round){.most = redcc_bins_tuning.round};
     binning->reason = REASON_NONE;
     binning->rounds = 0;

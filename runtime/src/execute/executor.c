@@ -6,6 +6,7 @@
  *     STEP_EXECUTE: the thread's chunks, and stealable ones; then the merge   -> STEP_END
  *                   with validation, the first thread:          -> STEP_CHECK -> STEP_END
  *     STEP_REST: a binned loop's that goes on sequentially, by the first thread  -> STEP_END
+ *                with validation, after what was binned:      STEP_CHECK -> STEP_REST
  */
 #include "execute/run.h"
 
@@ -76,6 +77,7 @@ static void place_owners(struct runner *runner) {
 void redcc_run_begin(struct run *run) {
     run->plan = NULL;
     run->validation = (struct validation){0};
+    run->executed = 0;
     atomic_store_explicit(&run->error, 0, memory_order_relaxed);
     atomic_store_explicit(&run->last_claimed, 0, memory_order_relaxed);
     atomic_store_explicit(&run->blocks_claimed, 0, memory_order_relaxed);
@@ -140,12 +142,14 @@ static void begin_running(redcc_worker *worker) {
     }
 }
 
-void redcc_run_rest(redcc_worker *worker, redcc_int from) {
+/* Hands out iterations [begin, end) in order and in place. */
+static void go_in_order(redcc_worker *worker, enum step step, redcc_int begin, redcc_int end) {
     struct runner *runner = worker->execution;
     const struct call *call = runner->run->call;
     errno = 0;
-    runner->step = from < call->request.trip ? STEP_REST : STEP_END;
-    worker->position = from;
+    runner->step = begin < end ? step : STEP_END;
+    runner->in_order_end = end;
+    worker->position = begin;
     worker->manner = (redcc_manner){0, 0};
     worker->base = runner->base;
     worker->owner = runner->owner; /* not asked: nothing is guarded */
@@ -154,10 +158,22 @@ void redcc_run_rest(redcc_worker *worker, redcc_int from) {
         runner->base[array] = call->request.bases[array];
 }
 
-/* Hands out all iterations in order. False: there are none left. */
+void redcc_run_rest(redcc_worker *worker, redcc_int from) {
+    const struct runner *runner = worker->execution;
+    go_in_order(worker, STEP_REST, from, runner->run->call->request.trip);
+}
+
+void redcc_run_check(redcc_worker *worker, redcc_int end) {
+    struct runner *runner = worker->execution;
+    runner->run->executed = redcc_seconds();
+    redcc_validation_swap(&runner->run->validation);
+    go_in_order(worker, STEP_CHECK, 0, end);
+}
+
+/* Hands out iterations in order. False: there are none left. */
 static bool hand_out_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
-    const redcc_int left = runner->run->call->request.trip - worker->position;
+    const redcc_int left = runner->in_order_end - worker->position;
     const redcc_int count = left < REDCC_RUN_MOST ? left : REDCC_RUN_MOST;
     runner->whole = (redcc_run){0, 2 * (redcc_u32)count};
     worker->origin = worker->position;
@@ -167,25 +183,20 @@ static bool hand_out_in_order(redcc_worker *worker) {
     return count > 0;
 }
 
-/* Of a loop that the first thread executes once more, from what the arrays held before, or of what
- * is left of one. */
+/* What is executed once more is compared; then comes what is left of a binned loop. */
 static int next_in_order(redcc_worker *worker) {
     struct runner *runner = worker->execution;
+    struct run *run = runner->run;
     if (hand_out_in_order(worker))
         return 1;
-    runner->step = STEP_END;
-    return 0;
-}
-
-/* All threads are done. */
-static void begin_checking(redcc_worker *worker) {
-    struct runner *runner = worker->execution;
-    struct run *run = runner->run;
-    redcc_validation_swap(&run->validation, runner->plan, run->call->request.bases);
-    runner->step = STEP_CHECK;
-    worker->position = 0;
-    for (uint32_t array = 0; array < runner->plan->array_count; array++)
-        runner->base[array] = run->call->request.bases[array];
+    if (runner->step != STEP_CHECK) {
+        runner->step = STEP_END;
+        return 0;
+    }
+    redcc_validation_end(&run->validation, run->call->request.loop, run->call->request.bases,
+                         run->validated);
+    redcc_run_rest(worker, runner->in_order_end);
+    return runner->step == STEP_REST ? next_in_order(worker) : 0;
 }
 
 /* Goes on to `stage` together with the others of the team. */
@@ -216,10 +227,8 @@ static void finish(redcc_worker *worker) {
     if (!run->validation.began)
         return;
     redcc_barrier_wait(run->barrier, runner->threads);
-    if (runner->thread == 0) {
-        run->executed = redcc_seconds();
-        begin_checking(worker);
-    }
+    if (runner->thread == 0)
+        redcc_run_check(worker, plan->trip);
 }
 
 /* The flag of the chunk that was executed goes up. */

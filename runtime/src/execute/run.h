@@ -34,7 +34,7 @@ struct run {
     atomic_uint blocks_claimed; /* stealable ones */
     /* Seconds. */
     double ready;    /* when the plan was there */
-    double executed; /* with validation: when the loop was done */
+    double executed; /* with validation: when the loop was done; 0: it is not checked */
 };
 
 /** Where a thread stands. */
@@ -59,7 +59,8 @@ struct runner {
     struct hooks hooks;
     struct run_reader runs;      /* of the chunk at hand, still to be handed out */
     redcc_run piece[REDCC_RUNS]; /* handed out, of runs that are packed or to be guarded */
-    redcc_run whole;             /* handed out, in order, without a plan */
+    redcc_run whole;             /* handed out, in order, without a plan, */
+    redcc_int in_order_end;      /* up to here */
     void **base;                 /* [array_count] where it writes */
     redcc_owner *owner;          /* [array_count] what it owns */
 };
@@ -80,6 +81,11 @@ enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *k
 /** Has the thread's redcc_next hand out what is left of the loop from iteration `from` on, in order
  *  and in place; from == trip: nothing. */
 void redcc_run_rest(redcc_worker *worker, redcc_int from);
+
+/** Validation: has the first thread's redcc_next hand out the iterations before `end` once more,
+ * from what the arrays held before; then the two are compared, and what is left of the loop
+ * follows. All threads are done with these iterations. */
+void redcc_run_check(redcc_worker *worker, redcc_int end);
 
 /** errno is not 0 after iterations that end before `end`: notes it for redcc_error_of, and clears
  *  it. */

@@ -18,11 +18,39 @@ static size_t bytes_of(const struct plan *plan, uint32_t group) {
     return some ? (size_t)(touched.end - touched.first) : 0;
 }
 
-static void give_back(struct validation *validation, const struct plan *plan) {
-    for (uint32_t group = 0; validation->memory && group < plan->array_count; group++)
-        redcc_memory_give(validation->memory[group]);
-    redcc_memory_give(validation->memory);
+static void give_back(struct validation *validation) {
+    for (uint32_t i = 0; validation->held && i < validation->count; i++)
+        redcc_memory_give(validation->held[i].memory);
+    redcc_memory_give(validation->held);
     *validation = (struct validation){0};
+}
+
+static void give_up(struct validation *validation) {
+    give_back(validation);
+    validation->gave_up = true;
+}
+
+static void begin(struct validation *validation, uint32_t count, const char *method) {
+    validation->held = redcc_memory_take_zeroed(count, sizeof *validation->held);
+    validation->began = validation->held != NULL;
+    validation->gave_up = !validation->began;
+    validation->method = method;
+    validation->count = count;
+}
+
+/* Puts a copy of so many bytes in the place of what is held. */
+static bool hold(struct held *held, char *place, size_t bytes) {
+    char *memory = redcc_memory_take(bytes);
+    if (!memory)
+        return false;
+    memcpy(memory, place, bytes);
+    if (held->memory) /* what it held before was written since */
+        memcpy(memory + (held->place - place), held->memory, held->bytes);
+    redcc_memory_give(held->memory);
+    held->memory = memory;
+    held->place = place;
+    held->bytes = bytes;
+    return true;
 }
 
 static bool some_are_scattered(const struct plan *plan, void *const *bases) {
@@ -38,31 +66,44 @@ void redcc_validation_begin(struct validation *validation, const struct plan *pl
         validated->passed_over++;
         return;
     }
-    validation->memory = redcc_memory_take_zeroed(plan->array_count, sizeof *validation->memory);
-    validation->began = validation->memory != NULL;
+    begin(validation, plan->array_count, plan->method->name);
     for (uint32_t group = 0; validation->began && group < plan->array_count; group++) {
         const size_t bytes = bytes_of(plan, group);
-        if (bytes == 0)
-            continue;
-        validation->memory[group] = redcc_memory_take(bytes);
-        validation->began = validation->memory[group] != NULL;
-        if (validation->began)
-            memcpy(validation->memory[group], (char *)bases[group] + plan->touched[group].first,
-                   bytes);
+        struct held *held = &validation->held[group];
+        held->in_order =
+            plan->method->keeps == REDCC_ORDER_SERIAL && !(plan->lost && plan->lost[group].value);
+        if (bytes > 0 && !hold(held, (char *)bases[group] + plan->touched[group].first, bytes))
+            give_up(validation);
     }
-    if (!validation->began)
-        give_back(validation, plan);
 }
 
-void redcc_validation_swap(struct validation *validation, const struct plan *plan,
-                           void *const *bases) {
-    for (uint32_t group = 0; group < plan->array_count; group++) {
-        char *memory = validation->memory[group];
-        char *array = (char *)bases[group] + plan->touched[group].first;
-        for (size_t i = 0; memory && i < bytes_of(plan, group); i++) {
-            const char held = array[i];
-            array[i] = memory[i];
-            memory[i] = held;
+void redcc_validation_grow(struct validation *validation, uint32_t count, uint32_t array,
+                           struct range written) {
+    if (validation->gave_up || written.first >= written.end)
+        return;
+    if (!validation->began)
+        begin(validation, count, "binning");
+    if (!validation->began)
+        return;
+    struct held *held = &validation->held[array];
+    const struct range before =
+        held->memory ? (struct range){(uintptr_t)held->place, (uintptr_t)held->place + held->bytes}
+                     : written;
+    const struct range all = redcc_range_union(before, written);
+    held->in_order = true;
+    if (held->memory && all.first == before.first && all.end == before.end)
+        return;
+    if (!hold(held, (char *)all.first, all.end - all.first))
+        give_up(validation);
+}
+
+void redcc_validation_swap(struct validation *validation) {
+    for (uint32_t i = 0; i < validation->count; i++) {
+        struct held *held = &validation->held[i];
+        for (size_t at = 0; held->memory && at < held->bytes; at++) {
+            const char now = held->place[at];
+            held->place[at] = held->memory[at];
+            held->memory[at] = now;
         }
     }
 }
@@ -147,47 +188,40 @@ static size_t element_size(const redcc_array *array) {
     return rule ? rule->size : array->element;
 }
 
-/* Does a difference, however small, break the promise? */
-static bool bits_are_promised(const struct plan *plan, uint32_t group, redcc_type type) {
-    if (type <= REDCC_UINT64)
-        return true;
-    const bool compensated = plan->lost && plan->lost[group].value;
-    return plan->method->keeps == REDCC_ORDER_SERIAL && !compensated;
-}
-
-/* Compares one group; returns whether its promise is kept. */
-static bool compare(const struct plan *plan, uint32_t group, const redcc_array *array,
-                    const char *found, const char *expected, struct validated *validated) {
-    const size_t size = element_size(array), bytes = bytes_of(plan, group);
+/* Compares one array; returns whether its promise is kept. */
+static bool compare(const struct held *held, const redcc_array *array, const void *base,
+                    struct validated *validated) {
+    const size_t size = element_size(array);
+    const bool bits_are_promised = held->in_order || array->type <= REDCC_UINT64;
     bool kept = true;
-    for (size_t at = 0; at + size <= bytes; at += size) {
-        if (!differ(array->type, size, found + at, expected + at))
+    for (size_t at = 0; at + size <= held->bytes; at += size) {
+        const char *found = held->memory + at, *expected = held->place + at;
+        if (!differ(array->type, size, found, expected))
             continue;
-        const double off = ulps(array->type, size, found + at, expected + at);
+        const double off = ulps(array->type, size, found, expected);
         if (off > validated->largest) {
             validated->largest = off;
             validated->array = array->name;
-            validated->element = (plan->touched[group].first + (ptrdiff_t)at) / (ptrdiff_t)size;
+            validated->element = (expected - (const char *)base) / (ptrdiff_t)size;
         }
-        kept = kept && !bits_are_promised(plan, group, array->type);
+        kept = kept && !bits_are_promised;
     }
     return kept;
 }
 
-void redcc_validation_end(struct validation *validation, const struct plan *plan,
-                          const redcc_loop *loop, void *const *bases, struct validated *validated) {
+void redcc_validation_end(struct validation *validation, const redcc_loop *loop, void *const *bases,
+                          struct validated *validated) {
     bool kept = true;
     struct validated now = {.largest = 0};
-    for (uint32_t group = 0; group < plan->array_count; group++) {
-        char *array = (char *)bases[group] + plan->touched[group].first;
-        const char *found = validation->memory[group];
-        if (!found)
+    for (uint32_t i = 0; i < validation->count; i++) {
+        struct held *held = &validation->held[i];
+        if (!held->memory)
             continue;
-        kept = compare(plan, group, &loop->arrays[group], found, array, &now) && kept;
-        memcpy(array, found, bytes_of(plan, group));
+        kept = compare(held, &loop->arrays[i], bases[i], &now) && kept;
+        memcpy(held->place, held->memory, held->bytes);
     }
     redcc_trace(TRACE_VALIDATION, loop, "%s by %s: largest difference %.4g ulps%s%s",
-                kept ? "as promised" : "the promise is broken", plan->method->name, now.largest,
+                kept ? "as promised" : "the promise is broken", validation->method, now.largest,
                 now.array ? " in " : "", now.array ? now.array : "");
     validated->executions++;
     validated->broken += !kept;
@@ -196,5 +230,5 @@ void redcc_validation_end(struct validation *validation, const struct plan *plan
         validated->element = now.element;
         snprintf(validated->name, sizeof validated->name, "%s", now.array);
     }
-    give_back(validation, plan);
+    give_back(validation);
 }
