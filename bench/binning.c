@@ -10,50 +10,29 @@
  *
  *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
  *
- * seconds are medians; speed-ups are medians of the rounds' own, lowest and highest of them; best
- * is the least time of the sequential loop over the least of this one; cpu is the sequential loop's
- * processor time over this one's for a thread, which other jobs disturb less; extra memory as a
- * share of the array.
+ * Beside these a run of its own by `auto`, from the loop's first execution on, in which the
+ * sequential loop takes turns with it: seconds and the speed-up are those of all executions.
+ *
+ * Of the others seconds are medians; speed-ups are medians of the rounds' own, lowest and highest
+ * of them; best is the least time of the sequential loop over the least of this one; cpu is the
+ * sequential loop's processor time over this one's for a thread (auto: over all of it), which other
+ * jobs disturb less; extra memory as a share of the array.
  */
 #include "base/bins_kind.h"
+#include "binning_data.h"
 #include "loop.h"
 #include "redcc/bins.h"
 #include "settings.h"
 
 #include <math.h>
 #include <omp.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <time.h>
 
-enum { SETS = 3, MOST_ROUNDS = 101 };
-
-/* What a loop reads, new in each of the sets. */
-struct data {
-    redcc_int trip;
-    size_t rows;
-    const int *k;     /* subscripts, or neighbours */
-    const int *start; /* [trip + 1] of the neighbours */
-    const double *value;
-    const float *part;
-    const double (*x)[3];
-};
-
-static unsigned long long random_state = 88172645463325252u;
-
-static uint64_t next_random(void) {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 7;
-    random_state ^= random_state << 17;
-    return random_state;
-}
-
-static double unit_random(void) {
-    return (double)(next_random() >> 11) * 0x1p-53;
-}
+enum { SETS = 3, MOST_ROUNDS = 101, AUTO_ROUNDS = 3 /* executions by auto for each round */ };
 
 /* ---- the forms of a body --------------------------------------------------------------------- */
 
@@ -75,7 +54,8 @@ static double unit_random(void) {
 #define COPIED(N, row, contribution)                                                               \
     do {                                                                                           \
         const N##_record e = contribution;                                                         \
-        redcc_update(&to_0, &N##_streams[0], row, 0, &e);                                          \
+        if (redcc_is_copied(&to_0, row))                                                           \
+            N##_update(&copy[row], &e);                                                            \
     } while (0)
 #define TOLD(N, row, contribution) redcc_touch(&worker, 0, &R[row], sizeof *R)
 
@@ -141,10 +121,11 @@ static double unit_random(void) {
                     const redcc_bins to_0 = bins[0];                                               \
                     const redcc_int last = worker.last;                                            \
                     redcc_int t = worker.first;                                                    \
-                    if (EXACT && REDCC_ARE_COPIED(&to_0))                                          \
+                    if (EXACT && REDCC_ARE_COPIED(&to_0)) {                                        \
+                        ROW *const copy = redcc_copy_base(&to_0, &N##_streams[0], 0);              \
                         for (; t < last; t++)                                                      \
                             BODY(COPIED)                                                           \
-                    else                                                                           \
+                    } else                                                                         \
                         for (; t < last; t++)                                                      \
                             BODY(PUSHED)                                                           \
                 }                                                                                  \
@@ -179,7 +160,6 @@ static inline void counts_update(int *r, const int *e) {
 KERNEL(counts, int, 0, REDCC_SUM, REDCC_INT32, 1, COUNTS)
 
 /* Cloud in cell: a particle's charge goes to the corners of its cell. */
-enum { SIDE = 128 };
 typedef double charge_record;
 static inline void charge_update(double *r, const double *e) {
     *r += *e;
@@ -233,89 +213,6 @@ static inline forces_record force(const double *a, const double *b) {
     }
 KERNEL(forces, forces_record, sizeof(forces_record), REDCC_SUM, REDCC_OTHER_TYPE, 0, FORCES)
 
-/* ---- data ------------------------------------------------------------------------------------ */
-
-enum { TRIP = 10000000, MILLION = 1 << 20 };
-enum pattern { RANDOM, SORTED, BANDED };
-
-/* Vectors of the last kernel; the values are shared by all sets. */
-static double *values;
-static float *parts;
-
-static void make_values(void) {
-    if (values)
-        return;
-    values = malloc(TRIP * sizeof *values);
-    parts = malloc(TRIP * sizeof *parts);
-    for (int t = 0; t < TRIP; t++) {
-        values[t] = unit_random() - 0.5;
-        parts[t] = (float)values[t];
-    }
-}
-
-static void make_subscripts(struct data *d, enum pattern pattern, size_t rows) {
-    int *k = malloc(TRIP * sizeof *k);
-    make_values();
-    for (redcc_int t = 0; t < TRIP; t++) {
-        const uint64_t any = next_random();
-        const uint64_t here = (uint64_t)t * rows / TRIP;
-        const uint64_t near = here + any % 4096;
-        k[t] = (int)(pattern == RANDOM   ? any % rows
-                     : pattern == SORTED ? here
-                                         : (near < rows ? near : rows - 1));
-    }
-    *d = (struct data){.trip = TRIP, .rows = rows, .k = k, .value = values, .part = parts};
-}
-
-static void make_particles(struct data *d) {
-    enum { PARTICLES = 2 * MILLION };
-    double(*x)[3] = malloc(PARTICLES * sizeof *x);
-    for (int p = 0; p < PARTICLES; p++)
-        for (int c = 0; c < 3; c++)
-            x[p][c] = unit_random() * (SIDE - 1.001);
-    *d = (struct data){.trip = PARTICLES, .rows = SIDE * SIDE * SIDE, .x = (const double(*)[3])x};
-}
-
-/* Atoms on a lattice, each with half of its 26 neighbours, numbered at random. */
-static void make_neighbours(struct data *d) {
-    enum { EDGE = 80, ATOMS = EDGE * EDGE * EDGE };
-    int *name = malloc(ATOMS * sizeof *name), *at = malloc(ATOMS * sizeof *at);
-    int *start = malloc((ATOMS + 1) * sizeof *start), *k = malloc(13 * ATOMS * sizeof *k);
-    double(*x)[3] = malloc(ATOMS * sizeof *x);
-    for (int a = 0; a < ATOMS; a++)
-        name[a] = a;
-    for (int a = ATOMS - 1; a > 0; a--) {
-        const int b = (int)(next_random() % (uint64_t)(a + 1)), other = name[a];
-        name[a] = name[b];
-        name[b] = other;
-    }
-    for (int a = 0; a < ATOMS; a++)
-        at[name[a]] = a;
-    start[0] = 0;
-    for (int i = 0; i < ATOMS; i++) {
-        const int a = at[i], here[3] = {a % EDGE, a / EDGE % EDGE, a / EDGE / EDGE};
-        int count = start[i];
-        for (int c = 0; c < 3; c++)
-            x[i][c] = here[c] + 0.1 * unit_random();
-        for (int n = 14; n < 27; n++) {
-            const int u = here[0] + n % 3 - 1, v = here[1] + n / 3 % 3 - 1, w = here[2] + n / 9 - 1;
-            if (u >= 0 && u < EDGE && v >= 0 && v < EDGE && w < EDGE)
-                k[count++] = name[u + EDGE * (v + EDGE * w)];
-        }
-        start[i + 1] = count;
-    }
-    free(name);
-    free(at);
-    *d = (struct data){
-        .trip = ATOMS, .rows = ATOMS, .k = k, .start = start, .x = (const double(*)[3])x};
-}
-
-static void free_data(struct data *d) {
-    free((void *)d->k);
-    free((void *)d->start);
-    free((void *)d->x);
-}
-
 /* ---- measuring ------------------------------------------------------------------------------- */
 
 struct kernel {
@@ -351,9 +248,10 @@ static int kind = BINS_EITHER; /* REDCC_METHOD=binning:records and binning:copie
 
 struct variant {
     const char *name;
-    const struct method *method; /* NULL: the sequential loop */
+    const struct method *method; /* NULL: the sequential loop, */
+    bool is_auto;                /* or whatever auto takes */
     char *array;
-    double wall[MOST_ROUNDS], cpu[MOST_ROUNDS];
+    double wall[AUTO_ROUNDS * MOST_ROUNDS], cpu[AUTO_ROUNDS * MOST_ROUNDS];
     size_t extra; /* bytes */
 };
 
@@ -369,16 +267,21 @@ static void execute(const struct kernel *kernel, struct variant *variant, const 
     const double wall = clock_of(CLOCK_MONOTONIC), cpu = clock_of(CLOCK_PROCESS_CPUTIME_ID);
     settings->method = variant->method;
     settings->parameter = kind;
-    if (!variant->method)
+    if (!variant->method && !variant->is_auto)
         kernel->sequential(d, variant->array);
-    else if (!kernel->parallel(d, variant->array, threads))
+    else if (!kernel->parallel(d, variant->array, threads)) {
         kernel->sequential(d, variant->array);
+        redcc_sequential_done(&kernel->loop->loop);
+    }
     const struct loop_state *state = kernel->loop->loop.state;
-    if (variant->method == &redcc_method_binning && state->binning.bytes > variant->extra)
-        variant->extra = state->binning.bytes;
+    if (variant->method == &redcc_method_binning) {
+        if (state->binning.bytes > variant->extra)
+            variant->extra = state->binning.bytes;
+        variant->name = state->binning.copies ? "binning:copies" : "binning:records";
+    }
     variant->wall[round] = clock_of(CLOCK_MONOTONIC) - wall;
-    variant->cpu[round] =
-        (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) / (variant->method ? threads : 1);
+    variant->cpu[round] = (clock_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) /
+                          (variant->method ? threads : 1); /* auto: all */
 }
 
 static int ascending(const void *a, const void *b) {
@@ -416,6 +319,42 @@ static void print(const struct kernel *kernel, const struct variant *serial,
     fflush(stdout);
 }
 
+static double sum(const double *values_of, int count) {
+    double all = 0;
+    for (int i = 0; i < count; i++)
+        all += values_of[i];
+    return all;
+}
+
+/* By auto from the first execution on, the sequential loop in turn. Returns whether bits differ. */
+static bool measure_auto(const struct kernel *kernel, const struct data *sets, int count,
+                         int threads) {
+    static struct variant serial, by_auto;
+    const size_t bytes = sets[0].rows * kernel->row;
+    serial = (struct variant){.array = calloc(1, bytes)};
+    by_auto = (struct variant){.is_auto = true, .array = calloc(1, bytes)};
+    redcc_loop_forget(&kernel->loop->loop);
+    memset(serial.array, 0, bytes); /* pages are made before */
+    memset(by_auto.array, 0, bytes);
+    for (int n = 0; n < count; n++) {
+        execute(kernel, &serial, &sets[n % SETS], threads, n);
+        execute(kernel, &by_auto, &sets[n % SETS], threads, n);
+    }
+    const bool differ = memcmp(serial.array, by_auto.array, bytes) != 0;
+    double ratio[AUTO_ROUNDS * MOST_ROUNDS] = {0};
+    for (int n = 0; n < count; n++)
+        ratio[n] = serial.wall[n] / by_auto.wall[n];
+    const double wall = sum(serial.wall, count), its = sum(by_auto.wall, count);
+    printf("%s,auto,%d,%.4g,%.4g,%.3f,%.3f,%.3f,%.3f,%.3f,\n", kernel->name, threads, wall, its,
+           wall / its, extreme(ratio, count, -1), extreme(ratio, count, 1),
+           extreme(serial.wall, count, -1) / extreme(by_auto.wall, count, -1),
+           sum(serial.cpu, count) / sum(by_auto.cpu, count));
+    fflush(stdout);
+    free(serial.array);
+    free(by_auto.array);
+    return differ;
+}
+
 static void make(const struct kernel *kernel, struct data *d) {
     if (kernel->loop == &charge_loop)
         make_particles(d);
@@ -443,10 +382,11 @@ static int measure(const struct kernel *kernel, int rounds, int threads) {
         for (int c = 1; c < count; c++)
             bad |= memcmp(variants[0].array, variants[c].array, bytes) != 0;
     }
-    if (bad)
-        fprintf(stderr, "binning: %s: other bits\n", kernel->name);
     for (int c = 1; c < count; c++)
         print(kernel, &variants[0], &variants[c], threads, rounds, bytes);
+    bad |= measure_auto(kernel, sets, AUTO_ROUNDS * rounds, threads);
+    if (bad)
+        fprintf(stderr, "binning: %s: other bits\n", kernel->name);
     redcc_loop_forget(&kernel->loop->loop);
     for (int c = 0; c < count; c++)
         free(variants[c].array);
