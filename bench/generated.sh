@@ -39,18 +39,10 @@ for compiler in gcc clang-19; do
   done
 done
 
-# lines FILE: of each loop's text, what stands in front of its function included
-lines() {
-  awk '/^\/\* redcc: what an iteration/ { in_front = 1; count++ }
-    /\{ \/\* redcc: in parallel/ { in_block = 1 }
-    in_front || in_block { count++ }
-    in_front && /^#line/ && ended { in_front = 0 }
-    { ended = in_front && /^#endif/ }
-    in_block && /REDCC_SEQUENTIAL_DONE/ { print count; in_block = count = 0 }' "$1"
-}
 "$build/tool/redcc" examples/fabric/effects/hinge.c -Iexamples/fabric -o "$work/hinge.c" 2>/dev/null
 table=$results/generated-lines.csv
 echo "loop,lines,asked" >"$table"
-paste -d , <(printf '%s\n' "${kernels[@]}" fabric-hinge) <(lines "$work/short.c" && lines "$work/hinge.c") \
+paste -d , <(printf '%s\n' "${kernels[@]}" fabric-hinge) \
+  <(bench/generated/count-lines "$work/short.c" && bench/generated/count-lines "$work/hinge.c") \
   <(printf '%s\n' 45 32 40 "" 150) >>"$table"
 cat "$table"
