@@ -71,10 +71,10 @@ static void records_of_two_types(int n) {
     }
 } // NOT-BINNED: 68
 
-static void uncertain_operand(int n) {
+static void uncertain_operand(int n, const int *restrict at, const double *restrict x, double *restrict to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        if (w[t] < h[k[t]])
-            h[k[t]] = w[t] * 2 + u[t] * 3;
+        if (x[t] < to[at[t]])
+            to[at[t]] = x[t] * 2 + at[t] * 3;
 } // NOT-BINNED: 75
 
 static void in_pairs(int n) {
@@ -165,7 +165,7 @@ int main(void) {
         several_operands(N);
         several_updates(N);
         records_of_two_types(N);
-        uncertain_operand(N);
+        uncertain_operand(N, k, w, h);
         in_pairs(N);
         out_of_step(N);
         of_two_kinds(N);

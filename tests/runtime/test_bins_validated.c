@@ -21,13 +21,14 @@ BINNED_LOOP(counts, int, int, REDCC_SUM, REDCC_INT32, 1, *r += e)
 enum { ROWS = 500, TRIP = 6000, ROUND = 700 };
 static struct bins_tuning usual;
 static const double by = 1;
-static int k[TRIP], numbers[TRIP];
+static int k[TRIP], ascending[TRIP], numbers[TRIP];
 static double values[TRIP];
 
 static void make_data(void) {
     unsigned long state = 99;
     for (int t = 0; t < TRIP; t++) {
         k[t] = (int)(next_random(&state) % ROWS);
+        ascending[t] = t * ROWS / TRIP; /* each round goes elsewhere */
         values[t] = (double)(int)(next_random(&state) % 1000) * 0.1;
         numbers[t] = (int)(next_random(&state) % 1000);
     }
@@ -97,11 +98,15 @@ static void what_is_right_is_found_right(void **unused) {
     (void)unused;
     const struct binned_loop *const loops[] = {&sums, &counts};
     const void *const contributions[] = {values, numbers};
+    const int *const subscripts[] = {ascending, k};
     for (int i = 0; i < 2; i++) {
         double found[ROWS] = {0}, expected[ROWS] = {0};
         int last;
-        struct binned_problem problem = {
-            .trip = TRIP, .k = k, .value = contributions[i], .rows = expected, .by = &by};
+        struct binned_problem problem = {.trip = TRIP,
+                                         .k = subscripts[i],
+                                         .value = contributions[i],
+                                         .rows = expected,
+                                         .by = &by};
         loops[i]->oracle(&problem);
         problem.rows = found;
         redcc_bins_tuning.round = i ? INT64_MAX : ROUND;
