@@ -99,6 +99,27 @@ static void under_a_condition(int n) {
     }
 } // BINNED: 91
 
+static void some_under_a_condition(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        fx[i1[t]] += w[t];
+        if (i2[t] % 3) {
+            fy[i1[t]] += u[t];
+        }
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (i2[t] % 3) {
+            fx[i1[t]] += w[t];
+        }
+        fy[i1[t]] += u[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (i2[t] % 3)
+            fx[i1[t]] += w[t];
+        else
+            fy[i1[t]] += u[t];
+    }
+} // BINNED: 103 109 115
+
 static void apart_by_a_statement(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         int i = i1[t];
@@ -106,7 +127,7 @@ static void apart_by_a_statement(int n) {
         i = i2[t];
         fy[i] += u[t];
     }
-} // BINNED: 103
+} // BINNED: 124
 
 static void only_alike(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -122,7 +143,7 @@ static void only_alike(int n) {
         rows[i1[t]][1] += w[t];
         wide_rows[i1[t]][1] += u[t];
     }
-} // BINNED: 112 117 121
+} // BINNED: 133 138 142
 
 static void in_rows(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -134,7 +155,7 @@ static void in_rows(int n) {
         cells[i1[t]].charge += w[t];
         other_cells[i1[t]].charge += u[t];
     }
-} // BINNED: 128 133
+} // BINNED: 149 154
 
 static void twice(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -148,7 +169,7 @@ static void twice(int n) {
         fx[i1[t]] *= 0.5;
         fy[i1[t]] *= 0.25;
     }
-} // BINNED: 140 145
+} // BINNED: 161 166
 
 static void many_arrays(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -159,7 +180,7 @@ static void many_arrays(int n) {
         p4[i1[t]] += w[t] - u[t];
         p5[i1[t]] += w[t] * 2;
     }
-} // BINNED: 154
+} // BINNED: 175
 
 static void many_operands(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -167,7 +188,7 @@ static void many_operands(int n) {
         p1[i1[t]] = p1[i1[t]] * (w[t] - 1) + (u[t] - 1);
         p2[i1[t]] = p2[i1[t]] * (w[t] - 2) + (u[t] - 2);
     }
-} // BINNED: 165
+} // BINNED: 186
 
 static void operands_of_two_types(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -184,7 +205,7 @@ static void operands_of_two_types(int n) {
         fx[i2[t]] += w[t];
         sums[i2[t]] += w[t];
     }
-} // BINNED: 173 181
+} // BINNED: 194 202
 
 static void operands_that_fit_nowhere(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -193,7 +214,7 @@ static void operands_that_fit_nowhere(int n) {
         fx[i2[t]] += part[t];
         sums[i2[t]] += w[t];
     }
-} // NOT-BINNED: 190
+} // NOT-BINNED: 211
 
 #define ADD(at, a, b)                                                                              \
     do {                                                                                           \
@@ -205,7 +226,7 @@ static void by_macro(int n, double *restrict x, double *restrict y) {
         ADD(i1[t], w[t], u[t] * 2);
         ADD(i2[t], -w[t], -u[t]);
     }
-} // BINNED: 204
+} // BINNED: 225
 
 static void by_case(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -219,14 +240,14 @@ static void by_case(int n) {
         case 2:
             fy[i1[t]] -= u[t];
         }
-} // BINNED: 211
+} // BINNED: 232
 
 static void that_overlap(int n, double *a, double *b) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         a[i1[t]] += w[t];
         b[i1[t]] = b[i1[t]] * 0.5 + u[t];
     }
-} // BINNED: 225
+} // BINNED: 246
 
 static void show_all(void) {
 #define SHOW(array) case_print(#array, array, sizeof array)
@@ -262,6 +283,7 @@ int main(void) {
         only_integers(N);
         not_always_together(N);
         under_a_condition(N);
+        some_under_a_condition(N);
         apart_by_a_statement(N);
         only_alike(N);
         in_rows(N);
