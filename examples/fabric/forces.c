@@ -2,7 +2,6 @@
 #include "forces.h"
 
 #include "clock.h"
-#include "effects/drag.h"
 #include "simulation_state.h"
 
 static void visit(simulation *sim, int effect) {
@@ -50,20 +49,21 @@ static void add_hinge_forces(simulation *sim, const expansion *at) {
     sim->effects[EFFECT_BEND].seconds += clock_seconds() - start;
 }
 
-static void add_drag(simulation *sim, const expansion *at) {
+static void add_outer(simulation *sim, int effect, const outer_force *force, const expansion *at) {
+    const force_target on = {sim->scene, &sim->triangles, sim->wind};
     const double start = clock_seconds();
-    drag_forces(&sim->triangles, sim->scene->drag, sim->wind, at->h, at->x, at->v, &sim->system);
-    visit(sim, EFFECT_DRAG);
-    visit(sim, EFFECT_WIND);
-    sim->effects[EFFECT_DRAG].seconds += clock_seconds() - start;
+    force->add(&on, at, &sim->system);
+    visit(sim, effect);
+    sim->effects[effect].seconds += clock_seconds() - start;
 }
 
-static void add_tangential_drag(simulation *sim, const expansion *at) {
-    const double start = clock_seconds();
-    drag_forces_along(&sim->triangles, sim->scene->tangential_drag, sim->wind, at->h, at->x, at->v,
-                      &sim->system);
-    visit(sim, EFFECT_TANGENTIAL_DRAG);
-    sim->effects[EFFECT_TANGENTIAL_DRAG].seconds += clock_seconds() - start;
+static void add_outer_forces(simulation *sim, const expansion *at) {
+#define OUTER_FORCE(NAME, name)                                                                    \
+    if (effect_is_on(sim, EFFECT_##NAME))                                                          \
+        add_outer(sim, EFFECT_##NAME, &outer_force_##name, at);
+#include "effects/effects.def"
+    if (effect_is_on(sim, EFFECT_DRAG))
+        visit(sim, EFFECT_WIND); /* which drag makes felt */
 }
 
 void forces_assemble(simulation *sim, const expansion *at) {
@@ -79,8 +79,5 @@ void forces_assemble(simulation *sim, const expansion *at) {
         strain_limit_find(&sim->strain_limit, &sim->triangles, at->x);
         add_strain_limit(sim, at);
     }
-    if (effect_is_on(sim, EFFECT_DRAG))
-        add_drag(sim, at);
-    if (effect_is_on(sim, EFFECT_TANGENTIAL_DRAG))
-        add_tangential_drag(sim, at);
+    add_outer_forces(sim, at);
 }

@@ -3,16 +3,8 @@
 #ifndef FABRIC_FORCES_H
 #define FABRIC_FORCES_H
 
+#include "effects/outer_force.h"
 #include "simulation.h"
-
-/** What forces are expanded about, all [vertices]. With the unknown dv, the change of velocity, a
- *  step of h ends at positions x + h (lag + dv) and velocities v + dv. */
-typedef struct expansion {
-    double h;               /* s */
-    const double (*x)[3];   /* m, where forces and their derivatives are taken */
-    const double (*lag)[3]; /* m/s; v where x is where the step starts */
-    const double (*v)[3];   /* m/s, at the start of the step */
-} expansion;
 
 /**
  * Fills sim->system: A = M + h D + h^2 K and b = h (m g + f(x)) - (h^2 K + h D) lag, with

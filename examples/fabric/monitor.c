@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "chunk_sum.h"
-#include "effects/drag.h"
+#include "effects/outer_force.h"
 #include "vector.h"
 
 const char *monitor_verdict_name(monitor_verdict verdict) {
@@ -51,17 +51,16 @@ static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
     return stretch + shear + bend;
 }
 
-/* Of what acts from outside: gravity, moving air, constraints, friction. Air at rest only takes. */
+/* Of what acts from outside: gravity, outer forces, constraints, friction. */
 static double outside_work(const monitored_step *step, const scene *s) {
     const int count = step->collisions->vertex_count;
     double work = 0;
     if (vector_length(s->gravity) > 0)
         work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
-    if (s->drag > 0 && vector_length(step->wind) > 0)
-        work += drag_work(step->triangles, s->drag, step->wind, step->h, step->x, step->v_next);
-    if (s->tangential_drag > 0 && vector_length(step->wind) > 0)
-        work += drag_work_along(step->triangles, s->tangential_drag, step->wind, step->h, step->x,
-                                step->v_next);
+    const force_target on = {s, step->triangles, step->wind};
+#define OUTER_FORCE(NAME, name)                                                                    \
+    work += outer_force_##name.work(&on, step->h, step->x, step->v_next);
+#include "effects/effects.def"
     return work + step->push_work +
            collisions_work(step->collisions, step->given, step->h, step->stage_h, step->v_next,
                            step->residual);

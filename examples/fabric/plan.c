@@ -59,26 +59,10 @@ static void switch_effects(simulation *sim, double time) {
 
 void plan_make(simulation *sim) {
     const scene *s = sim->scene;
-    const triangle_material *t = &sim->triangle_material;
-    const hinge_material *b = &sim->hinge_material;
     const int triangles = sim->triangles.count, vertices = sim->mesh->vertex_count;
     const int hinges = sim->hinges.count, pinned = sim->collisions.pinned;
-    set_effect(sim, EFFECT_STRETCH, "stretch", t->stretch > 0, triangles);
-    set_effect(sim, EFFECT_SHEAR, "shear", t->shear > 0, triangles);
-    set_effect(sim, EFFECT_BEND, "bend", b->bend > 0, hinges);
-    set_effect(sim, EFFECT_STRETCH_DAMPING, "stretch damping", t->stretch_damping > 0, triangles);
-    set_effect(sim, EFFECT_SHEAR_DAMPING, "shear damping", t->shear_damping > 0, triangles);
-    set_effect(sim, EFFECT_BEND_DAMPING, "bend damping", b->bend_damping > 0, hinges);
-    set_effect(sim, EFFECT_STRAIN_LIMIT, "strain limit", s->strain_limit > 0, triangles);
-    set_effect(sim, EFFECT_GRAVITY, "gravity", vector_length(s->gravity) > 0, vertices);
-    set_effect(sim, EFFECT_DRAG, "drag", s->drag > 0, triangles);
-    set_effect(sim, EFFECT_TANGENTIAL_DRAG, "tangential drag", s->tangential_drag > 0, triangles);
-    set_effect(sim, EFFECT_WIND, "wind", scene_has_wind(s), triangles);
-    set_effect(sim, EFFECT_PINS, "pins", pinned > 0, pinned);
-    set_effect(sim, EFFECT_CONTACT, "contact", s->collider_count > 0, vertices);
-    set_effect(sim, EFFECT_FRICTION, "friction", has_friction(s), vertices);
-    set_effect(sim, EFFECT_SELF_COLLISION, "self-collision", s->self_gap > 0, triangles);
-    set_effect(sim, EFFECT_MONITOR, "monitor", !s->limits.off, triangles);
+#define EFFECT(NAME, text, active, elements) set_effect(sim, EFFECT_##NAME, text, active, elements);
+#include "effects/effects.def"
     plan_return_to(sim, 0);
 }
 

@@ -9,22 +9,8 @@
 #include "simulation.h"
 
 enum {
-    EFFECT_STRETCH,
-    EFFECT_SHEAR,
-    EFFECT_BEND,
-    EFFECT_STRETCH_DAMPING, /* the dampings' seconds are within those of the three above */
-    EFFECT_SHEAR_DAMPING,
-    EFFECT_BEND_DAMPING,
-    EFFECT_STRAIN_LIMIT,
-    EFFECT_GRAVITY,
-    EFFECT_DRAG,
-    EFFECT_TANGENTIAL_DRAG,
-    EFFECT_WIND, /* its seconds are within drag's */
-    EFFECT_PINS,
-    EFFECT_CONTACT,
-    EFFECT_FRICTION, /* its seconds are within contact's */
-    EFFECT_SELF_COLLISION,
-    EFFECT_MONITOR, /* not of the cloth's, but computed like one */
+#define EFFECT(NAME, text, active, elements) EFFECT_##NAME,
+#include "effects/effects.def"
     EFFECT_COUNT
 };
 

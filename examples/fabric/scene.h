@@ -90,15 +90,13 @@ typedef struct scene {
     double origin[3]; /* m, where the sheet's centre is put */
     double normal[3]; /* unit, the sheet's plane */
     /* material */
-    double density;                                      /* kg/m^2 */
-    double stretch, shear;                               /* N/m */
-    double bend;                                         /* N m */
-    double stretch_damping, shear_damping, bend_damping; /* s times the stiffness' unit */
-    double strain_limit;                                 /* 0: none */
+    double density; /* kg/m^2 */
+#define MATERIAL(name, required) double name;
+#include "effects/effects.def"
     /* surroundings */
+#define SURROUNDINGS(name) double name;
+#include "effects/effects.def"
     double gravity[3];            /* m/s^2 */
-    double drag;                  /* kg/(m^2 s): force per area and relative velocity */
-    double tangential_drag;       /* kg/(m^2 s): the same along the cloth */
     double wind[3];               /* m/s */
     double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
     int pin_count;

@@ -73,23 +73,18 @@ static const scene_key mesh_keys[] = {
     DIRECTION(scene, normal, 0),
     END};
 
+/* Parameters of effects: as effects.def has them. */
 static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
-                                          NUMBER(scene, stretch, 1, NOT_NEGATIVE),
-                                          NUMBER(scene, shear, 1, NOT_NEGATIVE),
-                                          NUMBER(scene, bend, 1, NOT_NEGATIVE),
-                                          NUMBER(scene, stretch_damping, 0, NOT_NEGATIVE),
-                                          NUMBER(scene, shear_damping, 0, NOT_NEGATIVE),
-                                          NUMBER(scene, bend_damping, 0, NOT_NEGATIVE),
-                                          NUMBER(scene, strain_limit, 0, NOT_NEGATIVE),
+#define MATERIAL(name, required) NUMBER(scene, name, required, NOT_NEGATIVE),
+#include "effects/effects.def"
                                           END};
 
 static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
-                                              NUMBER(scene, drag, 0, NOT_NEGATIVE),
-                                              NUMBER(scene, tangential_drag, 0, NOT_NEGATIVE),
+#define SURROUNDINGS(name) NUMBER(scene, name, 0, NOT_NEGATIVE),
+#include "effects/effects.def"
                                               VECTOR(scene, wind, 0, 3),
                                               NUMBER(scene, wind_from, 0, NOT_NEGATIVE),
-                                              NUMBER(scene, wind_until, 0, NOT_NEGATIVE),
-                                              END};
+                                              NUMBER(scene, wind_until, 0, NOT_NEGATIVE), END};
 
 static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
                                       WHOLE(scene, steps, 1, BETWEEN(0, 1e9)),
