@@ -73,7 +73,7 @@ static void make_edges(struct mesh *m, const int *node, int shuffled) {
     m->edge = malloc(sizeof(int[2]) * (size_t)m->edges);
     m->rest = malloc(sizeof(double) * (size_t)m->edges);
     for (int i = 0; i < m->nodes; i++)
-        for (int k = 0; k < 3; k++) { /* at the rim to a neighbour within the mesh */
+        for (int k = 0; k < 3; k++) { /* at the border to a neighbour within the mesh */
             const int step = k == 0 ? 1 : k == 1 ? m->side : m->side + 1;
             const int other = i + step < m->nodes ? i + step : i - step;
             int *edge = m->edge[place[3 * i + k]];

@@ -10,7 +10,7 @@
 
 /* Steps in a row in which a constraint may pull before it is ended (flickering contacts otherwise
  * shake cloth at rest). */
-enum { patience = 2 };
+enum { most_pulls = 2 };
 
 /* Is what lasts from `from` until `until` (0: for good) there? */
 static int lasts(double from, double until, double time) {
@@ -118,7 +118,7 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
         return -1;
     }
     collisions_follow(c, 0);
-    if (c->held) { /* pins only let go: never are more held than at first */
+    if (c->held) { /* pins only release: never are more held than at first */
         int *held = realloc(c->held, ((size_t)c->pinned + 1) * sizeof *held);
         c->held = held ? held : c->held;
     }
@@ -249,7 +249,7 @@ void collisions_detect(collisions *c, double time, double h, const double (*x)[3
             const collider *k = &c->scene->colliders[n];
             const contact *before = find_contact(&c->before[i], n);
             approach found;
-            if ((before && before->pulls >= patience) ||
+            if ((before && before->pulls >= most_pulls) ||
                 !would_touch(c, n, time, h, x[i], expected, &found))
                 continue;
             add_contact(c, i, before, &found, n, k, h);
@@ -417,8 +417,8 @@ void collisions_place_pins(const collisions *c, double time, double (*x)[3], dou
 }
 
 /* What the constraint's force (N) says about the contact: does it pull, does it stick? */
-static void judge(contact *touch, const collider *k, const double carried[3], double stick_speed,
-                  double h, double mass, const double v[3], const double force[3]) {
+static void settle(contact *touch, const collider *k, const double carried[3], double stick_speed,
+                   double h, double mass, const double v[3], const double force[3]) {
     double along[3], slip[3];
     touch->force = vector_dot(touch->normal, force);
     vector_add_scaled(force, -touch->force, touch->normal, along);
@@ -452,8 +452,8 @@ void collisions_accept(collisions *c, double h, const double *mass, const double
         const double force[3] = {-residual[i][0] / h, -residual[i][1] / h, -residual[i][2] / h};
         for (int n = 0; n < c->now[i].count; n++) {
             contact *touch = &c->now[i].list[n];
-            judge(touch, &c->scene->colliders[touch->collider], collisions_carried(c, i, n),
-                  c->stick_speed, h, mass[i], v[i], force);
+            settle(touch, &c->scene->colliders[touch->collider], collisions_carried(c, i, n),
+                   c->stick_speed, h, mass[i], v[i], force);
         }
     }
     vertex_contacts *spare = c->before;

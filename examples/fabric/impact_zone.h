@@ -10,9 +10,9 @@
 
 /** Joins the vertices of the pairs that pass to zones and gives each the velocities of a rigid body
  *  with the zone's momenta; one with a vertex that a pin or a contact holds moves as those held do.
- *  Pairs that pass between zones or at a zone's rim make them grow: until none does, or it has been
- *  tried often. Adds the energy that takes to *work, J. s->left tells what still passes; 0, or -1:
- *  out of memory. */
+ *  Pairs that pass between zones or at a zone's boundary make them grow: until none does, or it has
+ * been tried often. Adds the energy that takes to *work, J. s->left tells what still passes; 0, or
+ * -1: out of memory. */
 int impact_zones_make(self_collision *s, const movable *of, double h, const double (*x)[3],
                       double (*v)[3], double *work);
 

@@ -106,7 +106,7 @@ static int tolerates(monitor *m, const monitored_step *step, monitor_verdict ver
 }
 
 /* Whether the step keeps to the scene's limits. */
-static monitor_verdict judge_limits(monitor *m, const monitored_step *step) {
+static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
     const monitor_limits *limits = &m->scene->limits;
     if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
         !tolerates(m, step, STEP_STRAIN))
@@ -125,7 +125,7 @@ static monitor_verdict judge_limits(monitor *m, const monitored_step *step) {
     return STEP_GOOD;
 }
 
-monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
+monitor_verdict monitor_check(monitor *m, const monitored_step *step) {
     memset(m->tolerated, 0, sizeof m->tolerated);
     m->next_strain = step->watched ? triangle_greatest_strain(step->triangles, step->x_next) : 0;
     if (!step->finite || !isfinite(m->next_strain))
@@ -133,7 +133,7 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step) {
     if (step->status != SOLVER_CONVERGED && !tolerates(m, step, STEP_NOT_SOLVED))
         return complain(m, STEP_NOT_SOLVED, step->status, SOLVER_CONVERGED);
     if (step->watched) {
-        const monitor_verdict verdict = judge_limits(m, step);
+        const monitor_verdict verdict = check_limits(m, step);
         if (verdict != STEP_GOOD)
             return verdict;
     }

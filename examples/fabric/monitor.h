@@ -60,7 +60,7 @@ typedef struct monitor {
     double strain, energy, depth; /* of the state accepted last: largest, J, m */
     double reference;             /* J, E_0 + sum |W| */
     double noise;                 /* J, what the rounding of positions may make of nothing */
-    /* of the step judged last */
+    /* of the step checked last */
     double next_strain, next_energy, next_depth, work;
     double value, limit;               /* what was too much, and what would not have been */
     int tolerated[STEP_VERDICT_COUNT]; /* what it let pass because the step was the shortest */
@@ -76,10 +76,10 @@ typedef struct monitor {
 /** Looks at the state a run starts from: only mass, x, v, elements and collisions are read. */
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start);
 
-/** Judges a step. At the shortest length all but energy and infinities passes, since there is
+/** Looks at a step. At the shortest length all but energy and infinities passes, since there is
  * nothing better to be had, and in a futile one what goes through or into a body: that is
  * counted. */
-monitor_verdict monitor_judge(monitor *m, const monitored_step *step);
+monitor_verdict monitor_check(monitor *m, const monitored_step *step);
 
 /**
  * Steps of how many of the least parts of a scene's step need not be halved for what passes or
@@ -89,7 +89,7 @@ monitor_verdict monitor_judge(monitor *m, const monitored_step *step);
  */
 int monitor_futile_parts(const monitor *m);
 
-/** The step judged last becomes the state to compare with. */
+/** The step checked last becomes the state to compare with. */
 void monitor_accept(monitor *m);
 
 /** "energy", "strain", ...: one word, or two. */

@@ -6,20 +6,8 @@
 #ifndef FABRIC_PLAN_H
 #define FABRIC_PLAN_H
 
+#include "effects/effect.h"
 #include "simulation.h"
-
-enum {
-#define EFFECT(NAME, text, active, elements) EFFECT_##NAME,
-#include "effects/effects.def"
-    EFFECT_COUNT
-};
-
-/* Bits of the effects that a build is to leave out, for measuring what their presence costs. */
-#ifndef FABRIC_WITHOUT
-#define FABRIC_WITHOUT 0
-#endif
-
-#define BUILT_WITH(effect) (((unsigned)FABRIC_WITHOUT >> (effect)&1u) == 0)
 
 /** Fills sim->effects, from the scene and the mesh, at time 0. */
 void plan_make(simulation *sim);

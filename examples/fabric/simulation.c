@@ -116,7 +116,7 @@ void updateSystem(simulation *sim) {
     monitored_step step = simulation_monitored(sim);
     step.finite = finite;
     const double start = clock_seconds();
-    const monitor_verdict verdict = monitor_judge(&sim->monitor, &step);
+    const monitor_verdict verdict = monitor_check(&sim->monitor, &step);
     if (step.watched) {
         sim->effects[EFFECT_MONITOR].visited += sim->effects[EFFECT_MONITOR].elements;
         sim->effects[EFFECT_MONITOR].seconds += clock_seconds() - start;

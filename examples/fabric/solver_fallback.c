@@ -32,13 +32,13 @@ static double work_of_iteration(const block_matrix *A) {
 /* After a system that took so many iterations: is the direct solution less work by far? */
 static void consider(solver_fallback *f, const linear_system *system, long iterations) {
     char error[256];
-    if (iterations < SOLVER_MANY_ITERATIONS || f->dearer || f->failed || !direct_solver_available())
+    if (iterations < SOLVER_MANY_ITERATIONS || f->costly || f->failed || !direct_solver_available())
         return;
     if (!f->direct)
         f->direct = direct_solver_new(&system->A, error);
-    f->dearer = !f->direct || !(4 * direct_solver_work(f->direct) <
+    f->costly = !f->direct || !(4 * direct_solver_work(f->direct) <
                                 (double)iterations * work_of_iteration(&system->A));
-    if (!f->dearer) {
+    if (!f->costly) {
         f->next = solved_directly_at_once;
         return;
     }

@@ -11,7 +11,7 @@
 typedef struct solver_fallback {
     struct direct_solver *direct;
     int failed;  /* there is no direct solution to be had: not built in, or no memory */
-    int dearer;  /* it was looked at, and is more work than the iteration */
+    int costly;  /* it was looked at, and is more work than the iteration */
     int next;    /* this many systems are solved directly before the iteration is tried again */
     long solved; /* systems solved directly, in all */
 } solver_fallback;

@@ -9,7 +9,7 @@
 
 /* The share of all seconds that trials may lose; a trial's round may take this many times what the
  * chosen level's takes; a level must gain this much to be chosen. */
-static const double share = 0.02, patience = 1.5, gain = 0.97;
+static const double share = 0.02, margin = 1.5, gain = 0.97;
 /* Of a new round in the means. */
 static const double weight = 0.3;
 /* Rounds before the first trial: the first ones also make room and inspect loops. */
@@ -90,7 +90,7 @@ static int next_trial(const team *t) {
     const team_level *at = &t->at[t->level];
     if (at->rounds < SETTLED || other < 0 || other >= t->levels)
         return t->level;
-    const double least = (patience - 1) * predicted(at, t->last_iterations);
+    const double least = (margin - 1) * predicted(at, t->last_iterations);
     const double risk = t->at[other].risk > least ? t->at[other].risk : least;
     return t->credit >= risk ? other : t->level;
 }
@@ -106,7 +106,7 @@ void team_begin(team *t, double now) {
 }
 
 void team_look(team *t, double now) {
-    if (t->most == 0 || t->trial == t->level || now - t->begun <= patience * t->expected)
+    if (t->most == 0 || t->trial == t->level || now - t->begun <= margin * t->expected)
         return;
     t->ended = 1;
     set_threads(t->most >> t->level);
@@ -123,7 +123,7 @@ static void take_in(team_level *at, const team_round *round) {
 }
 
 /* A trial is over: its level is chosen and the way goes on, or the other way is next. */
-static void judge(team *t, const team_round *round) {
+static void weigh(team *t, const team_round *round) {
     team_level *at = &t->at[t->trial];
     const double expected = predicted(&t->at[t->level], round->iterations);
     const double loss = round->seconds - expected;
@@ -149,12 +149,12 @@ void team_end(team *t, const team_round *round) {
     t->last_iterations = round->iterations;
     t->credit += share * round->seconds;
     if (t->trial != t->level) {
-        judge(t, round);
+        weigh(t, round);
         return;
     }
     const double expected = predicted(at, round->iterations);
     if (at->rounds == SETTLED - 1)
-        t->credit += (patience - 1) * round->seconds; /* for the first trial */
+        t->credit += (margin - 1) * round->seconds; /* for the first trial */
     /* Far slower than it was: what was lost pays for finding out what is best by now. */
     if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
         t->credit += (round->seconds - expected) / 2;

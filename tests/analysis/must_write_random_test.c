@@ -628,7 +628,7 @@ static void execute(const generator *g, const ir_unit *unit, const ir_node *body
     sums->early_seen += result->verdict == PRIVATE_READ_BEFORE_WRITE && has_read_early;
 }
 
-static void judge_one(uint64_t seed, tally *sums) {
+static void check_one(uint64_t seed, tally *sums) {
     generator g = {{0}, 0, {0}, 0, {0}, 0, 0};
     const char *message = NULL;
     random_state = seed;
@@ -654,7 +654,7 @@ static void test_against_execution(void **context) {
     (void)context;
     tally sums = {0, 0, 0, 0, 0};
     for (uint64_t seed = 1; seed <= PROGRAMS; seed++)
-        judge_one(seed * UINT64_C(0x9e3779b97f4a7c15), &sums);
+        check_one(seed * UINT64_C(0x9e3779b97f4a7c15), &sums);
     /* The comparison would say nothing if nothing were proved, or nothing executed. */
     print_message("proved %u, read early %u (seen %u), whole %u, undefined executions %u\n",
                   sums.proved, sums.early, sums.early_seen, sums.whole, sums.undefined);

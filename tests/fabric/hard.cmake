@@ -42,7 +42,7 @@ endif()
 # Instructions of a build with the effects that a sheet lacks against one without them.
 find_program(VALGRIND valgrind)
 if(VALGRIND AND NOT REDCC_SANITIZE)
-  # effect_cost(SHEET EFFECT...): the effects as plan.h names them. Only the sources that ask what a
+  # effect_cost(SHEET EFFECT...): the effects as effect.h names them. Only the sources that ask what a
   # build has are compiled anew.
   set(asking forces.c integrator.c simulation.c simulation_state.c effects/triangle.c)
   list(TRANSFORM asking PREPEND ${PROJECT_SOURCE_DIR}/examples/fabric/)

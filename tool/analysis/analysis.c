@@ -70,7 +70,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
     loop_search loops = {.an = &an};
     for (unsigned i = 0; i < unit->function_count; i++)
         if (unit->functions[i]->body && unit->functions[i]->is_in_main_file)
-            judge_loops(&loops, unit->functions[i]);
+            check_loops(&loops, unit->functions[i]);
     for (unsigned i = 0; i < loops.verdicts.count; i++)
         note_pragmas(&an, &loops.verdicts.items[i]);
     const analysis_result result = {loops.verdicts.count, loops.verdicts.items};

@@ -18,7 +18,7 @@ typedef struct analysis_result {
     const loop_verdict *verdicts; /* of every loop with an irregular update, in source order */
 } analysis_result;
 
-/** Judges all loops of the functions of the main file. Everything returned lives in the arena. */
+/** Analyses all loops of the functions of the main file. Everything returned lives in the arena. */
 analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *options);
 
 #endif

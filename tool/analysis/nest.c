@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* All loops of a function: which of a nest are judged, and of which something is said. */
+/* All loops of a function: which of a nest are analysed, and of which something is said. */
 #include "analysis/nest.h"
 
 #include <stdlib.h>
@@ -140,7 +140,7 @@ static void add_not_a_reduction(loop_search *s, ir_node *loop) {
     VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
 }
 
-/* Judges the loops below `node`, outermost first; what is accepted covers all inside of it. */
+/* Analyses the loops below `node`, outermost first; what is accepted covers all inside of it. */
 static void search(loop_search *s, ir_node *node) {
     if (!ir_is_loop(node)) {
         for (unsigned i = 0; i < node->child_count; i++)
@@ -189,7 +189,7 @@ static int by_position(const void *a, const void *b) {
     return x->id < y->id ? -1 : x->id > y->id;
 }
 
-void judge_loops(loop_search *s, ir_function *function) {
+void check_loops(loop_search *s, ir_function *function) {
     unsigned from = s->verdicts.count;
     s->function = function;
     search(s, function->body);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* One loop: the steps of its judgement in turn, and what is said of it. */
+/* One loop: the steps of its analysis in turn, and what is said of it. */
 #include "analysis/verdict.h"
 
 #include <assert.h>
@@ -70,7 +70,7 @@ static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     return record->size;
 }
 
-static void finish_arrays(judgement *j, loop_facts *facts) {
+static void finish_arrays(loop_analysis *j, loop_facts *facts) {
     reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
@@ -81,7 +81,7 @@ static void finish_arrays(judgement *j, loop_facts *facts) {
             continue;
         }
         /* in a private copy it would be another */
-        arrays[i].order_is_kept |= judgement_has_address_as_value(j->loop, arrays[i].base);
+        arrays[i].order_is_kept |= has_address_as_value(j->loop, arrays[i].base);
         if (base && base->target && !is_homogeneous(base->target, arrays[i].element))
             arrays[i].is_interleaved = true;
         if (base && base->target)
@@ -92,7 +92,7 @@ static void finish_arrays(judgement *j, loop_facts *facts) {
 }
 
 /* Of a refused loop: what irregular updates there are, as far as they can be told. */
-static void note_irregular_arrays(judgement *j) {
+static void note_irregular_arrays(loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->loop, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
@@ -107,7 +107,7 @@ static void note_irregular_arrays(judgement *j) {
             is_known |= expression_same(j->arrays.items[k].array.base, base);
         if (is_known)
             continue;
-        judged_array item = {.where = where};
+        loop_array item = {.where = where};
         item.array = (reduction_array){.base = base,
                                        .name = expression_text(j->an->memory, base),
                                        .element = a->lvalue->type,
@@ -116,7 +116,7 @@ static void note_irregular_arrays(judgement *j) {
     }
 }
 
-static loop_facts *finish_facts(judgement *j) {
+static loop_facts *finish_facts(loop_analysis *j) {
     loop_facts *facts = ARENA_NEW(j->an->memory, loop_facts);
     assert(ir_is_loop(j->loop) && ir_contains(j->function->body, j->loop));
     facts->loop = j->loop;
@@ -153,14 +153,14 @@ static loop_facts *finish_facts(judgement *j) {
     return facts;
 }
 
-static bool judge_header(judgement *j) {
-    counted_result counted = counted_recognise_judged(j->loop);
+static bool check_header(loop_analysis *j) {
+    counted_result counted = counted_recognise_analysed(j->loop);
     if (!counted.is_counted)
-        return judgement_refuse(j, counted.why, counted.node, counted.name);
+        return analysis_refuse(j, counted.why, counted.node, counted.name);
     j->counted = counted.loop;
     const ir_variable *bound = j->counted.bound_variable;
     if (bound && variable_is_live_after(j->an->facts, j->loop, bound))
-        return judgement_refuse(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
+        return analysis_refuse(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
     return true;
 }
 
@@ -175,17 +175,17 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 
 loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
-    judgement *j = ARENA_NEW(an->memory, judgement);
+    loop_analysis *j = ARENA_NEW(an->memory, loop_analysis);
     j->an = an;
     j->function = function;
     j->loop = loop;
-    bool is_fine = judge_text(j) && judge_jumps(j) && judge_header(j) && judge_accesses(j) &&
-                   judge_header_steps(j) && judge_updates(j);
+    bool is_fine = check_text(j) && check_jumps(j) && check_header(j) && check_accesses(j) &&
+                   check_header_steps(j) && check_updates(j);
     /* What looked like a shared array may be private to each iteration. */
     if (is_fine && j->arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
     is_fine =
-        is_fine && judge_scalars(j) && judge_privates(j) && judge_sources(j) && judge_slice(j);
+        is_fine && check_scalars(j) && check_privates(j) && check_sources(j) && check_slice(j);
     if (!is_fine) {
         j->arrays.count = 0;
         note_irregular_arrays(j);
@@ -199,11 +199,11 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
 
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma) {
-    judgement *j = ARENA_NEW(an->memory, judgement);
+    loop_analysis *j = ARENA_NEW(an->memory, loop_analysis);
     j->an = an;
     j->function = function;
     j->loop = loop;
-    judgement_refuse(j, REASON_IGNORED, loop, arena_format(an->memory, "redcc %s", pragma->text));
+    analysis_refuse(j, REASON_IGNORED, loop, arena_format(an->memory, "redcc %s", pragma->text));
     note_irregular_arrays(j);
     return (loop_verdict){.kind = VERDICT_REFUSE,
                           .loop = loop,

@@ -3,7 +3,7 @@
 #ifndef ANALYSIS_VERDICT_H
 #define ANALYSIS_VERDICT_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** All checks for one loop. */
 loop_verdict verdict_of(const analyser *an, ir_function *function, ir_node *loop);

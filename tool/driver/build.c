@@ -186,7 +186,7 @@ static bool compile(session *s, const translation *t, word_list *words) {
     else if (made.status == 0)
         session_leave_alone(s, t->source->text, "the compiler would find other headers");
     else if (made.error)
-        words_add(s->memory, &s->regrets, t->source->text);
+        words_add(s->memory, &s->fallbacks, t->source->text);
     translation_keep(s, t, same, made.status == 0 ? NULL : made.error);
     if (made.status != 0 && made.error)
         session_leave_alone(s, t->source->text, "its translated text does not compile");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The report of a build, $REDCC_BUILD_REPORT: one JSON object a line for each C file that was
- * judged or left alone. Several redcc-cc append to it at once.
+ * analysed or left alone. Several redcc-cc append to it at once.
  */
 #ifndef DRIVER_BUILD_REPORT_H
 #define DRIVER_BUILD_REPORT_H
@@ -22,7 +22,7 @@ bool build_report_append(arena *a, const char *json_file, const char *report);
 /** Appends {"redcc": VERSION, "file": ..., "loops": [], "left_alone": why}. */
 bool build_report_append_left_alone(const char *file, const char *why, const char *report);
 
-/** Prints what a build's report comes to: files translated, judged and left alone, loops made
+/** Prints what a build's report comes to: files translated, analysed and left alone, loops made
  *  parallel, and the reasons for which others were not, most frequent first. Returns 0; 1 with a
  *  message on standard error where the report cannot be read or a line is none of its objects. */
 int build_report_summarise(const char *report, FILE *out);

@@ -118,11 +118,11 @@ void session_leave_alone(session *s, const char *file, const char *why) {
 }
 
 static void name_regrets(const session *s) {
-    for (unsigned i = 0; i < s->regrets.count; i++)
+    for (unsigned i = 0; i < s->fallbacks.count; i++)
         session_warn(s,
                      "%s: the translated text does not compile, the source itself does and was "
                      "taken; please report this with what REDCC_KEEP=DIR keeps of it",
-                     s->regrets.items[i]);
+                     s->fallbacks.items[i]);
 }
 
 _Noreturn void session_end(session *s, int status) {
@@ -148,7 +148,7 @@ _Noreturn void session_become_compiler(session *s) {
         show(s, &words, (process_streams){NULL, NULL, NULL});
         exit(0);
     }
-    if (s->input || s->regrets.count > 0) { /* input that was read must come from the copy */
+    if (s->input || s->fallbacks.count > 0) { /* input that was read must come from the copy */
         int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
         session_end(s, status);
     }

@@ -14,7 +14,7 @@ typedef enum emit_order { EMIT_ORDER_SERIAL, EMIT_ORDER_FIXED, EMIT_ORDER_ANY } 
 
 typedef struct emit_options {
     emit_order order;
-    bool order_is_explicit; /* asked for in so many words, not just the default */
+    bool order_is_explicit; /* asked for explicitly, not just the default */
     const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
     unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
     const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:

@@ -117,7 +117,7 @@ static const void *meaning_of(const map *names, const char *name) {
     return names ? map_get(names, name, strlen(name)) : NULL;
 }
 
-/** Does the program, or a header of its, give one of the runtime's names to anything? */
+/** Does the program, or one of its headers, give one of the runtime's names to anything? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
     return meaning_of(unit->names, name) || meaning_of(unit->macros, name) || is_own(unit, name) ||
            (is_searched && has_name(unit->source, name));

@@ -14,7 +14,7 @@
 enum {
     LEAST_WORK =
         300,        /* operations an iteration: what is lighter loses by it unless it is shuffled */
-    DEAR = 8,       /* a division, a square root, a call of mathematics */
+    EXPENSIVE = 8,  /* a division, a square root, a call of mathematics */
     SOME = 4,       /* iterations of a loop inside, where the text does not say how many */
     MOST_DEPTH = 8, /* of calls */
     MOST_WORK = 10000 /* more need not be told apart */
@@ -37,12 +37,12 @@ static bool is_floating(const ir_type *type) {
 static int64_t own_work(const ir_node *node) {
     const bool is_operation = node->kind == IR_BINARY || node->kind == IR_ASSIGN;
     if (node->kind == IR_CALL)
-        return is_floating(node->type) ? DEAR : 0;
+        return is_floating(node->type) ? EXPENSIVE : 0;
     if (node->kind == IR_UNARY)
         return node->op == IR_OP_MINUS && is_floating(node->type);
     if (!is_operation || node->op == IR_OP_NONE || !is_floating(node->children[0]->type))
         return 0;
-    return node->op == IR_OP_DIVIDE ? DEAR : 1;
+    return node->op == IR_OP_DIVIDE ? EXPENSIVE : 1;
 }
 
 /** What functions cost, by id and depth of the call; -1: not asked yet. */
@@ -84,7 +84,7 @@ static int64_t work_of_iteration(const loop_text *loop) {
     return work_of(&known, loop->facts->counted.body, 0);
 }
 
-/** Does the slice hold a loop whose length the text does not say? Twice it may be too dear. */
+/** Does the slice hold a loop whose length the text does not say? Twice it may be too expensive. */
 static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
     if (ir_is_loop(node) && facts->in_slice[node->id] && !constant_trip(node))
         return true;

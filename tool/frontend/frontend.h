@@ -23,7 +23,7 @@ typedef struct frontend_result {
  * not see is left out here). Everything returned lives in the arena.
  * Functions of the main file get bodies, of headers only where called from the main file. A
  * function in which the compiler reports an error has has_errors set: ill-formed statements vanish
- * from libclang's tree, so nothing in it may be judged.
+ * from libclang's tree, so nothing in it may be analysed.
  */
 frontend_result frontend_parse(arena *a, const source *src, unsigned flag_count,
                                const char *const *flags);

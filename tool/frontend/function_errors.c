@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Which functions did the compiler complain about? Ill-formed statements are missing from clang's
- * tree without a trace, so nothing in such a function may be judged. */
+ * tree without a trace, so nothing in such a function may be analysed. */
 #include <string.h>
 
 #include "frontend/convert.h"

@@ -6,7 +6,7 @@
 #include "support/source.h"
 
 /* What else only clang defines stays, for clang's own headers: a program that names it is not
- * judged (compiler_words.c). */
+ * analysed (compiler_words.c). */
 static const char *const without_clang[] = {FLAGS_WITHOUT_CLANG};
 static const char *const types_of_gcc[] = {FLAGS_OF_GCC_TYPES};
 static const char *const without_features[] = {FLAGS_WITHOUT_FEATURES};

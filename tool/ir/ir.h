@@ -144,7 +144,7 @@ struct ir_function {
     bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
     bool has_other_attributes; /* of whatever kind */
     unsigned reference_count;  /* how often the unit's bodies name it */
-    bool has_errors;           /* the compiler complained inside it: judge nothing in it */
+    bool has_errors;           /* the compiler complained inside it: analyse nothing in it */
     bool is_in_main_file;
     const ir_declared *declared; /* NULL: not known. Not in the text form */
 };

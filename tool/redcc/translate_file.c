@@ -37,7 +37,7 @@ static const char *parser_flags(arena *a, const options *o, const char *input, s
     return NULL;
 }
 
-/** Judged is the program that the parallel form becomes part of: the one with OpenMP on. */
+/** Analysed is the program that the parallel form becomes part of: the one with OpenMP on. */
 static frontend_result parse(arena *a, const source *file, const string_list *flags) {
     string_list all = {0};
     for (unsigned i = 0; i < flags->count; i++)
@@ -104,27 +104,27 @@ static void show_unknown_pure(const options *o, const source *file, const ir_uni
                     o->pure.items[i], file->path);
 }
 
-/** What is another program for the compiler that it is built by was not judged. */
+/** What is another program for the compiler that it is built by was not analysed. */
 static analysis_result of_both_compilers(arena *a, const source *file, const string_list *flags,
                                          const ir_unit *unit, bool knows_compiler,
-                                         analysis_result judged) {
+                                         analysis_result analysed) {
     bool has_transformed = false;
-    for (unsigned i = 0; i < judged.verdict_count; i++)
-        has_transformed |= judged.verdicts[i].kind == VERDICT_TRANSFORM;
+    for (unsigned i = 0; i < analysed.verdict_count; i++)
+        has_transformed |= analysed.verdicts[i].kind == VERDICT_TRANSFORM;
     const char *word = unit->unseen_word;
     if (!word && has_transformed && !knows_compiler && !compilers_agree(a, file, flags, unit))
         word = unit->compiler_word;
     if (!word || !has_transformed)
-        return judged;
-    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged.verdict_count);
-    for (unsigned i = 0; i < judged.verdict_count; i++) {
-        verdicts[i] = judged.verdicts[i];
+        return analysed;
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed.verdict_count);
+    for (unsigned i = 0; i < analysed.verdict_count; i++) {
+        verdicts[i] = analysed.verdicts[i];
         if (verdicts[i].kind != VERDICT_TRANSFORM)
             continue;
         verdicts[i].kind = VERDICT_REFUSE;
         verdicts[i].why = reason_make(a, REASON_COMPILER, word, verdicts[i].loop->range);
     }
-    return (analysis_result){judged.verdict_count, verdicts};
+    return (analysis_result){analysed.verdict_count, verdicts};
 }
 
 /** The verdicts as they came out: what could not be written is refused. */
@@ -195,12 +195,12 @@ static void dump(const ir_unit *unit) {
 
 /** Refuses the loops whose text is wrong; those of which part stands in front of their function are
  *  to be written in a plainer form first. */
-static analysis_result without_wrong(arena *a, const analysis_result *judged,
+static analysis_result without_wrong(arena *a, const analysis_result *analysed,
                                      const emit_result *written, const reason *found,
                                      unsigned char *leave) {
-    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, judged->verdict_count + 1);
-    for (unsigned i = 0; i < judged->verdict_count; i++)
-        verdicts[i] = judged->verdicts[i];
+    loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed->verdict_count + 1);
+    for (unsigned i = 0; i < analysed->verdict_count; i++)
+        verdicts[i] = analysed->verdicts[i];
     for (unsigned i = 0; i < written->loop_count; i++) {
         loop_verdict *verdict = &verdicts[written->loops[i].verdict];
         if (found[i].id == REASON_NONE)
@@ -213,25 +213,25 @@ static analysis_result without_wrong(arena *a, const analysis_result *judged,
         verdict->why = found[i];
         verdict->why.range = verdict->loop->range;
     }
-    return (analysis_result){judged->verdict_count, verdicts};
+    return (analysis_result){analysed->verdict_count, verdicts};
 }
 
 /**
- * Writes what was judged, and checks it. A loop whose text is wrong is left alone, and the rest is
- * written again. Parsing what is written costs as much as parsing the input: a report alone does
+ * Writes what was analysed, and checks it. A loop whose text is wrong is left alone, and the rest
+ * is written again. Parsing what is written costs as much as parsing the input: a report alone does
  * without.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
-                                 const emit_options *how, bool is_kept, analysis_result *judged) {
-    unsigned char *leave = ARENA_ARRAY(a, unsigned char, judged->verdict_count + 1);
+                                 const emit_options *how, bool is_kept, analysis_result *analysed) {
+    unsigned char *leave = ARENA_ARRAY(a, unsigned char, analysed->verdict_count + 1);
     emit_options own = *how;
     own.leave = leave;
     for (;;) {
-        const emit_result written = emit_file(a, unit, judged, &own);
+        const emit_result written = emit_file(a, unit, analysed, &own);
         reason *found = ARENA_ARRAY(a, reason, written.loop_count + 1);
         if (written.loop_count == 0 || !is_kept || self_check(a, unit, flags, &written, found))
             return written;
-        *judged = without_wrong(a, judged, &written, found, leave);
+        *analysed = without_wrong(a, analysed, &written, found, leave);
     }
 }
 
@@ -239,16 +239,16 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                               const string_list *flags, const ir_unit *unit,
                               const foreign_functions *foreign) {
     const analysis_options asked = options_of(a, o, foreign);
-    analysis_result judged =
+    analysis_result analysed =
         of_both_compilers(a, file, flags, unit, o->knows_compiler, analyse(a, unit, &asked));
-    const bool is_written = count_verdicts(&judged).transformed > 0;
+    const bool is_written = count_verdicts(&analysed).transformed > 0;
     const emit_options how = {.order = o->order,
                               .order_is_explicit = o->order_is_given,
                               .lanes = o->lanes,
                               .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
     const emit_result written =
-        write_checked(a, unit, flags, &how, o->output || o->verify, &judged);
-    const analysis_result final = after_writing(a, unit, &judged, &written, &asked, foreign);
+        write_checked(a, unit, flags, &how, o->output || o->verify, &analysed);
+    const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);
     const report_input input = report_on(o, unit, &final);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {

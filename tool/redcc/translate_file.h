@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What redcc does with one input file: parse, judge, write, report. */
+/** What redcc does with one input file: parse, analyse, write, report. */
 #ifndef TRANSLATE_FILE_H
 #define TRANSLATE_FILE_H
 

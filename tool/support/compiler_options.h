@@ -21,7 +21,7 @@ enum option_meaning {
     OPTION_MACROS = 1 << 13,     /**< defines or undefines macros, or includes what may */
     OPTION_CLANG = 1 << 14,      /**< the translator's parser is told as well */
     OPTION_PATH = 1 << 15,       /**< its argument is a path, from the folder of the command */
-    OPTION_REFUSE = 1 << 16,     /**< by it the program is another than the one that is judged: no
+    OPTION_REFUSE = 1 << 16,     /**< by it the program is another than the one that is analysed: no
                                       loop is translated, however it comes */
     OPTION_INEXACT = 1 << 17     /**< two copies of a floating-point expression may give other bits:
                                       loops with one are not translated */

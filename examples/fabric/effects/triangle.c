@@ -3,7 +3,7 @@
  * Stretch and shear: a loop for each choice of effects that a cloth may call for. The loops differ
  * in the constant that triangle_force gets, by which the compiler drops what is not called for.
  */
-#include "plan.h"
+#include "effect.h"
 #include "triangle_terms.h"
 
 /* The effects that this build has: FABRIC_WITHOUT leaves some out. */

@@ -68,9 +68,9 @@ static void draw_sphere(const collider *c, const double center[3]) {
     }
 }
 
-/** A point of the cylinder's rim at the end `end` (-1 or 1), and the normal there. */
-static void rim(const collider *c, const double center[3], int around, double end, double point[3],
-                double normal[3]) {
+/** A point of the cylinder's edge at the end `end` (-1 or 1), and the normal there. */
+static void edge_point(const collider *c, const double center[3], int around, double end,
+                       double point[3], double normal[3]) {
     double first[3], second[3];
     const double angle = 2.0 * PI * around / (double)AROUND;
     axes_across(c->axis, first, second);
@@ -85,7 +85,7 @@ static void draw_cylinder(const collider *c, const double center[3]) {
     glBegin(GL_QUAD_STRIP);
     for (int around = 0; around <= AROUND; around++)
         for (int end = 1; end >= -1; end -= 2) {
-            rim(c, center, around, end, point, normal);
+            edge_point(c, center, around, end, point, normal);
             glNormal3dv(normal);
             glVertex3dv(point);
         }
@@ -94,7 +94,7 @@ static void draw_cylinder(const collider *c, const double center[3]) {
         glBegin(GL_POLYGON);
         glNormal3d(end * c->axis[0], end * c->axis[1], end * c->axis[2]);
         for (int around = 0; around < AROUND; around++) {
-            rim(c, center, end * around, end, point, normal);
+            edge_point(c, center, end * around, end, point, normal);
             glVertex3dv(point);
         }
         glEnd();

@@ -115,7 +115,7 @@ enum {
      *  is_subscript, listed in the order in which the slice reads them, so that a plan may be used
      *  again once these are found unchanged. Without it every execution inspects anew. */
     REDCC_VERIFIABLE = 1,
-    /** The order was asked for in so many words at translation (not just the default). */
+    /** The order was asked for explicitly at translation (not just the default). */
     REDCC_ORDER_EXPLICIT = 2,
     /** Some update needs the order of each element kept: only methods that promise it will do. */
     REDCC_ORDER_NEEDED = 4,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Most programs have nothing that leaves a handler but its end; for their loops to hold back
- * signals would be in vain, and takes a tenth of a short loop's time. What objects refer to is in
+ * signals would gain nothing, and takes a tenth of a short loop's time. What objects refer to is in
  * their dynamic symbol tables. A program that is linked statically has none, and counts as one that
  * may.
  */

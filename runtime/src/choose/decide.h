@@ -22,7 +22,7 @@
 /** What a way would cost. */
 struct prospect {
     bool possible;
-    bool ruled_out;   /**< it was tried in vain: not possible until the loop has rested */
+    bool ruled_out;   /**< it was tried and failed: not possible until the loop has rested */
     bool measured;    /**< `execution`, rather than estimated */
     double set_up;    /**< seconds, of an inspection and a plan, its sample included; estimated */
     double learned;   /**< seconds that one has taken, or at least takes; 0: none was made */

@@ -19,7 +19,7 @@ static void stop_resting(struct size_state *size, enum stand stand) {
     size->stand = stand;
 }
 
-/* The way was tried in vain. Is there one that may be better? */
+/* The way was tried and failed. Is there one that may be better? */
 static bool another_may_do(struct size_state *size, enum way way) {
     size->prospect[way].possible = false;
     size->prospect[way].ruled_out = true;

@@ -19,7 +19,7 @@ static bool is_short(redcc_u32 gap, redcc_run run) {
     return gap < GAPS && run.count_and_guard < COUNTS;
 }
 
-/* Packs the chunk's runs at `to`, or, where that is NULL, only reckons; returns the words. */
+/* Packs the chunk's runs at `to`, or, where that is NULL, only counts; returns the words. */
 static size_t pack_chunk(const struct schedule *schedule, const struct chunk *chunk, uint16_t *to) {
     size_t words = 0;
     redcc_u32 at = 0;

@@ -6,20 +6,20 @@
 /* To protect a page takes 0.1 microseconds, a write to it then 1.3 once; to compare it, 0.12 (4096
  * bytes at 35 GB/s). To look whether a source may be tracked takes some 250, whatever its size. */
 enum {
-    A_PAGE = 12,             /* comparisons of it that cost as much as to track it in vain */
+    A_PAGE = 12,             /* comparisons of it that cost as much as to track it for nothing */
     A_SOURCE = 2048,         /* pages that are compared meanwhile */
     COMPARED_AT_ONCE = 4096, /* bytes, of these measures */
     BACKOFF_MOST = 16,
     LEAST = 256 * 1024 /* bytes; to compare fewer costs little more than to ask */
 };
 
-/* After so many comparisons, which have cost as much as tracking the pages may cost in vain, it is
- * begun: that loses at most as much again (the rule of ski rental). */
+/* After so many comparisons, which have cost as much as tracking the pages may cost for nothing, it
+ * is begun: that loses at most as much again (the rule of ski rental). */
 static uint32_t threshold(struct range pages) {
     return (uint32_t)(A_PAGE + A_SOURCE / (redcc_range_bytes(pages) / COMPARED_AT_ONCE));
 }
 
-/* It was in vain: exponential back-off. */
+/* It did not pay: exponential back-off. */
 static void back_off(struct tracking *tracking, unsigned *backoff) {
     tracking->stable_count = 0;
     if (*backoff < BACKOFF_MOST)

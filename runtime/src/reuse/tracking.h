@@ -21,7 +21,7 @@ struct tracking {
 };
 
 /** Asks whether the whole pages of the source that lies as `reading` says are untouched, and begins
- *  to track them where it is time. *backoff counts how often in a row that was in vain. */
+ *  to track them where it is time. *backoff counts how often in a row that did not pay. */
 void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsigned *backoff);
 
 /** Is the tracked source what it was? Reads what lies beside its whole pages. Any thread. */

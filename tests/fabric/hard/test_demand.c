@@ -338,13 +338,13 @@ static void test_monitor_that_is_off(void **state) {
     step.shortest = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
         on.sim->v_next[i][0] = 1e6; /* out of nothing */
-    assert_int_equal(monitor_judge(&on.sim->monitor, &step), STEP_GOOD);
+    assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_GOOD);
     step.passing = 1;
-    assert_int_equal(monitor_judge(&on.sim->monitor, &step), STEP_PASSING);
+    assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_PASSING);
     step.status = SOLVER_BREAKDOWN;
-    assert_int_equal(monitor_judge(&on.sim->monitor, &step), STEP_NOT_SOLVED);
+    assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_NOT_SOLVED);
     step.finite = 0;
-    assert_int_equal(monitor_judge(&on.sim->monitor, &step), STEP_NOT_FINITE);
+    assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_NOT_FINITE);
     stage_end(&on);
 }
 

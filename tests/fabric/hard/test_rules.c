@@ -276,7 +276,7 @@ static monitor_verdict verdict_on(stage *on, int passing, int shortest) {
     step.status = SOLVER_CONVERGED;
     step.passing = passing;
     step.shortest = shortest;
-    return monitor_judge(&sim->monitor, &step);
+    return monitor_check(&sim->monitor, &step);
 }
 
 static void test_monitor(void **state) {

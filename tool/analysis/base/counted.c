@@ -350,7 +350,7 @@ static counted_result recognise_while(const ir_node *loop) {
     return check(&counted, loop, last);
 }
 
-counted_result counted_recognise_judged(ir_node *loop) {
+counted_result counted_recognise_analysed(ir_node *loop) {
     if (loop->kind == IR_FOR)
         return recognise_for(loop);
     if (loop->kind == IR_WHILE)
@@ -376,7 +376,7 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
 }
 
 counted_result counted_recognise(ir_node *loop) {
-    return without_calls(counted_recognise_judged(loop), loop);
+    return without_calls(counted_recognise_analysed(loop), loop);
 }
 
 /* ---- constant loops and ranges -------------------------------------------------------------- */

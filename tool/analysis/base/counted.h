@@ -21,7 +21,7 @@ counted_result counted_recognise(ir_node *loop);
  *  may be taken outside the loop, the header may set a variable to the bound (bound_variable) and
  *  step others beside the counter.
  */
-counted_result counted_recognise_judged(ir_node *loop);
+counted_result counted_recognise_analysed(ir_node *loop);
 
 /** v++, v += c, v = v + c and the like, with a constant: the variable and the step. */
 bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step);

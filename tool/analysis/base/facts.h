@@ -204,7 +204,7 @@ typedef struct unkept_read {
 } unkept_read;
 
 typedef struct loop_facts {
-    ir_node *loop; /* the for or while that is judged */
+    ir_node *loop; /* the for or while that is analysed */
     ir_function *function;
     counted_loop counted;
     bool counter_is_live_after;
@@ -226,14 +226,14 @@ typedef struct loop_facts {
     ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
     /* The slice: statements and control needed for rows and touched sources. Indexed by node id of
      * the function; set for IR_DECLARATOR, IR_EXPRESSION, control statements and the IR_BLOCKs in
-     * between. Control that only decides whether an update happens, and is too dear or not safe to
-     * evaluate twice, is left out: the inspector may then touch more than is written. */
+     * between. Control that only decides whether an update happens, and is too expensive or not
+     * safe to evaluate twice, is left out: the inspector may then touch more than is written. */
     const bool *in_slice;
     unsigned span_count;
     const loop_span *spans;
     bool slice_has_floating_work; /* it may run only where two copies of one floating-point
                                      expression give the same bits */
-    bool has_inspector;           /* false: subscripts as dear as the body, or not sliceable */
+    bool has_inspector;           /* false: subscripts as expensive as the body, or not sliceable */
     bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
                            trip count are unchanged (runtime: REDCC_VERIFIABLE) */
     unkept_read unkept; /* the first one, where not is_verifiable */
@@ -256,7 +256,8 @@ typedef struct foreign_call {
 
 typedef struct loop_verdict {
     verdict_kind kind;
-    const ir_node *loop; /* that is reported: outermost judged as one, or innermost where refused */
+    const ir_node
+        *loop; /* that is reported: outermost analysed as one, or innermost where refused */
     const ir_function *function;
     reason why; /* refusals */
     unsigned pragma_count;

@@ -24,7 +24,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_ROW_POINTERS] =
         "use one contiguous array, double (*a)[m], or a table of pointers made before the loop",
     [REASON_INDEX_ARRAY_WRITTEN] = "compute the subscripts in a loop of its own first",
-    [REASON_INDEX_TOO_DEAR] = "compute the subscripts into an array in a loop of its own first",
+    [REASON_INDEX_EXPENSIVE] = "compute the subscripts into an array in a loop of its own first",
     [REASON_SIDE_EFFECT] = "move the side effect to a statement of its own",
     [REASON_BASE_CONDITIONAL] = "copy it to a local pointer before the loop",
     [REASON_MAY_ALIAS] = "where they never overlap, declare the pointers restrict, or write "

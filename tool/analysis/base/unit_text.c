@@ -11,7 +11,7 @@ struct unit_text {
     const char *fenv_access;
     bool has_own_options;
     VECTOR(uint32_t) counters; /* where __COUNTER__ is written, in order */
-    /* the function that was searched last: loops are judged function by function */
+    /* the function that was searched last: loops are analysed function by function */
     const ir_function *searched;
     const ir_node *obstacle;
     const char *obstacle_name;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the judgement of a loop's text asks about the whole file or function, found once: asked
+/** What the analysis of a loop's text asks about the whole file or function, found once: asked
  *  anew for each loop, the cost would grow with the square of the file's size. */
 #ifndef ANALYSIS_UNIT_TEXT_H
 #define ANALYSIS_UNIT_TEXT_H

@@ -14,7 +14,7 @@
 
 typedef VECTOR(slice_touch) touch_list;
 
-static void add_touch(const judgement *j, touch_list *list, const loop_source *read) {
+static void add_touch(const loop_analysis *j, touch_list *list, const loop_source *read) {
     const slice_touch item = {read->row, read->loop_count, read->loops, read->place};
     VECTOR_PUSH(j->an->memory, list, item);
 }
@@ -25,7 +25,7 @@ static bool is_put_together(const reduction_update *update) {
     return !ir_contains(update->statement, update->row);
 }
 
-static bool is_read_for_row(const reduction_update *update, const judged_access *read) {
+static bool is_read_for_row(const reduction_update *update, const loop_access *read) {
     if (is_put_together(update))
         return read->access.lvalue && !read->access.callee &&
                ir_contains(update->statement, read->access.node) &&
@@ -34,7 +34,7 @@ static bool is_read_for_row(const reduction_update *update, const judged_access 
 }
 
 /* Does the inspector evaluate this access: in a statement of the slice, its control, or a row? */
-static bool is_in_slice(const judgement *j, const bool *keep, const judged_access *read) {
+static bool is_in_slice(const loop_analysis *j, const bool *keep, const loop_access *read) {
     const ir_node *place = slice_place(j, read->access.node);
     if (place && keep[place->id])
         return true;
@@ -42,7 +42,7 @@ static bool is_in_slice(const judgement *j, const bool *keep, const judged_acces
         if (is_read_for_row(&j->updates.items[i], read))
             return true;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (!other->needs_guard || other->access.callee || other == read ||
             !ir_contains(other->access.lvalue, read->access.node))
             continue;
@@ -52,7 +52,7 @@ static bool is_in_slice(const judgement *j, const bool *keep, const judged_acces
     return false;
 }
 
-static bool is_of_iteration(const judgement *j, const location *where) {
+static bool is_of_iteration(const loop_analysis *j, const location *where) {
     const ir_variable *object = where->object;
     if (!object || !variable_is_automatic(object))
         return false;
@@ -66,8 +66,8 @@ static bool is_of_iteration(const judgement *j, const location *where) {
 }
 
 /* Is the base handed to a function that may compute something from it: other than to update? */
-static bool is_handed_over(const judgement *j, const ir_node *node, const ir_node *base) {
-    if (node->kind == IR_CALL && !judgement_is_update(j, node->parent) &&
+static bool is_handed_over(const loop_analysis *j, const ir_node *node, const ir_node *base) {
+    if (node->kind == IR_CALL && !analysis_is_update(j, node->parent) &&
         expression_occurrences(node, base))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -78,17 +78,16 @@ static bool is_handed_over(const judgement *j, const ir_node *node, const ir_nod
 
 /* The base of an array need not be compared: what the plan knows moves with it. Unless something
  * else is computed from it, h[s[t] + (q - h)]. */
-static bool is_array_base(const judgement *j, const ir_node *lvalue) {
+static bool is_array_base(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (!j->arrays.items[i].array.is_scattered &&
             expression_same(j->arrays.items[i].array.base, lvalue))
-            return !judgement_has_address_as_value(j->loop, lvalue) &&
-                   !is_handed_over(j, j->loop, lvalue);
+            return !has_address_as_value(j->loop, lvalue) && !is_handed_over(j, j->loop, lvalue);
     return false;
 }
 
 /* An invariant scalar or pointer: its value goes into the key. */
-static bool add_key(judgement *j, const judged_access *read) {
+static bool add_key(loop_analysis *j, const loop_access *read) {
     const ir_node *lvalue = read->access.lvalue;
     if (read->access.callee || !lvalue->type ||
         (lvalue->type->kind != IR_INTEGER && lvalue->type->kind != IR_POINTER &&
@@ -105,7 +104,7 @@ static bool add_key(judgement *j, const judged_access *read) {
     return true;
 }
 
-static bool is_written(const judgement *j, const ir_node *statement, const ir_node *row) {
+static bool is_written(const loop_analysis *j, const ir_node *statement, const ir_node *row) {
     if (row->kind == IR_VARIABLE && variable_written_in(j->an->facts, statement, row->variable))
         return true;
     for (unsigned i = 0; i < row->child_count; i++)
@@ -116,7 +115,7 @@ static bool is_written(const judgement *j, const ir_node *statement, const ir_no
 
 /* Does the row, told before `first`, have the same address still before `second`, a later statement
  * of the same block? */
-static bool stays_until(const judgement *j, const ir_node *row, const ir_node *first,
+static bool stays_until(const loop_analysis *j, const ir_node *row, const ir_node *first,
                         const ir_node *second) {
     if (first == second)
         return true;
@@ -132,8 +131,8 @@ static bool stays_until(const judgement *j, const ir_node *row, const ir_node *f
     return true;
 }
 
-static bool source_stays_until(const judgement *j, const loop_source *item, const ir_node *first,
-                               const ir_node *second) {
+static bool source_stays_until(const loop_analysis *j, const loop_source *item,
+                               const ir_node *first, const ir_node *second) {
     for (unsigned i = 0; i < item->loop_count; i++)
         if (!stays_until(j, item->loops[i].lower, first, second) ||
             !stays_until(j, item->loops[i].bound, first, second))
@@ -141,7 +140,7 @@ static bool source_stays_until(const judgement *j, const loop_source *item, cons
     return stays_until(j, item->row, first, second);
 }
 
-static void add_source(judgement *j, const loop_source *item) {
+static void add_source(loop_analysis *j, const loop_source *item) {
     for (unsigned i = 0; i < j->sources.count; i++) {
         loop_source *other = &j->sources.items[i];
         if (other->extent != item->extent || !source_rows_equal(other, item) ||
@@ -156,7 +155,7 @@ static void add_source(judgement *j, const loop_source *item) {
 }
 
 /* What a callee's search reads lies between two elements that can be told. */
-static bool add_search(judgement *j, const judged_access *read) {
+static bool add_search(loop_analysis *j, const loop_access *read) {
     source_plan first, last;
     if (!read->access.to || !source_plans_of_search(j, read, &first, &last))
         return false;
@@ -165,12 +164,12 @@ static bool add_search(judgement *j, const judged_access *read) {
     return true;
 }
 
-static void add_read(judgement *j, const judged_access *read, bool is_subscript);
+static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript);
 
 /* What is read here decides subscripts, and cannot be compared. */
-static void keep_no_plan(judgement *j, const ir_node *lvalue, const ir_node *node) {
+static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
     if (j->is_verifiable)
-        j->unkept = (unkept_read){judgement_name(j, lvalue), node->range};
+        j->unkept = (unkept_read){analysis_name(j, lvalue), node->range};
     j->is_verifiable = false;
 }
 
@@ -194,7 +193,7 @@ static bool is_within(const ir_node *lvalue, const ir_node *whole) {
 }
 
 /* The read that this load is, made by itself, or with more around it. */
-static const judged_access *read_of(const judgement *j, const ir_node *lvalue) {
+static const loop_access *read_of(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
         if (a->kind == ACCESS_READ && a->lvalue && a->is_exact && !a->loop_count &&
@@ -208,14 +207,14 @@ static const judged_access *read_of(const judgement *j, const ir_node *lvalue) {
  * the callee's read that it is told for; NULL: there is none. */
 typedef struct told_loads {
     const loop_source *told;
-    const judged_access *read;
+    const loop_access *read;
 } told_loads;
 
 /* The read that this load must be as well, of which the callee's list has more than the one
  * element.
  */
-static void add_load_in_loops(judgement *j, const ir_node *node, const told_loads *of) {
-    judged_access load = *of->read;
+static void add_load_in_loops(loop_analysis *j, const ir_node *node, const told_loads *of) {
+    loop_access load = *of->read;
     load.access.lvalue = node;
     load.access.type = node->type;
     load.access.is_behind = false;
@@ -227,10 +226,10 @@ static void add_load_in_loops(judgement *j, const ir_node *node, const told_load
     add_read(j, &load, true);
 }
 
-static void add_load(judgement *j, const ir_node *node, const told_loads *of) {
+static void add_load(loop_analysis *j, const ir_node *node, const told_loads *of) {
     if (!is_load(node))
         return;
-    const judged_access *load = read_of(j, node);
+    const loop_access *load = read_of(j, node);
     if (load && load->class != CLASS_FORWARDED)
         add_read(j, load, true);
     else if (!load && of->read && of->read->access.loop_count)
@@ -239,7 +238,7 @@ static void add_load(judgement *j, const ir_node *node, const told_loads *of) {
         keep_no_plan(j, node, node);
 }
 
-static void add_loads_below(judgement *j, const ir_node *row, const told_loads *of) {
+static void add_loads_below(loop_analysis *j, const ir_node *row, const told_loads *of) {
     for (unsigned i = 0; i < row->child_count; i++) {
         add_load(j, row->children[i], of);
         add_loads_below(j, row->children[i], of);
@@ -248,7 +247,7 @@ static void add_loads_below(judgement *j, const ir_node *row, const told_loads *
 
 /* What a callee reads on its way to an address decides where that address is: while a plan is kept,
  * it must stay. */
-static void add_loads_of(judgement *j, const loop_source *told, const judged_access *read) {
+static void add_loads_of(loop_analysis *j, const loop_source *told, const loop_access *read) {
     const told_loads of = {told, read};
     add_loads_below(j, told->row, &of);
     for (unsigned i = 0; i < told->loop_count; i++) {
@@ -259,7 +258,7 @@ static void add_loads_of(judgement *j, const loop_source *told, const judged_acc
     }
 }
 
-static void add_read(judgement *j, const judged_access *read, bool is_subscript) {
+static void add_read(loop_analysis *j, const loop_access *read, bool is_subscript) {
     source_plan contents = {0};
     bool is_keyed = false;
     if (is_subscript && !is_of_iteration(j, &read->where)) {
@@ -283,13 +282,13 @@ static void add_read(judgement *j, const judged_access *read, bool is_subscript)
     }
 }
 
-static void add_sources(judgement *j, const bool *keep) {
+static void add_sources(loop_analysis *j, const bool *keep) {
     j->is_verifiable = true;
     j->unkept = (unkept_read){0};
     j->sources.count = 0;
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && read->class != CLASS_FORWARDED)
             add_read(j, read, is_in_slice(j, keep, read));
     }
@@ -298,10 +297,11 @@ static void add_sources(judgement *j, const bool *keep) {
             add_loads_of(j, &(loop_source){.row = j->updates.items[i].row}, NULL);
 }
 
-static bool take_slice(judgement *j, const touch_list *touches, reason_id why, const char *name) {
+static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id why,
+                       const char *name) {
     slice result = slice_compute(j, touches->count, touches->items);
     if (result.obstacle)
-        return judgement_refuse(j, why, result.obstacle, name);
+        return analysis_refuse(j, why, result.obstacle, name);
     j->in_slice = result.keep;
     for (unsigned i = 0; i < j->privates.count; i++) {
         private_variable *item = &j->privates.items[i];
@@ -313,20 +313,20 @@ static bool take_slice(judgement *j, const touch_list *touches, reason_id why, c
     return true;
 }
 
-static bool is_small(const judgement *j) {
+static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
-bool judge_slice(judgement *j) {
+bool check_slice(loop_analysis *j) {
     touch_list touches = {0};
     for (unsigned i = 0; i < j->updates.count; i++) {
         const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
         VECTOR_PUSH(j->an->memory, &touches, item);
     }
-    if (!take_slice(j, &touches, REASON_INDEX_TOO_DEAR, j->arrays.items[0].array.name))
+    if (!take_slice(j, &touches, REASON_INDEX_EXPENSIVE, j->arrays.items[0].array.name))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         source_plan plan = {0};
         if (read->needs_guard)
             plan = source_plan_of(j, read, false);
@@ -351,6 +351,6 @@ bool judge_slice(judgement *j) {
     add_sources(j, j->in_slice);
     j->is_verifiable = j->is_verifiable && is_settled;
     if (!is_small(j))
-        return judgement_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
+        return analysis_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
     return true;
 }

@@ -3,9 +3,9 @@
 #ifndef ANALYSIS_INSPECTION_H
 #define ANALYSIS_INSPECTION_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** What computes rows and touched sources, and whether a plan may be kept. */
-bool judge_slice(judgement *j);
+bool check_slice(loop_analysis *j);
 
 #endif

@@ -25,7 +25,7 @@ typedef struct needed_part {
 } needed_part;
 
 typedef struct slicer {
-    const judgement *j;
+    const loop_analysis *j;
     bool *keep;
     VECTOR(needed_part) needed;
     bool is_integer_only; /* of what is tried: floating-point values are an obstacle */
@@ -271,7 +271,7 @@ static void keep_statement(slicer *s, const ir_node *statement, const ir_variabl
     if (!statement || s->obstacle)
         return;
     bool is_new = !s->keep[statement->id];
-    if (judgement_is_update(s->j, statement)) {
+    if (analysis_is_update(s->j, statement)) {
         fail(s, statement);
         return;
     }
@@ -462,7 +462,7 @@ static void need_touch(slicer *s, const slice_touch *touch) {
     }
 }
 
-slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches) {
+slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_touch *touches) {
     slicer s = {.j = j, .keep = ARENA_ARRAY(j->an->memory, bool, j->function->node_count + 1)};
     for (unsigned i = 0; i < touch_count && !s.obstacle; i++)
         need_touch(&s, &touches[i]);

@@ -6,7 +6,7 @@
 #ifndef ANALYSIS_SLICE_H
 #define ANALYSIS_SLICE_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** An address to be told before a statement. */
 typedef struct slice_touch {
@@ -25,6 +25,6 @@ typedef struct slice {
 } slice;
 
 /** The slice of all touches together. */
-slice slice_compute(const judgement *j, unsigned touch_count, const slice_touch *touches);
+slice slice_compute(const loop_analysis *j, unsigned touch_count, const slice_touch *touches);
 
 #endif

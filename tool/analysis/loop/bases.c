@@ -40,7 +40,7 @@ static bool list_dereferences(const access_list *list, const ir_node *pointer) {
 }
 
 /* Statements that control passes on its way to the loop, each time. */
-static bool dereferenced_on_the_way(const judgement *j, const ir_node *pointer) {
+static bool dereferenced_on_the_way(const loop_analysis *j, const ir_node *pointer) {
     if (pointer->kind != IR_VARIABLE)
         return false;
     for (const ir_node *node = j->loop; node->parent; node = node->parent) {
@@ -75,7 +75,7 @@ static bool has_subscript(const ir_node *node) {
 }
 
 /* Is this very object read in each iteration? */
-static bool is_read_anyway(const judgement *j, const ir_node *lvalue) {
+static bool is_read_anyway(const loop_analysis *j, const ir_node *lvalue) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];
         if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee &&
@@ -85,7 +85,7 @@ static bool is_read_anyway(const judgement *j, const ir_node *lvalue) {
     return false;
 }
 
-bool base_can_be_read_before(const judgement *j, const ir_node *base) {
+bool base_can_be_read_before(const loop_analysis *j, const ir_node *base) {
     /* Another element of the array being there does not say that this one is. */
     if (has_subscript(base) && base->type && base->type->kind != IR_ARRAY)
         return is_read_anyway(j, base);

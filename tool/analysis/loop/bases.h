@@ -3,11 +3,11 @@
 #ifndef ANALYSIS_BASES_H
 #define ANALYSIS_BASES_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** `base` is invariant. True where evaluating it reads no memory, or where the pointer it is read
  *  through is dereferenced anyway, in each iteration or on the way to the loop: then it is not an
  *  optional one that may be null. Of an element of an array: where that element is read anyway. */
-bool base_can_be_read_before(const judgement *j, const ir_node *base);
+bool base_can_be_read_before(const loop_analysis *j, const ir_node *base);
 
 #endif

@@ -111,7 +111,7 @@ static void visit(dependence *d, const ir_node *node, bool is_dependent) {
 }
 
 bool candidate_varies(const analyser *an, const ir_node *loop) {
-    counted_result counted = counted_recognise_judged((ir_node *)loop);
+    counted_result counted = counted_recognise_analysed((ir_node *)loop);
     if (!counted.is_counted)
         return true;
     dependence d = {.memory = an->memory};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Is a loop worth being judged as one reduction loop, or only the loops inside it? */
+/** Is a loop worth being analysed as one reduction loop, or only the loops inside it? */
 #ifndef ANALYSIS_CANDIDATE_H
 #define ANALYSIS_CANDIDATE_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Is this a loop of a few iterations only, by its constants? */
 bool candidate_is_tiny(const ir_node *loop);

@@ -34,7 +34,7 @@ static bool compares_numbers(const ir_type *counter, const ir_node *bound) {
     return counts_signed == is_signed;
 }
 
-static bool is_bound(const judgement *j, const ir_node *bound) {
+static bool is_bound(const loop_analysis *j, const ir_node *bound) {
     int64_t constant;
     if (!bound->type || bound->type->kind != IR_INTEGER || !expression_is_plain(bound) ||
         !compares_numbers(j->counted.counter->type, bound))
@@ -46,11 +46,11 @@ static bool is_bound(const judgement *j, const ir_node *bound) {
            !expression_mentions(bound, j->counted.counter);
 }
 
-static bool is_counter(const judgement *j, const ir_node *node) {
+static bool is_counter(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_VARIABLE && node->variable == j->counted.counter;
 }
 
-static void take_comparison(const judgement *j, limit_list *list, const ir_node *condition,
+static void take_comparison(const loop_analysis *j, limit_list *list, const ir_node *condition,
                             bool holds) {
     const ir_node *left = condition->children[0], *right = condition->children[1];
     const bool is_left = is_counter(j, left);
@@ -65,7 +65,7 @@ static void take_comparison(const judgement *j, limit_list *list, const ir_node 
 }
 
 /* The condition is known to hold, or not to. */
-static void take_condition(const judgement *j, limit_list *list, const ir_node *condition,
+static void take_condition(const loop_analysis *j, limit_list *list, const ir_node *condition,
                            bool holds) {
     if (condition->kind == IR_UNARY && condition->op == IR_OP_NOT) {
         take_condition(j, list, condition->children[0], !holds);
@@ -94,7 +94,7 @@ static bool is_continue(const ir_node *statement) {
 }
 
 /* `if (t == 0) continue;` above it in the same block. */
-static void take_jumps_above(const judgement *j, limit_list *list, const ir_node *block,
+static void take_jumps_above(const loop_analysis *j, limit_list *list, const ir_node *block,
                              const ir_node *below) {
     for (unsigned i = 0; i < block->child_count && block->children[i] != below; i++) {
         const ir_node *statement = block->children[i];
@@ -104,7 +104,8 @@ static void take_jumps_above(const judgement *j, limit_list *list, const ir_node
     }
 }
 
-unsigned executed_limits(const judgement *j, const ir_node *node, const counter_limit **limits) {
+unsigned executed_limits(const loop_analysis *j, const ir_node *node,
+                         const counter_limit **limits) {
     limit_list list = {0};
     for (const ir_node *below = node; below->parent && below->parent != j->loop;
          below = below->parent) {
@@ -179,7 +180,7 @@ static bool is_passed_by(const ir_node *part, const ir_node *node) {
     return false;
 }
 
-bool executed_in_each(const judgement *j, const ir_node *node) {
+bool executed_in_each(const loop_analysis *j, const ir_node *node) {
     const ir_node *body = j->counted.body;
     return ir_contains(body, node) && executed_certainly_in(body, node) &&
            !is_passed_by(body, node);

@@ -3,17 +3,17 @@
 #ifndef ANALYSIS_EXECUTED_H
 #define ANALYSIS_EXECUTED_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** The conditions on the counter without which control does not reach `node`: of `if (t > 0)`, of
  *  `t == 0 ? 0 : x[t - 1]`, of `if (t < m) continue;` above it. Returns how many; *limits is in the
  *  arena. None where nothing is known. */
-unsigned executed_limits(const judgement *j, const ir_node *node, const counter_limit **limits);
+unsigned executed_limits(const loop_analysis *j, const ir_node *node, const counter_limit **limits);
 
 /** Is a piece of `outer` executed whenever `outer` is, once? */
 bool executed_certainly_in(const ir_node *outer, const ir_node *node);
 /** Is a piece of the body executed in each iteration, once? */
-bool executed_in_each(const judgement *j, const ir_node *node);
+bool executed_in_each(const loop_analysis *j, const ir_node *node);
 
 /** Are the extents of two reads of one row computed alike? */
 bool source_ends_equal(const loop_source *a, const loop_source *b);

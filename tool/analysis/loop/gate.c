@@ -17,7 +17,7 @@ static bool is_openmp(const char *directive) {
 }
 
 /* Has the loop an OpenMP directive? There may be others between the two, conditionals too. */
-static const char *openmp_above(const judgement *j, unsigned first) {
+static const char *openmp_above(const loop_analysis *j, unsigned first) {
     const ir_unit *unit = j->an->unit;
     uint32_t to = j->loop->range.begin;
     for (unsigned i = first; i-- > 0;) {
@@ -48,7 +48,7 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
 
 /* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
  * and a compiler wants a loop after it. */
-static bool judge_text_before(judgement *j) {
+static bool check_text_before(loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
     if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
@@ -66,23 +66,23 @@ static bool judge_text_before(judgement *j) {
     uint32_t end = at;
     while (end < to && s->text[end] != '\n' && end - at < 40)
         end++;
-    return judgement_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
-                            arena_copy(j->an->memory, s->text + at, end - at));
+    return analysis_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
+                           arena_copy(j->an->memory, s->text + at, end - at));
 }
 
-static bool judge_directives(judgement *j) {
+static bool check_directives(loop_analysis *j) {
     const ir_unit *unit = j->an->unit;
     const char *fenv_access = unit_text_fenv_access(j->an->text);
     if (fenv_access)
-        return judgement_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access);
+        return analysis_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access);
     const unsigned first = unit_text_first_directive(j->an->text, j->loop->range.begin);
     const char *above = openmp_above(j, first);
     if (above)
-        return judgement_refuse(j, REASON_EXISTING_OPENMP, j->loop, above);
+        return analysis_refuse(j, REASON_EXISTING_OPENMP, j->loop, above);
     if (first == unit->directive_count || unit->directives[first].range.begin >= j->loop->range.end)
         return true; /* others above the loop stay with the sequential copy */
     const char *inside = unit->directives[first].text ? unit->directives[first].text : "#";
-    return judgement_refuse(
+    return analysis_refuse(
         j, is_openmp(inside) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE, j->loop, inside);
 }
 
@@ -98,51 +98,50 @@ static bool has_macro(const ir_node *node) {
     return false;
 }
 
-bool judge_text(judgement *j) {
+bool check_text(loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *loop = j->loop;
     if (j->an->unit->refusing_option)
-        return judgement_refuse(j, REASON_OPTION, loop, j->an->unit->refusing_option);
+        return analysis_refuse(j, REASON_OPTION, loop, j->an->unit->refusing_option);
     if (j->function->has_errors)
-        return judgement_refuse(j, REASON_ERRORS, loop, j->function->name);
+        return analysis_refuse(j, REASON_ERRORS, loop, j->function->name);
     if (loop->flags & IR_FROM_MACRO)
-        return judgement_refuse(j, REASON_IN_MACRO, loop, "the loop");
+        return analysis_refuse(j, REASON_IN_MACRO, loop, "the loop");
     if (loop->range.begin >= loop->range.end)
-        return judgement_refuse(j, REASON_NO_RANGE, loop, "the loop");
+        return analysis_refuse(j, REASON_NO_RANGE, loop, "the loop");
     if (j->an->unit->includes_itself)
-        return judgement_refuse(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
-    if (!judge_directives(j) || !judge_text_before(j))
+        return analysis_refuse(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
+    if (!check_directives(j) || !check_text_before(j))
         return false;
     const ir_range everything = {0, s ? s->length : 0};
     if (unit_text_has_counter(j->an->text, has_macro(loop) ? everything : loop->range))
-        return judgement_refuse(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
+        return analysis_refuse(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
     const char *name;
     bool is_setjmp;
     const ir_node *obstacle = unit_text_obstacle(j->an->text, j->function, &name, &is_setjmp);
-    return !obstacle ||
-           judgement_refuse(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
+    return !obstacle || analysis_refuse(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
 }
 
 /* ---- jumps ------------------------------------------------------------------------------------
  */
 
-/* How many loops and switches inside the judged loop stand around the statement, and how many
+/* How many loops and switches inside the analysed loop stand around the statement, and how many
  * switches: a case without one belongs to a switch around the loop, which leads into it. */
-static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_switches,
+static bool check_jump(loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
                        unsigned switches) {
     const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
     switch (node->kind) {
     case IR_BREAK:
-        return loops_and_switches || judgement_refuse(j, REASON_BREAK, node, counter);
+        return loops_and_switches || analysis_refuse(j, REASON_BREAK, node, counter);
     case IR_RETURN:
-        return judgement_refuse(j, REASON_RETURN, node, counter);
+        return analysis_refuse(j, REASON_RETURN, node, counter);
     case IR_GOTO:
     case IR_LABEL:
-        return judgement_refuse(j, REASON_GOTO, node, counter);
+        return analysis_refuse(j, REASON_GOTO, node, counter);
     case IR_CASE:
     case IR_DEFAULT:
         if (!switches)
-            return judgement_refuse(j, REASON_GOTO, node, counter);
+            return analysis_refuse(j, REASON_GOTO, node, counter);
         break;
     default:
         break;
@@ -152,14 +151,14 @@ static bool judge_jump(judgement *j, const ir_node *node, unsigned loops_and_swi
     if (node->kind == IR_SWITCH)
         switches++;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!judge_jump(j, node->children[i], loops_and_switches, switches))
+        if (!check_jump(j, node->children[i], loops_and_switches, switches))
             return false;
     return true;
 }
 
-bool judge_jumps(judgement *j) {
+bool check_jumps(loop_analysis *j) {
     for (unsigned i = 0; i < j->loop->child_count; i++)
-        if (!judge_jump(j, j->loop->children[i], 0, 0))
+        if (!check_jump(j, j->loop->children[i], 0, 0))
             return false;
     return true;
 }
@@ -186,33 +185,33 @@ static bool file_reads_errno(const ir_unit *unit) {
 }
 
 /* An update whose value is used: what is done with it hardly matters. */
-static bool judge_values(judgement *j) {
+static bool check_values(loop_analysis *j) {
     for (unsigned i = 0; i < j->found.items.count; i++) {
         const access *a = &j->found.items.items[i];
         if (a->kind == ACCESS_UPDATE && !a->callee && a->form.has_operator &&
             ir_value_is_used(a->lvalue->parent) &&
             variation_is_irregular(j->an->facts, j->loop, a->lvalue))
-            return judgement_refuse(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
-                                    judgement_name(j, a->lvalue));
+            return analysis_refuse(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
+                                   analysis_name(j, a->lvalue));
     }
     return true;
 }
 
 /* The counter's first value is computed once more by the original loop, if that is to run. */
-static bool judge_lower(judgement *j) {
+static bool check_lower(loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
         access_collect(j->an->effects, j->counted.lower, &list);
     if (!list.problems.count)
         return true;
     const access_problem *p = &list.problems.items[0];
-    return judgement_refuse(j, p->why, p->node, p->name);
+    return analysis_refuse(j, p->why, p->node, p->name);
 }
 
 /* A bound is computed once, where the sequential loop computes it before each iteration: with
  * functions that only read, and of which no two calls could give other bits. That what they read
  * stays as it is, is shown as for all that the loop reads. */
-static bool judge_bound(judgement *j) {
+static bool check_bound(loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);
     bool is_repeatable = expression_is_plain(j->counted.bound) ||
@@ -220,43 +219,43 @@ static bool judge_bound(judgement *j) {
     for (unsigned i = 0; i < list.items.count && !list.problems.count; i++)
         is_repeatable &= list.items.items[i].kind == ACCESS_READ;
     return is_repeatable ||
-           judgement_refuse(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
+           analysis_refuse(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
 }
 
 /* A counter of which a pointer may be kept somewhere: no access of the loop may be by that. */
-static bool judge_counter(judgement *j) {
+static bool check_counter(loop_analysis *j) {
     const ir_variable *counter = j->counted.counter;
     const location where = {.object = counter, .type = counter->type};
     for (unsigned i = 0; counter->address_taken && i < j->access_count; i++) {
-        const judged_access *a = &j->accesses[i];
+        const loop_access *a = &j->accesses[i];
         const bool is_by_name = a->access.kind == ACCESS_READ && !a->access.callee &&
                                 a->access.lvalue && a->access.lvalue->kind == IR_VARIABLE &&
                                 a->access.lvalue->variable == counter;
         if (!is_by_name && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-            return judgement_refuse(j, REASON_COUNTER_MODIFIED, a->access.node, counter->name);
+            return analysis_refuse(j, REASON_COUNTER_MODIFIED, a->access.node, counter->name);
     }
     return true;
 }
 
-bool judge_accesses(judgement *j) {
-    if (!judge_lower(j) || !judge_bound(j))
+bool check_accesses(loop_analysis *j) {
+    if (!check_lower(j) || !check_bound(j))
         return false;
     access_collect(j->an->effects, j->counted.bound, &j->found);
     access_collect(j->an->effects, j->counted.body, &j->found);
-    if (!judge_values(j))
+    if (!check_values(j))
         return false;
     if (j->found.problems.count) {
         const access_problem *p = &j->found.problems.items[0];
-        return judgement_refuse(j, p->why, p->node, p->name);
+        return analysis_refuse(j, p->why, p->node, p->name);
     }
     if (j->found.has_floating_work && j->an->unit->inexact_option && !j->an->options->any_order)
-        return judgement_refuse(j, REASON_INEXACT_OPTION, j->loop, j->an->unit->inexact_option);
+        return analysis_refuse(j, REASON_INEXACT_OPTION, j->loop, j->an->unit->inexact_option);
     if (j->found.may_set_errno && j->an->unit->math_errno && file_reads_errno(j->an->unit))
-        return judgement_refuse(j, REASON_ERRNO, j->loop, j->found.errno_setter);
+        return analysis_refuse(j, REASON_ERRNO, j->loop, j->found.errno_setter);
     j->access_count = j->found.items.count;
-    j->accesses = ARENA_ARRAY(j->an->memory, judged_access, j->access_count + 1);
+    j->accesses = ARENA_ARRAY(j->an->memory, loop_access, j->access_count + 1);
     for (unsigned i = 0; i < j->access_count; i++) {
-        judged_access *a = &j->accesses[i];
+        loop_access *a = &j->accesses[i];
         a->access = j->found.items.items[i];
         if (a->access.lvalue)
             a->where = location_of(j->an->facts, a->access.lvalue, j->loop);
@@ -265,5 +264,5 @@ bool judge_accesses(judgement *j) {
         if (!a->where.type || a->access.callee)
             a->where.type = a->access.type;
     }
-    return judge_counter(j);
+    return check_counter(j);
 }

@@ -3,13 +3,13 @@
 #ifndef ANALYSIS_GATE_H
 #define ANALYSIS_GATE_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** May the loop's text be rewritten at all, and is it left only at its end? */
-bool judge_text(judgement *j);
-bool judge_jumps(judgement *j);
+bool check_text(loop_analysis *j);
+bool check_jumps(loop_analysis *j);
 
 /** Lists all accesses of one iteration, header included; refuses what is not understood. */
-bool judge_accesses(judgement *j);
+bool check_accesses(loop_analysis *j);
 
 #endif

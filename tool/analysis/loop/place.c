@@ -11,7 +11,7 @@ bool slice_is_safe_anywhere(const ir_node *row) {
 }
 
 /* Is this load made in each iteration whatever the conditions, with the same address? */
-static bool is_made_anyway(const judgement *j, const ir_node *load) {
+static bool is_made_anyway(const loop_analysis *j, const ir_node *load) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const access *a = &j->accesses[i].access;
         if (a->kind == ACCESS_READ && !a->is_conditional && !a->callee && a->lvalue != load &&
@@ -22,7 +22,7 @@ static bool is_made_anyway(const judgement *j, const ir_node *load) {
 }
 
 /* Nothing in it changes in the course of an iteration. */
-static bool is_steady(const judgement *j, const ir_node *node) {
+static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE && node->variable != j->counted.counter &&
         variable_written_in(j->an->facts, j->loop, node->variable))
         return false;
@@ -37,7 +37,7 @@ static bool is_steady(const judgement *j, const ir_node *node) {
     return true;
 }
 
-bool slice_is_safe_here(const judgement *j, const ir_node *node, bool as_address) {
+bool slice_is_safe_here(const loop_analysis *j, const ir_node *node, bool as_address) {
     bool is_array = node->type && node->type->kind == IR_ARRAY;
     if (!as_address && !is_array && node->kind != IR_VARIABLE && expression_is_lvalue(node) &&
         expression_has_load(node, false))
@@ -57,7 +57,7 @@ bool slice_is_safe_here(const judgement *j, const ir_node *node, bool as_address
 
 /* ---- places --------------------------------------------------------------------------------- */
 
-const ir_node *slice_place(const judgement *j, const ir_node *node) {
+const ir_node *slice_place(const loop_analysis *j, const ir_node *node) {
     const ir_node *place = expression_place(node);
     if (place && place->kind == IR_DECLARATOR && place->parent && place->parent->parent &&
         place->parent->parent->kind == IR_FOR)
@@ -80,7 +80,7 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
     return false;
 }
 
-static bool changes_in(const judgement *j, const ir_node *row, const ir_node *place) {
+static bool changes_in(const loop_analysis *j, const ir_node *row, const ir_node *place) {
     if (row->kind == IR_VARIABLE) {
         const ir_node *declarator = variable_fact_of(j->an->facts, row->variable)->declarator;
         if (variable_written_in(j->an->facts, place, row->variable) ||
@@ -102,7 +102,7 @@ bool slice_loops_are_constant(unsigned count, const source_loop *loops) {
     return true;
 }
 
-bool slice_can_tell(const judgement *j, const loop_source *told, const ir_node *node,
+bool slice_can_tell(const loop_analysis *j, const loop_source *told, const ir_node *node,
                     const ir_node *place) {
     if (!place ||
         (slice_is_ahead(node, place) && (!slice_is_safe_anywhere(told->row) ||

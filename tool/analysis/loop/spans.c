@@ -13,7 +13,7 @@
 #include "analysis/base/row_steps.h"
 
 /* Nothing below is in the slice, nor jumps. */
-static bool is_left_out(const judgement *j, const ir_node *node) {
+static bool is_left_out(const loop_analysis *j, const ir_node *node) {
     if ((j->in_slice[node->id] && node->kind != IR_BLOCK) || node->kind == IR_BREAK ||
         node->kind == IR_CONTINUE)
         return false;
@@ -23,7 +23,7 @@ static bool is_left_out(const judgement *j, const ir_node *node) {
     return true;
 }
 
-static bool tells_spans_only(const judgement *j, const counted_loop *loop) {
+static bool tells_spans_only(const loop_analysis *j, const counted_loop *loop) {
     unsigned count = 0;
     for (unsigned i = 0; i < j->updates.count; i++) {
         const reduction_update *update = &j->updates.items[i];
@@ -44,7 +44,7 @@ static bool tells_spans_only(const judgement *j, const counted_loop *loop) {
     return count > 0;
 }
 
-static bool is_span(const judgement *j, ir_node *node, counted_loop *loop) {
+static bool is_span(const loop_analysis *j, ir_node *node, counted_loop *loop) {
     if (node->kind != IR_FOR || !j->in_slice[node->id])
         return false;
     const counted_result counted = counted_recognise(node);
@@ -54,7 +54,7 @@ static bool is_span(const judgement *j, ir_node *node, counted_loop *loop) {
            is_left_out(j, loop->body) && tells_spans_only(j, loop);
 }
 
-static void find_below(judgement *j, ir_node *node) {
+static void find_below(loop_analysis *j, ir_node *node) {
     loop_span span = {.loop = node};
     if (is_span(j, node, &span.counted)) {
         VECTOR_PUSH(j->an->memory, &j->spans, span);
@@ -64,7 +64,7 @@ static void find_below(judgement *j, ir_node *node) {
         find_below(j, node->children[i]);
 }
 
-void find_spans(judgement *j) {
+void find_spans(loop_analysis *j) {
     for (unsigned i = 0; i < j->loop->child_count; i++)
         find_below(j, j->loop->children[i]);
 }

@@ -3,9 +3,9 @@
 #ifndef ANALYSIS_SPANS_H
 #define ANALYSIS_SPANS_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Fills in j->spans. */
-void find_spans(judgement *j);
+void find_spans(loop_analysis *j);
 
 #endif

@@ -100,11 +100,12 @@ static void walk_address(access_walk *w, const ir_node *node) {
 static void walk_skipping(access_walk *w, const ir_node *node, const ir_node *skip) {
     if (node == skip)
         return;
-    if (node->kind == IR_BINARY && skip) {
+    const bool is_around = skip && node->kind == IR_UNARY && ir_contains(node, skip);
+    if ((node->kind == IR_BINARY && skip) || is_around) {
         if (expression_is_floating_work(node))
             w->list->has_floating_work = true;
-        walk_skipping(w, node->children[0], skip);
-        walk_skipping(w, node->children[1], skip);
+        for (unsigned i = 0; i < node->child_count; i++)
+            walk_skipping(w, node->children[i], skip);
         return;
     }
     access_walk_node(w, node);

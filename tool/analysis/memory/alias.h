@@ -15,7 +15,7 @@ typedef struct alias_rules {
     variable_facts *facts;
     bool strict_aliasing; /* C's effective types (C17 6.5p7) may be used */
     bool assume_noalias;  /* the user's word: distinct pointers do not overlap */
-    const ir_node *loop;  /* under judgement: what is compared may be of different iterations */
+    const ir_node *loop;  /* that is analysed: what is compared may be of different iterations */
 } alias_rules;
 
 overlap locations_overlap(const alias_rules *rules, const location *a, const location *b);

@@ -20,7 +20,7 @@
  */
 
 /* Are all its subscripts affine in the counter, and all else in it invariant? */
-static bool is_affine_row(const judgement *j, const ir_node *row) {
+static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     switch (row->kind) {
     case IR_VARIABLE:
         return ir_type_is_scalar(row->type) ? variation_is_invariant(j->an->facts, j->loop, row)
@@ -47,7 +47,7 @@ static bool is_affine_row(const judgement *j, const ir_node *row) {
 }
 
 /* A pointer read from memory at an address that moves: row then jumps. */
-static bool has_moving_load(const judgement *j, const ir_node *row) {
+static bool has_moving_load(const loop_analysis *j, const ir_node *row) {
     for (unsigned i = 0; i < row->child_count; i++) {
         const ir_node *child = row->children[i];
         bool is_load = child->kind != IR_VARIABLE && expression_is_lvalue(child) && child->type &&
@@ -63,13 +63,13 @@ static bool has_moving_load(const judgement *j, const ir_node *row) {
     return false;
 }
 
-static bool is_invariant_row(const judgement *j, const ir_node *row) {
+static bool is_invariant_row(const loop_analysis *j, const ir_node *row) {
     return variation_is_fixed(j->an->facts, j->loop, row) &&
            !expression_mentions(row, j->counted.counter);
 }
 
 /* The base of a source: a pointer whose value, or an object whose address, stays. */
-static bool is_fixed_base(const judgement *j, const ir_node *base) {
+static bool is_fixed_base(const loop_analysis *j, const ir_node *base) {
     if (expression_mentions(base, j->counted.counter))
         return false;
     return base->type && ir_type_is_scalar(base->type)
@@ -81,11 +81,11 @@ static bool is_fixed_base(const judgement *j, const ir_node *base) {
 
 /* Is the address of `row` computed before the loop without doing what the program would not have
  * done: by variables alone, or in each iteration anyway? */
-static bool is_safe_before(const judged_access *read, const ir_node *row) {
+static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
 }
 
-static bool can_be_spelled(const judgement *j, const ir_node *row) {
+static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
     return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
@@ -124,7 +124,7 @@ static bool subscripts_may_wrap(const ir_node *row, const ir_variable *counter) 
 /* The ends of a row that moves one way. In iterations that do not read it the subscript may be
  * anything: `x[t - 1]` where t is 0. Where that is likely and no condition on the counter says
  * which iterations these are, the inspector finds what is read (`can_be_told`). */
-static bool plan_affine(const judgement *j, const judged_access *read, bool can_be_told,
+static bool plan_affine(const loop_analysis *j, const loop_access *read, bool can_be_told,
                         source_plan *plan) {
     const ir_variable *counter = j->counted.counter;
     loop_source *item = &plan->source;
@@ -143,7 +143,7 @@ static bool plan_affine(const judgement *j, const judged_access *read, bool can_
 }
 
 /* Where the row lies is known before the inspection. */
-static bool plan_known(const judgement *j, const judged_access *read, bool can_be_told,
+static bool plan_known(const loop_analysis *j, const loop_access *read, bool can_be_told,
                        source_plan *plan) {
     row_address address;
     plan->is_possible = true;
@@ -155,7 +155,7 @@ static bool plan_known(const judgement *j, const judged_access *read, bool can_b
 }
 
 /* The inspector tells where the row lies. */
-static source_plan plan_touched(const judgement *j, const judged_access *read, loop_source item,
+static source_plan plan_touched(const loop_analysis *j, const loop_access *read, loop_source item,
                                 bool of_contents) {
     const ir_node *node = read->access.node;
     const ir_node *place = slice_place(j, node);
@@ -172,12 +172,12 @@ static source_plan plan_touched(const judgement *j, const judged_access *read, l
 
 /* *(T (*)[n])p: n elements behind a pointer (effects.c), of which some executions read the first
  * ones only. The object may end there. */
-static bool may_reach_beyond(const judged_access *read, const ir_node *row) {
+static bool may_reach_beyond(const loop_access *read, const ir_node *row) {
     return read->access.is_conditional && row->kind == IR_UNARY && row->type->kind == IR_ARRAY &&
            row->children[0]->kind == IR_CAST;
 }
 
-source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents) {
+source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents) {
     source_plan plan = {0};
     if (!read->access.lvalue || !read->access.is_exact || !read->where.base ||
         read->where.is_of_locale)
@@ -223,7 +223,7 @@ static const ir_node *result_variable(const ir_node *call, const ir_node **after
 
 /* The last element that a search reads: told by the variable that keeps the result, so that the
  * inspector need not search twice, or else by the call. */
-static bool plan_found(const judgement *j, const judged_access *read, source_plan *plan) {
+static bool plan_found(const loop_analysis *j, const loop_access *read, source_plan *plan) {
     const ir_node *after = NULL;
     const ir_node *variable = result_variable(read->access.node, &after);
     if (!variable || after->kind != IR_EXPRESSION)
@@ -236,7 +236,7 @@ static bool plan_found(const judgement *j, const judged_access *read, source_pla
     return slice_can_tell(j, &plan->source, read->access.node, after);
 }
 
-static bool plan_search_end(const judgement *j, const judged_access *read, const ir_node *row,
+static bool plan_search_end(const loop_analysis *j, const loop_access *read, const ir_node *row,
                             source_plan *plan) {
     const ir_node *base = read->where.base;
     const ir_node *place = slice_place(j, read->access.node);
@@ -251,7 +251,7 @@ static bool plan_search_end(const judgement *j, const judged_access *read, const
     return plan->is_possible;
 }
 
-bool source_plans_of_search(const judgement *j, const judged_access *read, source_plan *first,
+bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last) {
     const ir_node *base = read->where.base;
     const ir_node *call = read->access.node;
@@ -275,7 +275,7 @@ bool source_plans_of_search(const judgement *j, const judged_access *read, sourc
 
 /* A variable of the iteration, or one that no pointer leads to: nothing in the loop changes it
  * behind the text. */
-static bool is_unreachable(const judgement *j, const location *where) {
+static bool is_unreachable(const loop_analysis *j, const location *where) {
     const ir_variable *object = where->object;
     if (!object || !variable_is_automatic(object) || object->function != j->function)
         return false;
@@ -307,7 +307,7 @@ static bool is_read_by(const ir_node *lvalue, const ir_node *expression) {
 
 /* Does the update read the element, as what it is, before it writes it? Then the element is of that
  * type already, and nothing that is read before as another. */
-static bool reads_first(const judgement *j, const access *update) {
+static bool reads_first(const loop_analysis *j, const access *update) {
     const update_form *form = &update->form;
     if (update->kind == ACCESS_UPDATE && form->has_operator)
         return true;
@@ -324,10 +324,10 @@ static bool reads_first(const judgement *j, const access *update) {
 }
 
 /* Against every update of the array: they may be of different fields. */
-static overlap overlap_with_array(const judgement *j, const judged_access *read, unsigned array) {
+static overlap overlap_with_array(const loop_analysis *j, const loop_access *read, unsigned array) {
     overlap worst = OVERLAP_NO;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *update = &j->accesses[i];
+        const loop_access *update = &j->accesses[i];
         if (update->class != CLASS_REDUCTION || update->array != array)
             continue;
         overlap meets = reads_first(j, &update->access)
@@ -339,31 +339,31 @@ static overlap overlap_with_array(const judgement *j, const judged_access *read,
     return worst;
 }
 
-static bool refuse_callee(judgement *j, const judged_access *read) {
-    const char *what = read->access.lvalue ? judgement_name(j, read->access.lvalue) : NULL;
+static bool refuse_callee(loop_analysis *j, const loop_access *read) {
+    const char *what = read->access.lvalue ? analysis_name(j, read->access.lvalue) : NULL;
     const char *name = what ? arena_format(j->an->memory, "'%s', by its read of '%s',",
                                            read->access.callee->name, what)
                             : arena_format(j->an->memory, "'%s', by a pointer not followed,",
                                            read->access.callee->name);
-    return judgement_refuse(j, REASON_CALLEE_READS, read->access.node, name);
+    return analysis_refuse(j, REASON_CALLEE_READS, read->access.node, name);
 }
 
-static bool refuse_overlap(judgement *j, const judged_access *read, const judged_array *array) {
+static bool refuse_overlap(loop_analysis *j, const loop_access *read, const loop_array *array) {
     if (read->access.callee)
         return refuse_callee(j, read);
-    return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
+    return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, array->array.name);
 }
 
 /* The extent can be told, or the loop is refused. */
-static bool judge_guard(judgement *j, judged_access *read) {
+static bool check_guard(loop_analysis *j, loop_access *read) {
     if (source_plan_of(j, read, false).is_possible) {
         read->needs_guard = true;
         return true;
     }
     if (read->access.callee)
         return refuse_callee(j, read);
-    return judgement_refuse(j, REASON_MAY_ALIAS, read->access.node,
-                            judgement_name(j, read->access.lvalue));
+    return analysis_refuse(j, REASON_MAY_ALIAS, read->access.node,
+                           analysis_name(j, read->access.lvalue));
 }
 
 static bool hangs_on(const location *a, const location *b) {
@@ -374,8 +374,8 @@ static bool hangs_on(const location *a, const location *b) {
 
 /* rows[i][c] read and rows[k][c] updated: the rows are those of one table, and lie in each other's
  * way at least where i == k. */
-static bool is_of_same_table(const judgement *j, const judged_access *read,
-                             const judged_array *array) {
+static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
+                             const loop_array *array) {
     const ir_node *x = read->where.pointer, *y = array->where.pointer;
     if (!array->array.is_scattered || !x || !y || x->kind != y->kind ||
         (x->kind == IR_MEMBER && x->field != y->field))
@@ -384,9 +384,9 @@ static bool is_of_same_table(const judgement *j, const judged_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-bool judge_sources(judgement *j) {
+bool check_sources(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        judged_access *read = &j->accesses[i];
+        loop_access *read = &j->accesses[i];
         if (read->access.kind != ACCESS_READ || read->class == CLASS_SELF ||
             read->class == CLASS_FORWARDED)
             continue;
@@ -397,7 +397,7 @@ bool judge_sources(judgement *j) {
         read->class = CLASS_SHARED;
         bool needs_guard = false;
         for (unsigned k = 0; k < j->arrays.count; k++) {
-            judged_array *array = &j->arrays.items[k];
+            loop_array *array = &j->arrays.items[k];
             overlap meets = overlap_with_array(j, read, k);
             if (meets == OVERLAP_SAME ||
                 (meets == OVERLAP_MAYBE && is_of_same_table(j, read, array)))
@@ -406,7 +406,7 @@ bool judge_sources(judgement *j) {
                 array->array.is_interleaved = true; /* another field, read through the same base */
             needs_guard |= meets == OVERLAP_MAYBE && !read->access.is_presumed;
         }
-        if (needs_guard && !judge_guard(j, read))
+        if (needs_guard && !check_guard(j, read))
             return false;
     }
     return true;

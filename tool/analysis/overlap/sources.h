@@ -3,7 +3,7 @@
 #ifndef ANALYSIS_SOURCES_H
 #define ANALYSIS_SOURCES_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 typedef struct source_plan {
     bool is_possible; /* its extent can be told */
@@ -12,14 +12,14 @@ typedef struct source_plan {
 
 /** How the extent of a read access can be told. `of_contents`: bytes that are not really read must
  *  not be in it either, since they will be compared. */
-source_plan source_plan_of(const judgement *j, const judged_access *read, bool of_contents);
+source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool of_contents);
 
 /** The first and the last element that a look-up reads of a row, where access.to is set: all
  *  between is read as well. */
-bool source_plans_of_search(const judgement *j, const judged_access *read, source_plan *first,
+bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last);
 
 /** Reads against arrays: apart, guarded, or refused; the sources of the loop. */
-bool judge_sources(judgement *j);
+bool check_sources(loop_analysis *j);
 
 #endif

@@ -12,7 +12,7 @@
 #include "analysis/loop/variation.h"
 #include "analysis/private/live.h"
 
-static bool is_executed_once(const judgement *j, const ir_node *write) {
+static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
     if (ir_contains(j->counted.body, write))
         return executed_in_each(j, write);
     return j->loop->kind == IR_FOR && ir_contains(j->loop->children[2], write) &&
@@ -24,7 +24,7 @@ static bool is_integer(const ir_type *type) {
            !type->is_atomic;
 }
 
-static bool is_of_function(const judgement *j, const ir_variable *variable) {
+static bool is_of_function(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable->function == j->function && !variable->address_taken &&
@@ -32,7 +32,7 @@ static bool is_of_function(const judgement *j, const ir_variable *variable) {
 }
 
 /* What the header sets the variable to when the loop begins; NULL: nothing. */
-static const ir_node *start_of(const judgement *j, const ir_variable *variable) {
+static const ir_node *start_of(const loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->counted.start_count; i++)
         if (j->counted.starts[i]->children[0]->variable == variable)
             return j->counted.starts[i];
@@ -40,7 +40,7 @@ static const ir_node *start_of(const judgement *j, const ir_variable *variable) 
 }
 
 /* Of numbers and local variables that nothing but the text can change, and the loop does not. */
-static bool is_steady(const judgement *j, const ir_node *node) {
+static bool is_steady(const loop_analysis *j, const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return is_integer(node->type) && variable_is_automatic(node->variable) &&
                !node->variable->address_taken && !node->variable->has_other_name &&
@@ -56,8 +56,8 @@ static bool is_steady(const judgement *j, const ir_node *node) {
 }
 
 /* v += e, v -= e, v = v + e, with an e that stays: what is added; NULL: it is none of these. */
-static const ir_node *steady_step(const judgement *j, const ir_node *write, const ir_variable *v,
-                                  bool *is_down) {
+static const ir_node *steady_step(const loop_analysis *j, const ir_node *write,
+                                  const ir_variable *v, bool *is_down) {
     if (write->kind != IR_ASSIGN || write->children[0]->kind != IR_VARIABLE ||
         write->children[0]->variable != v)
         return NULL;
@@ -77,7 +77,7 @@ static const ir_node *steady_step(const judgement *j, const ir_node *write, cons
 
 /* The sum of all steps in the loop, at most one of which is no constant; false: there is another
  * write. */
-static bool sum_steps(const judgement *j, const ir_variable *variable, private_variable *item) {
+static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     int64_t sum = 0;
     for (unsigned i = 0; i < fact->writes.count; i++) {
@@ -97,14 +97,14 @@ static bool sum_steps(const judgement *j, const ir_variable *variable, private_v
     return sum <= INT32_MAX && sum >= -(int64_t)INT32_MAX;
 }
 
-static bool is_taken(const judgement *j, const ir_variable *variable) {
+static bool is_taken(const loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->privates.count; i++)
         if (j->privates.items[i].variable == variable)
             return true;
     return false;
 }
 
-bool induction_take(judgement *j, const ir_variable *variable) {
+bool induction_take(loop_analysis *j, const ir_variable *variable) {
     const ir_node *start = start_of(j, variable);
     private_variable item = {.variable = (ir_variable *)variable,
                              .entry = start ? start->children[1] : NULL,
@@ -120,21 +120,21 @@ bool induction_take(judgement *j, const ir_variable *variable) {
     return true;
 }
 
-static bool take_steps(judgement *j, const ir_node *part) {
+static bool take_steps(loop_analysis *j, const ir_node *part) {
     const ir_node *target = expression_written(part);
     if (target && !(target->kind == IR_VARIABLE && target->variable == j->counted.counter) &&
         (target->kind != IR_VARIABLE || !induction_take(j, target->variable)))
-        return judgement_refuse(j, REASON_SCALAR_CARRIED, part, judgement_name(j, target));
+        return analysis_refuse(j, REASON_SCALAR_CARRIED, part, analysis_name(j, target));
     for (unsigned i = 0; i < part->child_count; i++)
         if (!take_steps(j, part->children[i]))
             return false;
     return true;
 }
 
-bool judge_header_steps(judgement *j) {
+bool check_header_steps(loop_analysis *j) {
     for (unsigned i = 0; i < j->counted.start_count; i++)
         if (!induction_take(j, j->counted.starts[i]->children[0]->variable))
-            return judgement_refuse(j, REASON_SCALAR_CARRIED, j->counted.starts[i],
-                                    j->counted.starts[i]->children[0]->variable->name);
+            return analysis_refuse(j, REASON_SCALAR_CARRIED, j->counted.starts[i],
+                                   j->counted.starts[i]->children[0]->variable->name);
     return j->loop->kind != IR_FOR || take_steps(j, j->loop->children[2]);
 }

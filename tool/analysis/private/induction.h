@@ -3,14 +3,14 @@
 #ifndef ANALYSIS_INDUCTION_H
 #define ANALYSIS_INDUCTION_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Is the variable moved by one constant in each iteration: by `v++`, `v += c` and the like alone,
  *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
  *  the value that it has when an iteration begins; false: not, and nothing is changed. */
-bool induction_take(judgement *j, const ir_variable *variable);
+bool induction_take(loop_analysis *j, const ir_variable *variable);
 
 /** Takes what the header steps beside the counter: for (...; i++, q += 3). False: refused. */
-bool judge_header_steps(judgement *j);
+bool check_header_steps(loop_analysis *j);
 
 #endif

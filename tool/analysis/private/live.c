@@ -16,7 +16,7 @@ typedef enum first_use {
 
 typedef struct search {
     const ir_variable *variable;
-    const ir_node *loop; /* the judged one: its body reads nothing of before it */
+    const ir_node *loop; /* the analysed one: its body reads nothing of before it */
     bool may_jump;       /* a break or continue was met: later writes may be jumped over */
 } search;
 
@@ -140,7 +140,7 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
     return false;
 }
 
-/* Once more around an enclosing loop, from its increment and condition to the judged loop. */
+/* Once more around an enclosing loop, from its increment and condition to the analysed loop. */
 static first_use use_around(search *s, const ir_node *enclosing) {
     first_use use = USE_NONE;
     if (enclosing->kind == IR_FOR)
@@ -150,7 +150,7 @@ static first_use use_around(search *s, const ir_node *enclosing) {
     const ir_node *body = enclosing->children[enclosing->kind == IR_FOR     ? 3
                                               : enclosing->kind == IR_WHILE ? 1
                                                                             : 0];
-    /* All of the body counts, also what stands after the judged loop: on the safe side. */
+    /* All of the body counts, also what stands after the analysed loop: on the safe side. */
     return in_sequence(use, use_of(s, body));
 }
 

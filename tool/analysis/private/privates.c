@@ -17,7 +17,7 @@ static bool is_statement(const ir_node *write, const ir_variable *variable) {
 }
 
 /* Is every assignment in the loop such a statement? */
-static bool is_assigned_by_statements(const judgement *j, const ir_variable *variable) {
+static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable *variable) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
     if (!ir_type_is_scalar(variable->type) || variable->type->is_volatile ||
         variable->type->is_atomic)
@@ -29,22 +29,22 @@ static bool is_assigned_by_statements(const judgement *j, const ir_variable *var
     return true;
 }
 
-static bool judge_last_value(judgement *j, private_variable *item) {
+static bool check_last_value(loop_analysis *j, private_variable *item) {
     const ir_variable *variable = item->variable;
     if (item->is_declared_inside || item->is_stepped)
         return true;
     if (variable_escapes(j->an->facts, variable))
-        return judgement_refuse(j, REASON_ESCAPES, j->loop, variable->name);
+        return analysis_refuse(j, REASON_ESCAPES, j->loop, variable->name);
     if (!variable_is_live_after(j->an->facts, j->loop, variable))
         return true;
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     item->is_live_after = result.assigned_at_end;
     item->is_last_sought = !result.assigned_at_end && is_assigned_by_statements(j, variable);
     return item->is_live_after || item->is_last_sought ||
-           judgement_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
+           analysis_refuse(j, REASON_LAST_VALUE, j->loop, variable->name);
 }
 
-static bool is_known(const judgement *j, const ir_variable *variable) {
+static bool is_known(const loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->captured.count; i++)
         if (j->captured.items[i] == variable)
             return true;
@@ -72,7 +72,7 @@ static bool names_constant_address(const ir_node *node) {
 
 /* Of a record or scalar that the loop only reads each thread may have a copy, unless the loop asks
  * for its address: `if (entry[t] == &deleted)`. */
-static bool may_be_copied(const judgement *j, const ir_variable *variable) {
+static bool may_be_copied(const loop_analysis *j, const ir_variable *variable) {
     if (variable_written_in(j->an->facts, j->loop, variable) ||
         (!variable_is_automatic(variable) && names_constant_address(j->loop)))
         return false;
@@ -82,18 +82,18 @@ static bool may_be_copied(const judgement *j, const ir_variable *variable) {
 }
 
 /* The address of this thread's own object, which other threads would not name by it. */
-static bool takes_thread_local_address(const judgement *j, const ir_variable *variable) {
+static bool takes_thread_local_address(const loop_analysis *j, const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL && ir_type_is_scalar(variable->type) &&
            variable_written_in(j->an->facts, j->loop, variable);
 }
 
 static bool capture(ir_node *node, void *context) {
-    judgement *j = context;
+    loop_analysis *j = context;
     ir_variable *variable = node->variable;
     if (node->kind != IR_VARIABLE || !variable || is_known(j, variable))
         return true;
     if (takes_thread_local_address(j, variable))
-        return judgement_refuse(j, REASON_THREAD_LOCAL, node, variable->name);
+        return analysis_refuse(j, REASON_THREAD_LOCAL, node, variable->name);
     if (!may_be_copied(j, variable))
         return true;
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
@@ -102,9 +102,9 @@ static bool capture(ir_node *node, void *context) {
     return true;
 }
 
-bool judge_privates(judgement *j) {
+bool check_privates(loop_analysis *j) {
     for (unsigned i = 0; i < j->privates.count; i++)
-        if (!judge_last_value(j, &j->privates.items[i]))
+        if (!check_last_value(j, &j->privates.items[i]))
             return false;
     ir_walk((ir_node *)j->counted.body, capture, j);
     ir_walk((ir_node *)j->counted.bound, capture, j);

@@ -3,9 +3,9 @@
 #ifndef ANALYSIS_PRIVATES_H
 #define ANALYSIS_PRIVATES_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Proves what is left to the privates: not carried, last values. */
-bool judge_privates(judgement *j);
+bool check_privates(loop_analysis *j);
 
 #endif

@@ -6,8 +6,8 @@
  * - nothing else that the loop writes can be that element: by proof, for the guards of the run time
  *   compare what is read with each array, this one included;
  * - it is in the text, where another name can be put in its place.
- * What other expressions read of the array is judged as ever: the same memory refuses the loop, and
- * what may be the same is guarded.
+ * What other expressions read of the array is analysed as ever: the same memory refuses the loop,
+ * and what may be the same is guarded.
  */
 #include "analysis/reduction/forward.h"
 
@@ -34,7 +34,7 @@ static bool is_simple_subscript(const ir_node *node) {
 }
 
 /* o[t], s->o[t].x, o[t][c]: only its subscripts change from one place to another. That the pointers
- * on the way stay is judged of each array's base. */
+ * on the way stay is analysed of each array's base. */
 static bool is_simple_element(const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
@@ -49,7 +49,7 @@ static bool is_simple_element(const ir_node *node) {
 }
 
 /* Does anything at or below the node assign a variable of the subscripts? */
-static bool moves(const judgement *j, const ir_node *element, const ir_node *node) {
+static bool moves(const loop_analysis *j, const ir_node *element, const ir_node *node) {
     if (element->kind == IR_VARIABLE && ir_type_is_scalar(element->type) &&
         variable_written_in(j->an->facts, node, element->variable))
         return true;
@@ -69,7 +69,7 @@ static bool has_entry(const ir_node *node) {
     return false;
 }
 
-static const ir_node *value_of(const judged_access *store) {
+static const ir_node *value_of(const loop_access *store) {
     const ir_node *assignment = store->access.lvalue->parent;
     return assignment && assignment->kind == IR_ASSIGN && assignment->op == IR_OP_NONE &&
                    assignment->children[0] == store->access.lvalue
@@ -79,7 +79,7 @@ static const ir_node *value_of(const judged_access *store) {
 
 /* The statement, in a block whose statements from there on are all passed in order, and leave the
  * element's address as it is; or NULL. */
-static const ir_node *statement_of(const judgement *j, const judged_access *store) {
+static const ir_node *statement_of(const loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = value_of(store) ? target->parent->parent : NULL;
     if (store->access.callee || store->access.kind != ACCESS_WRITE || !statement ||
@@ -106,16 +106,16 @@ static bool is_below(const ir_node *statement, const ir_node *node) {
 }
 
 /* A read that may take the value stored. */
-static bool is_taker(const judged_access *read, const ir_node *statement, const ir_node *target) {
+static bool is_taker(const loop_access *read, const ir_node *statement, const ir_node *target) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
            read->access.lvalue == read->access.node && read->access.is_exact &&
            expression_same(read->access.lvalue, target) && is_below(statement, read->access.node);
 }
 
 /* Is each access that may be of the element a taker, or the store itself? */
-static bool is_alone(const judgement *j, const judged_access *store, const ir_node *statement) {
+static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other == store || is_taker(other, statement, store->access.lvalue))
             continue;
         const overlap meets = locations_overlap(&j->an->rules, &other->where, &store->where);
@@ -127,8 +127,8 @@ static bool is_alone(const judgement *j, const judged_access *store, const ir_no
 
 /* Does the expression stand for nothing but the value wherever it is written: not for an address,
  * and only where it is known to be read? */
-static bool is_read_everywhere(const judgement *j, const ir_node *statement, const ir_node *target,
-                               const ir_node *node) {
+static bool is_read_everywhere(const loop_analysis *j, const ir_node *statement,
+                               const ir_node *target, const ir_node *node) {
     if (node != target && expression_same(node, target)) {
         for (unsigned i = 0; i < j->access_count; i++)
             if (j->accesses[i].access.node == node && is_taker(&j->accesses[i], statement, target))
@@ -141,7 +141,7 @@ static bool is_read_everywhere(const judgement *j, const ir_node *statement, con
     return true;
 }
 
-bool forward_take(judgement *j, const judged_access *store) {
+bool forward_take(loop_analysis *j, const loop_access *store) {
     const ir_node *target = store->access.lvalue;
     const ir_node *statement = statement_of(j, store);
     if (!statement || !is_alone(j, store, statement) ||
@@ -155,7 +155,7 @@ bool forward_take(judgement *j, const judged_access *store) {
     return true;
 }
 
-int forward_read(const judgement *j, const ir_node *node) {
+int forward_read(const loop_analysis *j, const ir_node *node) {
     for (unsigned i = 0; i < j->forwards.count; i++)
         if (node != j->forwards.items[i].target &&
             expression_same(node, j->forwards.items[i].target))

@@ -10,13 +10,13 @@
 #ifndef ANALYSIS_FORWARD_H
 #define ANALYSIS_FORWARD_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Can all other reads of what `store` writes (a plain store in the loop's text) take the value?
  *  Then they get CLASS_FORWARDED, and the store is noted in j->forwards. */
-bool forward_take(judgement *j, const judged_access *store);
+bool forward_take(loop_analysis *j, const loop_access *store);
 
 /** The stored value that this node of the loop stands for: its number in j->forwards; or -1. */
-int forward_read(const judgement *j, const ir_node *node);
+int forward_read(const loop_analysis *j, const ir_node *node);
 
 #endif

@@ -46,8 +46,8 @@ static const ir_node *plain_assignment(const ir_node *statement) {
 }
 
 /* One of the statements under the condition: s = e, or at = i. */
-static bool take_statement(const judgement *j, const ir_node *condition, const ir_node *statement,
-                           scalar_update *found) {
+static bool take_statement(const loop_analysis *j, const ir_node *condition,
+                           const ir_node *statement, scalar_update *found) {
     const ir_node *assignment = plain_assignment(statement);
     if (!assignment)
         return false;
@@ -65,7 +65,7 @@ static bool take_statement(const judgement *j, const ir_node *condition, const i
 }
 
 /* if (e > s) { s = e; at = i; } */
-static bool is_choice(const judgement *j, const ir_node *choice, scalar_update *found) {
+static bool is_choice(const loop_analysis *j, const ir_node *choice, scalar_update *found) {
     const ir_node *then = choice->children[1];
     if (choice->child_count != 2)
         return false;
@@ -82,7 +82,7 @@ static bool has_strict_order(const scalar_update *found) {
 }
 
 /* At most once in each iteration. */
-static bool is_outside_inner_loops(const judgement *j, const ir_node *statement) {
+static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || ir_is_loop(outer))
             return false;
@@ -93,7 +93,7 @@ static bool is_plain_type(const ir_type *type) {
     return !type->is_volatile && !type->is_atomic;
 }
 
-static bool is_fit(const judgement *j, scalar_update *found) {
+static bool is_fit(const loop_analysis *j, scalar_update *found) {
     const ir_variable *s = found->variable;
     const ir_node *value = found->value;
     if (!value->type || !ir_type_equal(value->type, s->type) || !is_plain_type(s->type) ||
@@ -108,7 +108,7 @@ static bool is_fit(const judgement *j, scalar_update *found) {
     return !found->is_conditional || has_strict_order(found);
 }
 
-bool scalar_extremum_of(const judgement *j, const ir_node *assignment, scalar_update *found) {
+bool scalar_extremum_of(const loop_analysis *j, const ir_node *assignment, scalar_update *found) {
     const ir_node *statement = assignment->parent;
     *found = (scalar_update){.statement = statement, .is_extremum = true};
     if (!statement || plain_assignment(statement) != assignment)

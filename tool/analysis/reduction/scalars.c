@@ -77,17 +77,17 @@ static bool is_executed_once(const ir_node *loop) {
 }
 
 /* At most once in each iteration. */
-static bool is_outside_inner_loops(const judgement *j, const ir_node *statement) {
+static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
         if (!outer || (ir_is_loop(outer) && !is_executed_once(outer)))
             return false;
     return true;
 }
 
-static bool has_other_write(const judgement *j, const ir_node *statement,
-                            const judged_access *write) {
+static bool has_other_write(const loop_analysis *j, const ir_node *statement,
+                            const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other != write && other->access.kind != ACCESS_READ &&
             ir_contains(statement, other->access.node))
             return true;
@@ -95,15 +95,15 @@ static bool has_other_write(const judgement *j, const ir_node *statement,
     return false;
 }
 
-static bool is_declared_within(const judgement *j, const ir_variable *variable) {
+static bool is_declared_within(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     return variable->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator));
 }
 
 /* Every access to the variable in the statement is the update's own. */
-static void mark_own(judgement *j, const ir_node *statement, const ir_variable *variable) {
+static void mark_own(loop_analysis *j, const ir_node *statement, const ir_variable *variable) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        judged_access *a = &j->accesses[i];
+        loop_access *a = &j->accesses[i];
         if (!a->access.callee && a->access.lvalue &&
             expression_is_variable(a->access.lvalue, variable) &&
             ir_contains(statement, a->access.node))
@@ -111,7 +111,7 @@ static void mark_own(judgement *j, const ir_node *statement, const ir_variable *
     }
 }
 
-static bool take_extremum(judgement *j, const ir_node *assignment) {
+static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     scalar_update found;
     if (!scalar_extremum_of(j, assignment, &found) || !find_operand_type(&found) ||
         found.statement->range.begin >= found.statement->range.end ||
@@ -128,7 +128,7 @@ static bool take_extremum(judgement *j, const ir_node *assignment) {
     return true;
 }
 
-bool scalar_take_update(judgement *j, judged_access *write) {
+bool scalar_take_update(loop_analysis *j, loop_access *write) {
     const ir_node *target = write->access.lvalue;
     if (write->access.callee || !target || target->kind != IR_VARIABLE || !target->parent)
         return false;
@@ -149,7 +149,7 @@ bool scalar_take_update(judgement *j, judged_access *write) {
         return false;
     found.is_conditional = write->access.is_conditional || found.is_repeated;
     for (unsigned i = 0; i < j->access_count; i++) {
-        judged_access *read = &j->accesses[i];
+        loop_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
             expression_is_variable(read->access.lvalue, s) &&
             ir_contains(statement, read->access.node))
@@ -160,7 +160,7 @@ bool scalar_take_update(judgement *j, judged_access *write) {
     return true;
 }
 
-static bool is_own_access(const judged_access *a, const ir_variable *s) {
+static bool is_own_access(const loop_access *a, const ir_variable *s) {
     return a->class == CLASS_SELF && a->access.lvalue &&
            expression_is_variable(a->access.lvalue, s);
 }
@@ -172,48 +172,48 @@ static bool commute(ir_operator a, ir_operator b) {
 }
 
 /* What an iteration puts together must commute with all else that is done to the scalar. */
-static bool judge_repeated(judgement *j, const scalar_update *repeated) {
+static bool check_repeated(loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
         if (other->variable == repeated->variable && !commute(other->op, repeated->op))
-            return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
-                                    other->variable->name);
+            return analysis_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+                                   other->variable->name);
     }
     return true;
 }
 
 /* A conditional extremum is all that happens to its scalar, or the value that stands for none could
  * be behind it. */
-static bool judge_extremum(judgement *j, const scalar_update *extremum) {
+static bool check_extremum(loop_analysis *j, const scalar_update *extremum) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
         if (other->variable == extremum->variable &&
             (!other->is_extremum || other->is_negated || other->op != extremum->op))
-            return judgement_refuse(j, REASON_SCALAR_CARRIED, other->statement,
-                                    other->variable->name);
+            return analysis_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+                                   other->variable->name);
     }
     return true;
 }
 
 /* Is the variable touched by nothing else than updates of it, or the place by one? */
-static bool is_alone(judgement *j, const scalar_update *update, ir_variable *variable) {
+static bool is_alone(loop_analysis *j, const scalar_update *update, ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *a = &j->accesses[i];
+        const loop_access *a = &j->accesses[i];
         const bool is_own =
             is_own_access(a, variable) &&
             (variable != update->place || ir_contains(update->statement, a->access.node));
         if (!is_own && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-            return judgement_refuse(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
+            return analysis_refuse(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
     }
     return true;
 }
 
-bool judge_scalars(judgement *j) {
+bool check_scalars(loop_analysis *j) {
     for (unsigned k = 0; k < j->scalars.count; k++) {
         const scalar_update *update = &j->scalars.items[k];
-        if ((update->is_repeated && !judge_repeated(j, update)) ||
-            (update->is_extremum && update->is_conditional && !judge_extremum(j, update)) ||
+        if ((update->is_repeated && !check_repeated(j, update)) ||
+            (update->is_extremum && update->is_conditional && !check_extremum(j, update)) ||
             !is_alone(j, update, update->variable) ||
             (update->place && !is_alone(j, update, update->place)))
             return false;

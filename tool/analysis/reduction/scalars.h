@@ -3,13 +3,14 @@
 #ifndef ANALYSIS_SCALARS_H
 #define ANALYSIS_SCALARS_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Takes the write as an update of a scalar whose operands are kept for each iteration and applied
  *  in order after the loop. False: it is none; nothing is changed. */
-bool scalar_take_update(judgement *j, judged_access *write);
+bool scalar_take_update(loop_analysis *j, loop_access *write);
 
-/** To be asked when all writes are judged: nothing else of the loop reads or writes the scalars. */
-bool judge_scalars(judgement *j);
+/** To be asked when all writes are analysed: nothing else of the loop reads or writes the scalars.
+ */
+bool check_scalars(loop_analysis *j);
 
 #endif

@@ -9,7 +9,7 @@
 
 /* row[1] or p->x, with double *row = b[k] or p = &b[k] in the loop: found through the definition.
  */
-bool update_is_by_local_pointer(const judgement *j, const judged_access *update) {
+bool update_is_by_local_pointer(const loop_analysis *j, const loop_access *update) {
     const ir_node *target = update->access.form.target;
     const ir_node *base = update->where.base;
     const ir_variable *root = ir_root_variable(target);
@@ -17,7 +17,7 @@ bool update_is_by_local_pointer(const judgement *j, const judged_access *update)
            root->type->kind == IR_POINTER && variable_single_definition(j->an->facts, root);
 }
 
-static bool stays(const judgement *j, const ir_node *base) {
+static bool stays(const loop_analysis *j, const ir_node *base) {
     return base->type && base->type->kind == IR_ARRAY
                ? variation_is_fixed(j->an->facts, j->loop, base)
                : variation_is_invariant(j->an->facts, j->loop, base);
@@ -25,10 +25,10 @@ static bool stays(const judgement *j, const ir_node *base) {
 
 /* A table of the function's own into which the loop stores pointers: each iteration may have its
  * own, computed from what is not compared when a plan is used again. */
-static bool is_filled_here(const judgement *j, const ir_node *table) {
+static bool is_filled_here(const loop_analysis *j, const ir_node *table) {
     const ir_variable *root = ir_root_variable(table);
     for (unsigned i = 0; root && variable_is_automatic(root) && i < j->access_count; i++) {
-        const judged_access *a = &j->accesses[i];
+        const loop_access *a = &j->accesses[i];
         const ir_type *type = a->access.type ? ir_type_innermost(a->access.type) : NULL;
         const bool may_be_pointer =
             !type || (type->kind != IR_INTEGER && type->kind != IR_FLOATING) || type->size == 1;
@@ -38,7 +38,7 @@ static bool is_filled_here(const judgement *j, const ir_node *table) {
     return false;
 }
 
-const ir_node *update_table_of(const judgement *j, const ir_node *base) {
+const ir_node *update_table_of(const loop_analysis *j, const ir_node *base) {
     enum { MOST_POINTERS = 8 };
     const ir_node *table = base;
     for (unsigned i = 0; table && i <= MOST_POINTERS; i++) {
@@ -57,20 +57,20 @@ const ir_node *update_table_of(const judgement *j, const ir_node *base) {
 /* The elements are found anew in each iteration, through pointers out of a table that stays.
  * What is written there is asked for by its address; nothing of it is evaluated before the
  * loop. */
-static bool judge_table(judgement *j, const ir_node *base, const ir_node *target,
+static bool check_table(loop_analysis *j, const ir_node *base, const ir_node *target,
                         const char *name) {
     const ir_node *table = update_table_of(j, base);
     if (!table)
-        return judgement_refuse(
-            j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES, target, name);
+        return analysis_refuse(j, base->kind == IR_INDEX ? REASON_ROW_POINTERS : REASON_BASE_VARIES,
+                               target, name);
     if (!ir_type_is_scalar(target->type)) /* an owner might have a part of it only */
-        return judgement_refuse(j, REASON_ROW_POINTERS, target, name);
+        return analysis_refuse(j, REASON_ROW_POINTERS, target, name);
     return true;
 }
 
 /* h[0]++ beside h[k]++: one element of an array that is updated by subscripts as well. A store of
  * the same element in each iteration is worth a loop of its own. */
-static bool is_updated_besides(const judgement *j, const judged_access *update) {
+static bool is_updated_besides(const loop_analysis *j, const loop_access *update) {
     for (unsigned i = 0; i < j->arrays.count; i++)
         if (update->access.kind == ACCESS_UPDATE &&
             expression_same(j->arrays.items[i].array.base, update->where.base) &&
@@ -79,27 +79,27 @@ static bool is_updated_besides(const judgement *j, const judged_access *update) 
     return false;
 }
 
-bool update_judge_base(judgement *j, const judged_access *update, const char *name) {
+bool update_check_base(loop_analysis *j, const loop_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const location *where = &update->where;
     if (where->is_punned)
-        return judgement_refuse(j, REASON_TYPE_PUNNED, target, name);
+        return analysis_refuse(j, REASON_TYPE_PUNNED, target, name);
     if (!where->base || where->base == target || (!where->object && !where->pointer) ||
         (!ir_contains(target, where->base) && !update_is_by_local_pointer(j, update)))
-        return judgement_refuse(j, REASON_BASE_VARIES, target, name);
+        return analysis_refuse(j, REASON_BASE_VARIES, target, name);
     if (!stays(j, where->base))
         return where->base->kind == IR_INDEX || where->base->kind == IR_MEMBER
-                   ? judge_table(j, where->base, target, name)
-                   : judgement_refuse(j, REASON_BASE_VARIES, where->base, name);
+                   ? check_table(j, where->base, target, name)
+                   : analysis_refuse(j, REASON_BASE_VARIES, where->base, name);
     if (!base_can_be_read_before(j, where->base))
-        return judgement_refuse(j, REASON_BASE_CONDITIONAL, where->base, name);
+        return analysis_refuse(j, REASON_BASE_CONDITIONAL, where->base, name);
     const ir_type *type = where->base->type;
     if (!type || (type->kind != IR_POINTER && type->kind != IR_ARRAY))
-        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+        return analysis_refuse(j, REASON_SCALAR_CARRIED, target, name);
     if (type->is_volatile || type->is_atomic)
-        return judgement_refuse(j, REASON_VOLATILE, target, name);
+        return analysis_refuse(j, REASON_VOLATILE, target, name);
     if (variation_is_fixed(j->an->facts, j->loop, target) && !is_updated_besides(j, update))
-        return judgement_refuse(j, REASON_SCALAR_CARRIED, target, name);
+        return analysis_refuse(j, REASON_SCALAR_CARRIED, target, name);
     return true;
 }
 
@@ -114,13 +114,13 @@ const ir_node *update_base_of(const ir_node *target, const ir_node *base) {
 /* ---- the arrays -----------------------------------------------------------------------------
  */
 
-static bool add_array(judgement *j, const judged_access *update, update_kind kind,
+static bool add_array(loop_analysis *j, const loop_access *update, update_kind kind,
                       unsigned *number) {
     const ir_node *target = update->access.form.target;
     const ir_node *table = update_table_of(j, update->where.base);
     const ir_node *base = table ? table : update->where.base;
     for (unsigned i = 0; i < j->arrays.count; i++) {
-        judged_array *known = &j->arrays.items[i];
+        loop_array *known = &j->arrays.items[i];
         if (known->array.is_scattered != (table != NULL) ||
             !expression_same(known->array.base, base))
             continue;
@@ -129,13 +129,13 @@ static bool add_array(judgement *j, const judged_access *update, update_kind kin
         bool other_type = !ir_type_equal(known->array.element, update->access.type);
         bool differs = known->array.op != kind.op || other_type;
         if (meets != OVERLAP_NO && other_type)
-            return judgement_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
+            return analysis_refuse(j, REASON_TYPE_PUNNED, target, known->array.name);
         known->array.order_is_kept |= kind.needs_order || (meets != OVERLAP_NO && differs);
         known->array.is_interleaved |= differs;
         *number = i;
         return true;
     }
-    judged_array item = {.where = update->where, .first = target};
+    loop_array item = {.where = update->where, .first = target};
     item.array = (reduction_array){.base = base,
                                    .name = expression_text(j->an->memory, base),
                                    .element = update->access.type,
@@ -149,29 +149,28 @@ static bool add_array(judgement *j, const judged_access *update, update_kind kin
 
 /* Against the array's other updates: add_array compared with the first only, which may be of
  * another field. */
-static bool judge_neighbours(judgement *j, const judged_access *update, update_kind kind,
-                             judged_array *array, unsigned number) {
+static bool check_neighbours(loop_analysis *j, const loop_access *update, update_kind kind,
+                             loop_array *array, unsigned number) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other->class != CLASS_REDUCTION || other->array != number ||
             locations_overlap(&j->an->rules, &other->where, &update->where) == OVERLAP_NO)
             continue;
         if (!ir_type_equal(other->where.type, update->where.type))
-            return judgement_refuse(j, REASON_TYPE_PUNNED, update->access.lvalue,
-                                    array->array.name);
+            return analysis_refuse(j, REASON_TYPE_PUNNED, update->access.lvalue, array->array.name);
         if (other->op != kind.op)
             array->array.order_is_kept = true;
     }
     return true;
 }
 
-bool update_array_find(judgement *j, const judged_access *update, update_kind kind,
+bool update_array_find(loop_analysis *j, const loop_access *update, update_kind kind,
                        unsigned *number) {
     return add_array(j, update, kind, number) &&
-           judge_neighbours(j, update, kind, &j->arrays.items[*number], *number);
+           check_neighbours(j, update, kind, &j->arrays.items[*number], *number);
 }
 
-void update_array_add(judgement *j, judged_access *update, update_kind kind,
+void update_array_add(loop_analysis *j, loop_access *update, update_kind kind,
                       const ir_node *statement, const ir_node *target, unsigned number) {
     update->class = CLASS_REDUCTION;
     update->array = number;

@@ -54,7 +54,7 @@ static bool lies_within(const ir_node *lvalue, const ir_variable *parameter, int
  */
 
 /* What the argument points to, as an lvalue; NULL: it is not seen. */
-static const ir_node *pointed_element(const judgement *j, const ir_node *argument) {
+static const ir_node *pointed_element(const loop_analysis *j, const ir_node *argument) {
     if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
         return argument->children[0];
     if (argument->type && argument->type->kind == IR_ARRAY && expression_is_lvalue(argument))
@@ -213,7 +213,7 @@ static void find_operator(const access_list *known, const written_part *part, up
     found->has_operator = writes > 0;
 }
 
-static const access_list *summary_of(const judgement *j, const ir_node *call) {
+static const access_list *summary_of(const loop_analysis *j, const ir_node *call) {
     const ir_node *callee = call->children[0];
     if (call->kind != IR_CALL || callee->kind != IR_FUNCTION || !callee->function->body)
         return NULL;
@@ -222,7 +222,7 @@ static const access_list *summary_of(const judgement *j, const ir_node *call) {
 }
 
 /* By the address of an element or row. */
-static const ir_node *target_by_address(const judgement *j, const ir_node *call,
+static const ir_node *target_by_address(const loop_analysis *j, const ir_node *call,
                                         const access_list *known, written_part *part) {
     const ir_variable *parameter = part->parameter;
     const ir_node *target = pointed_element(j, argument_for(call, parameter));
@@ -242,7 +242,7 @@ static bool is_by_member(const written_part *part) {
 }
 
 /* By an array and subscripts apart. */
-static const ir_node *target_by_subscript(const judgement *j, const ir_node *call,
+static const ir_node *target_by_subscript(const loop_analysis *j, const ir_node *call,
                                           const access_list *known, written_part *part) {
     const ir_node *array = argument_for(call, part->parameter);
     part->element = written_element(known, part->parameter);
@@ -257,8 +257,8 @@ static const ir_node *target_by_subscript(const judgement *j, const ir_node *cal
 }
 
 /* The element or row in the caller's terms; NULL: the call is no update of either form. */
-static const ir_node *target_of(const judgement *j, const ir_node *call, const access_list *known,
-                                written_part *part) {
+static const ir_node *target_of(const loop_analysis *j, const ir_node *call,
+                                const access_list *known, written_part *part) {
     *part = (written_part){.parameter = written_parameter(known)};
     if (!part->parameter || !argument_for(call, part->parameter))
         return NULL;
@@ -266,7 +266,7 @@ static const ir_node *target_of(const judgement *j, const ir_node *call, const a
     return target ? target : target_by_subscript(j, call, known, part);
 }
 
-update_call update_call_of(const judgement *j, const ir_node *call) {
+update_call update_call_of(const loop_analysis *j, const ir_node *call) {
     update_call none = {0};
     const access_list *known = summary_of(j, call);
     if (!known || !call->parent || call->parent->kind != IR_EXPRESSION)
@@ -283,7 +283,7 @@ update_call update_call_of(const judgement *j, const ir_node *call) {
 
 /* A call's accesses are listed in the order of its function's summary, each with the call as its
  * node. */
-void update_call_mark_reads(judgement *j, const update_call *update) {
+void update_call_mark_reads(loop_analysis *j, const update_call *update) {
     const ir_node *call = update->statement->children[0];
     const access_list *known = summary_of(j, call);
     written_part part;
@@ -291,7 +291,7 @@ void update_call_mark_reads(judgement *j, const update_call *update) {
     if (!known || !target_of(j, call, known, &part))
         return;
     for (unsigned i = 0; i < j->access_count && number < known->items.count; i++) {
-        judged_access *read = &j->accesses[i];
+        loop_access *read = &j->accesses[i];
         if (read->access.node != call || !read->access.callee)
             continue;
         const access *item = &known->items.items[number++];

@@ -9,7 +9,7 @@
 #ifndef ANALYSIS_UPDATE_CALL_H
 #define ANALYSIS_UPDATE_CALL_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 typedef struct update_call {
     const ir_node *statement; /* NULL: the call is no update of this form */
@@ -21,9 +21,9 @@ typedef struct update_call {
 } update_call;
 
 /** `call`: an IR_CALL of the loop's text that writes something. */
-update_call update_call_of(const judgement *j, const ir_node *call);
+update_call update_call_of(const loop_analysis *j, const ir_node *call);
 
 /** The reads, by the call, of the memory that it updates get CLASS_SELF. */
-void update_call_mark_reads(judgement *j, const update_call *update);
+void update_call_mark_reads(loop_analysis *j, const update_call *update);
 
 #endif

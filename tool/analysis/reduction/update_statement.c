@@ -53,7 +53,7 @@ static bool writes_only(const ir_node *statement, const ir_node *element) {
     }
 }
 
-const ir_node *update_statement(const judgement *j, const ir_node *target) {
+const ir_node *update_statement(const loop_analysis *j, const ir_node *target) {
     const ir_node *assignment = target->parent;
     if (!assignment || !assignment->parent || assignment->parent->kind != IR_EXPRESSION ||
         ir_value_is_used(assignment))
@@ -68,14 +68,14 @@ const ir_node *update_statement(const judgement *j, const ir_node *target) {
     return found;
 }
 
-bool update_statement_reads_itself(const judged_access *read, const ir_node *statement,
+bool update_statement_reads_itself(const loop_access *read, const ir_node *statement,
                                    const ir_node *target) {
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
            ir_contains(statement, read->access.node) &&
            expression_same(read->access.lvalue, target);
 }
 
-bool is_read_of_own_element(const judgement *j, const judged_access *read) {
+bool is_read_of_own_element(const loop_analysis *j, const loop_access *read) {
     const ir_node *element = read->access.lvalue;
     if (read->access.kind != ACCESS_READ || read->access.callee || !element)
         return false;

@@ -8,18 +8,18 @@
 #ifndef ANALYSIS_UPDATE_STATEMENT_H
 #define ANALYSIS_UPDATE_STATEMENT_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** The statement for a write of the element `target`, a node of the loop's text. NULL: it is part
  *  of a larger expression, or its value is used. */
-const ir_node *update_statement(const judgement *j, const ir_node *target);
+const ir_node *update_statement(const loop_analysis *j, const ir_node *target);
 
 /** Is this a read, in the text itself, of the element that the statement around it writes? Only the
  *  owner makes it, between its own updates: it sees what it would see in the sequential loop. */
-bool update_statement_reads_itself(const judged_access *read, const ir_node *statement,
+bool update_statement_reads_itself(const loop_access *read, const ir_node *statement,
                                    const ir_node *target);
 
 /** The same, whichever update statement of the loop is around the read. */
-bool is_read_of_own_element(const judgement *j, const judged_access *read);
+bool is_read_of_own_element(const loop_analysis *j, const loop_access *read);
 
 #endif

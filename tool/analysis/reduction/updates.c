@@ -16,12 +16,12 @@
 /* ---- private or not ---------------------------------------------------------------------------
  */
 
-static bool is_declared_in(const judgement *j, const ir_variable *variable) {
+static bool is_declared_in(const loop_analysis *j, const ir_variable *variable) {
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     return declarator && ir_contains(j->loop, declarator);
 }
 
-static private_variable *find_private(judgement *j, const ir_variable *variable) {
+static private_variable *find_private(loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->privates.count; i++)
         if (j->privates.items[i].variable == variable)
             return &j->privates.items[i];
@@ -32,13 +32,13 @@ static bool is_element(const ir_node *lvalue) {
     return lvalue->kind != IR_VARIABLE;
 }
 
-static bool is_own_object(const judgement *j, const location *where) {
+static bool is_own_object(const loop_analysis *j, const location *where) {
     return where->object && variable_is_automatic(where->object) &&
            where->object->function == j->function;
 }
 
 /* Is the variable written here private? Adds it to the list if so. */
-static bool take_private(judgement *j, const ir_variable *variable) {
+static bool take_private(loop_analysis *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
     bool is_inside = is_declared_in(j, variable);
@@ -54,9 +54,9 @@ static bool take_private(judgement *j, const ir_variable *variable) {
 /* ---- refusing a write ---------------------------------------------------------------------------
  */
 
-static bool is_updated_too(const judgement *j, const judged_access *store) {
+static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other != store && other->access.kind == ACCESS_UPDATE && !other->access.callee &&
             variation_is_irregular(j->an->facts, j->loop, other->access.lvalue) &&
             locations_overlap(&j->an->rules, &store->where, &other->where) == OVERLAP_SAME)
@@ -67,9 +67,9 @@ static bool is_updated_too(const judgement *j, const judged_access *store) {
 
 /* Is the memory stored to read inside the subscripts of an update, or where a local integer gets
  * its value? */
-static bool decides_subscripts(const judgement *j, const judged_access *store) {
+static bool decides_subscripts(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         if (read->access.kind != ACCESS_READ || !read->access.type ||
             read->access.type->kind != IR_INTEGER)
             continue;
@@ -80,9 +80,9 @@ static bool decides_subscripts(const judgement *j, const judged_access *store) {
 }
 
 /* A read of the memory stored to, other than by the statement that stores; NULL: there is none. */
-static const judged_access *other_read(const judgement *j, const judged_access *store) {
+static const loop_access *other_read(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && !is_read_of_own_element(j, read) &&
             locations_overlap(&j->an->rules, &store->where, &read->where) == OVERLAP_SAME)
             return read;
@@ -90,34 +90,34 @@ static const judged_access *other_read(const judgement *j, const judged_access *
     return NULL;
 }
 
-static bool refuse_store(judgement *j, const judged_access *store) {
+static bool refuse_store(loop_analysis *j, const loop_access *store) {
     const ir_node *node = store->access.node;
-    const char *name = judgement_name(j, store->access.lvalue);
+    const char *name = analysis_name(j, store->access.lvalue);
     if (store->access.callee)
-        return judgement_refuse(j, REASON_CALLEE_UPDATES, node, store->access.callee->name);
+        return analysis_refuse(j, REASON_CALLEE_UPDATES, node, store->access.callee->name);
     if (is_updated_too(j, store))
-        return judgement_refuse(j, REASON_ARRAY_STORED, node, name);
+        return analysis_refuse(j, REASON_ARRAY_STORED, node, name);
     if (decides_subscripts(j, store))
-        return judgement_refuse(j, REASON_INDEX_ARRAY_WRITTEN, node, name);
-    const judged_access *read = other_read(j, store);
+        return analysis_refuse(j, REASON_INDEX_ARRAY_WRITTEN, node, name);
+    const loop_access *read = other_read(j, store);
     if (read && variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
-        return judgement_refuse(j, REASON_ARRAY_READ, read->access.node, name);
-    return judgement_refuse(j, REASON_OTHER_STORE, node, name);
+        return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, name);
+    return analysis_refuse(j, REASON_OTHER_STORE, node, name);
 }
 
-static bool refuse_variable(judgement *j, const judged_access *store) {
+static bool refuse_variable(loop_analysis *j, const loop_access *store) {
     const ir_variable *variable = store->where.object;
     bool is_scalar = ir_type_is_scalar(variable->type);
     private_result result = must_write_check(j->an->prover, j->counted.body, variable);
     bool escapes = result.verdict == PRIVATE_UNKNOWN && variable_escapes(j->an->facts, variable);
     const ir_node *node = result.node ? result.node : store->access.node;
     if (escapes)
-        return judgement_refuse(j, REASON_ESCAPES, node, variable->name);
+        return analysis_refuse(j, REASON_ESCAPES, node, variable->name);
     if (!is_scalar && store->access.lvalue->kind != IR_VARIABLE && !store->access.callee &&
         is_updated_too(j, store))
-        return judgement_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
-    return judgement_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
-                            variable->name);
+        return analysis_refuse(j, REASON_ARRAY_STORED, store->access.node, variable->name);
+    return analysis_refuse(j, is_scalar ? REASON_SCALAR_CARRIED : REASON_PRIVATE_NOT_PROVED, node,
+                           variable->name);
 }
 
 /* ---- one update ---------------------------------------------------------------------------------
@@ -128,10 +128,10 @@ static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
 }
 
 /* Is something else written by the same statement? The guarded form would skip that as well. */
-static bool has_other_effect(const judgement *j, const ir_node *statement,
-                             const judged_access *update) {
+static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
+                             const loop_access *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other == update || other->access.kind == ACCESS_READ ||
             !is_inside_node(statement, other->access.node))
             continue;
@@ -144,52 +144,52 @@ static bool has_other_effect(const judgement *j, const ir_node *statement,
     return false;
 }
 
-static bool judge_element(judgement *j, const judged_access *update, const char *name) {
+static bool check_element(loop_analysis *j, const loop_access *update, const char *name) {
     const ir_node *target = update->access.form.target;
     const ir_node *value = update->access.form.value;
     const ir_type *type = update->access.type;
     if (update->where.has_bit_field)
-        return judgement_refuse(j, REASON_BIT_FIELD, target, name);
+        return analysis_refuse(j, REASON_BIT_FIELD, target, name);
     if (update->where.has_union)
-        return judgement_refuse(j, REASON_UNION, target, name);
+        return analysis_refuse(j, REASON_UNION, target, name);
     if (type->is_volatile || type->is_atomic)
-        return judgement_refuse(j, REASON_VOLATILE, target, name);
+        return analysis_refuse(j, REASON_VOLATILE, target, name);
     if (type->kind != IR_INTEGER && type->kind != IR_FLOATING && type->kind != IR_COMPLEX &&
         type->kind != IR_BOOLEAN)
-        return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
+        return analysis_refuse(j, REASON_ELEMENT_TYPE, target, name);
     if (value && value->type && !ir_type_is_scalar(value->type))
-        return judgement_refuse(j, REASON_ELEMENT_TYPE, target, name);
+        return analysis_refuse(j, REASON_ELEMENT_TYPE, target, name);
     return true;
 }
 
 /* Can the statement be wrapped in a question for ownership, which skips nothing else? */
-static bool judge_place(judgement *j, const judged_access *update, const ir_node *statement,
+static bool check_place(loop_analysis *j, const loop_access *update, const ir_node *statement,
                         const char *name) {
     const ir_node *outer = statement->parent;
     if (outer && outer->kind == IR_FOR && outer->children[3] != statement)
-        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, statement, name);
+        return analysis_refuse(j, REASON_UPDATE_IN_EXPRESSION, statement, name);
     if (has_other_effect(j, statement, update))
-        return judgement_refuse(j, REASON_SIDE_EFFECT, statement, name);
+        return analysis_refuse(j, REASON_SIDE_EFFECT, statement, name);
     if (statement->range.begin >= statement->range.end)
-        return judgement_refuse(j, REASON_NO_RANGE, statement, name);
+        return analysis_refuse(j, REASON_NO_RANGE, statement, name);
     return true;
 }
 
-static bool judge_statement(judgement *j, const judged_access *update, const char *name,
+static bool check_statement(loop_analysis *j, const loop_access *update, const char *name,
                             const ir_node **statement) {
     const ir_node *assignment = update->access.form.target->parent;
     *statement = update_statement(j, update->access.form.target);
     if (ir_value_is_used(assignment))
-        return judgement_refuse(j, REASON_UPDATE_VALUE_USED, assignment, name);
+        return analysis_refuse(j, REASON_UPDATE_VALUE_USED, assignment, name);
     if (!*statement)
-        return judgement_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
-    return judge_place(j, update, *statement, name);
+        return analysis_refuse(j, REASON_UPDATE_IN_EXPRESSION, assignment, name);
+    return check_place(j, update, *statement, name);
 }
 
 /* ---- does the order of the updates matter? ------------------------------------------------------
  */
 
-static bool reads_itself(const judgement *j, const ir_node *statement, const ir_node *target) {
+static bool reads_itself(const loop_analysis *j, const ir_node *statement, const ir_node *target) {
     for (unsigned i = 0; i < j->access_count; i++)
         if (update_statement_reads_itself(&j->accesses[i], statement, target))
             return true;
@@ -205,7 +205,7 @@ static bool rounds_to_integer(const ir_type *type, const ir_node *value) {
             (type->kind == IR_INTEGER && value->type->kind == IR_FLOATING));
 }
 
-static update_kind kind_of_update(const judgement *j, const judged_access *update,
+static update_kind kind_of_update(const loop_analysis *j, const loop_access *update,
                                   const ir_node *statement) {
     const update_form *form = &update->access.form;
     if (form->has_operator && statement->kind == IR_EXPRESSION)
@@ -218,16 +218,16 @@ static update_kind kind_of_update(const judgement *j, const judged_access *updat
     return (update_kind){REDUCTION_NONE, true};
 }
 
-static bool judge_update(judgement *j, judged_access *update) {
+static bool check_update(loop_analysis *j, loop_access *update) {
     const ir_node *statement;
     unsigned number;
     const ir_node *target = update->access.form.target;
-    const char *name = judgement_name(j, target);
+    const char *name = analysis_name(j, target);
     if (update->where.base &&
         (is_inside_node(target, update->where.base) || update_is_by_local_pointer(j, update)))
         update->where.base = update_base_of(target, update->where.base);
-    if (!judge_statement(j, update, name, &statement) || !judge_element(j, update, name) ||
-        !update_judge_base(j, update, name))
+    if (!check_statement(j, update, name, &statement) || !check_element(j, update, name) ||
+        !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
     kind.needs_order |= update_is_by_local_pointer(j, update); /* it may not lead into a copy */
@@ -241,19 +241,19 @@ static bool judge_update(judgement *j, judged_access *update) {
 }
 
 /* The bytes of a row are not cut apart between owners where the array consists of such rows. */
-static bool is_whole_row(const judged_access *update) {
+static bool is_whole_row(const loop_access *update) {
     const ir_node *target = update->access.lvalue;
     return ir_type_is_scalar(target->type) ||
            (target->kind == IR_INDEX && expression_same(update->where.base, target->children[0]));
 }
 
 /* A function is given the address of what it updates. */
-static bool judge_call(judgement *j, judged_access *write) {
+static bool check_call(loop_analysis *j, loop_access *write) {
     unsigned number;
     const update_call found = update_call_of(j, write->access.node);
     if (!found.statement)
         return refuse_store(j, write);
-    judged_access update = *write; /* as if all of the element or row were written here */
+    loop_access update = *write; /* as if all of the element or row were written here */
     update.access.lvalue = update.access.form.target = found.target;
     update.access.form.value = NULL;
     update.access.type = ir_type_innermost(write->access.type);
@@ -261,9 +261,9 @@ static bool judge_call(judgement *j, judged_access *write) {
     update.where.type = update.access.type;
     if (update.where.base && is_inside_node(found.target, update.where.base))
         update.where.base = update_base_of(found.target, update.where.base);
-    const char *name = judgement_name(j, found.target);
-    if (!judge_place(j, &update, found.statement, name) || !judge_element(j, &update, name) ||
-        !update_judge_base(j, &update, name))
+    const char *name = analysis_name(j, found.target);
+    if (!check_place(j, &update, found.statement, name) || !check_element(j, &update, name) ||
+        !update_check_base(j, &update, name))
         return false;
     if (!is_whole_row(&update))
         return refuse_store(j, write);
@@ -279,11 +279,11 @@ static bool judge_call(judgement *j, judged_access *write) {
 }
 
 /* v = h[k]; v += e; h[k] = v: the thread that owns the element executes all of it. */
-static bool judge_group(judgement *j, judged_access *store, const update_group *group) {
+static bool check_group(loop_analysis *j, loop_access *store, const update_group *group) {
     unsigned number;
     const ir_node *target = group->element;
-    const char *name = judgement_name(j, target);
-    judged_access update = *store;
+    const char *name = analysis_name(j, target);
+    loop_access update = *store;
     update.access.form.target = target;
     update.access.form.value = NULL;
     update.where = location_of(j->an->facts, target, j->loop);
@@ -292,16 +292,16 @@ static bool judge_group(judgement *j, judged_access *store, const update_group *
     const ir_node *statement =
         group->first->kind == IR_DECLARATION ? group->first->children[0] : group->first;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *other = &j->accesses[i];
+        const loop_access *other = &j->accesses[i];
         if (other != store && other->access.kind != ACCESS_READ &&
             update_group_has(group, other->access.node) &&
             !(is_own_object(j, &other->where) && take_private(j, other->where.object)))
-            return judgement_refuse(j, REASON_SIDE_EFFECT, other->access.node, name);
+            return analysis_refuse(j, REASON_SIDE_EFFECT, other->access.node, name);
     }
     if (group->first->range.begin >= group->first->range.end ||
         group->last->range.begin >= group->last->range.end)
-        return judgement_refuse(j, REASON_NO_RANGE, statement, name);
-    if (!judge_element(j, &update, name) || !update_judge_base(j, &update, name))
+        return analysis_refuse(j, REASON_NO_RANGE, statement, name);
+    if (!check_element(j, &update, name) || !update_check_base(j, &update, name))
         return false;
     const update_kind kind = {REDUCTION_NONE, true};
     if (!update_array_find(j, &update, kind, &number))
@@ -315,36 +315,36 @@ static bool judge_group(judgement *j, judged_access *store, const update_group *
     return true;
 }
 
-static bool is_of_group(const judgement *j, const judged_access *store, update_group *group) {
+static bool is_of_group(const loop_analysis *j, const loop_access *store, update_group *group) {
     return store->access.kind == ACCESS_WRITE && !store->access.callee && store->access.lvalue &&
            store->access.lvalue->parent &&
            update_group_of(j->an->facts, store->access.lvalue->parent, group);
 }
 
 /* A plain store: each element's last one counts, so their order must be kept. */
-static bool judge_store(judgement *j, judged_access *store) {
+static bool check_store(loop_analysis *j, loop_access *store) {
     if (store->access.callee)
-        return judge_call(j, store);
+        return check_call(j, store);
     update_group group;
     if (!is_element(store->access.lvalue))
         return refuse_store(j, store);
     if (is_of_group(j, store, &group) &&
         variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
-        return judge_group(j, store, &group);
+        return check_group(j, store, &group);
     const bool is_scattered = store->where.base && update_table_of(j, store->where.base);
     if (other_read(j, store) && (is_scattered || !forward_take(j, store)))
         return refuse_store(j, store);
-    if (judge_update(j, store))
+    if (check_update(j, store))
         return true;
     j->why = (reason){0};
     return refuse_store(j, store);
 }
 
 /* A counter of its own, which other statements read: else its steps are a sum beside the array. */
-static bool take_induction(judgement *j, const judged_access *write) {
+static bool take_induction(loop_analysis *j, const loop_access *write) {
     const ir_variable *variable = write->where.object;
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && read->where.object == variable &&
             !ir_contains(expression_place(write->access.node), read->access.node))
             return induction_take(j, variable);
@@ -352,21 +352,21 @@ static bool take_induction(judgement *j, const judged_access *write) {
     return false;
 }
 
-static bool is_own_scalar(const judgement *j, const location *where) {
+static bool is_own_scalar(const loop_analysis *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
 
-static bool is_irregular_call(const judgement *j, const judged_access *write) {
+static bool is_irregular_call(const loop_analysis *j, const loop_access *write) {
     const ir_node *target =
         write->access.callee ? update_call_of(j, write->access.node).target : NULL;
     return target && variation_is_irregular(j->an->facts, j->loop, target);
 }
 
-static bool judge_write(judgement *j, judged_access *write) {
+static bool check_write(loop_analysis *j, loop_access *write) {
     const location *where = &write->where;
     if (!write->access.lvalue)
-        return judgement_refuse(j, REASON_CALLEE_UPDATES, write->access.node,
-                                write->access.callee->name);
+        return analysis_refuse(j, REASON_CALLEE_UPDATES, write->access.node,
+                               write->access.callee->name);
     bool is_update = write->access.kind == ACCESS_UPDATE && !write->access.callee;
     if (is_own_object(j, where)) {
         if (take_private(j, where->object) || take_induction(j, write)) {
@@ -384,33 +384,33 @@ static bool judge_write(judgement *j, judged_access *write) {
             return refuse_variable(j, write);
     } else if (where->object && !is_element(write->access.lvalue)) {
         return scalar_take_update(j, write) ||
-               judgement_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
-                                write->access.node, where->object->name);
+               analysis_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
+                               write->access.node, where->object->name);
     }
-    return is_update ? judge_update(j, write) : judge_store(j, write);
+    return is_update ? check_update(j, write) : check_store(j, write);
 }
 
 /* A read of what is updated says more than a store beside it. */
-static bool judge_plain_reads(judgement *j) {
+static bool check_plain_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
-        const judged_access *read = &j->accesses[i];
+        const loop_access *read = &j->accesses[i];
         for (unsigned k = 0;
              read->access.kind == ACCESS_READ && !read->access.callee && k < j->arrays.count; k++)
             if (read->class != CLASS_SELF && !is_own_scalar(j, &read->where) &&
                 !is_read_of_own_element(j, read) &&
                 locations_overlap(&j->an->rules, &read->where, &j->arrays.items[k].where) ==
                     OVERLAP_SAME)
-                return judgement_refuse(j, REASON_ARRAY_READ, read->access.node,
-                                        j->arrays.items[k].array.name);
+                return analysis_refuse(j, REASON_ARRAY_READ, read->access.node,
+                                       j->arrays.items[k].array.name);
     }
     return true;
 }
 
-bool judge_updates(judgement *j) {
+bool check_updates(loop_analysis *j) {
     /* Updates first: what is wrong with them says more than a store beside them. */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
-            judged_access *a = &j->accesses[i];
+            loop_access *a = &j->accesses[i];
             update_group group;
             bool is_irregular_update =
                 ((a->access.kind == ACCESS_UPDATE && !a->access.callee) ||
@@ -418,10 +418,10 @@ bool judge_updates(judgement *j) {
                 is_element(a->access.lvalue) &&
                 variation_is_irregular(j->an->facts, j->loop, a->access.lvalue);
             if (a->access.kind != ACCESS_READ && a->class == CLASS_OPEN &&
-                is_irregular_update == (pass == 0) && !judge_write(j, a))
+                is_irregular_update == (pass == 0) && !check_write(j, a))
                 return false;
         }
-        if (pass == 0 && !judge_plain_reads(j))
+        if (pass == 0 && !check_plain_reads(j))
             return false;
     }
     return true;

@@ -3,9 +3,9 @@
 #ifndef ANALYSIS_UPDATES_H
 #define ANALYSIS_UPDATES_H
 
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 /** Finds updates and their arrays, decides which writes are private, refuses all others. */
-bool judge_updates(judgement *j);
+bool check_updates(loop_analysis *j);
 
 #endif

@@ -119,13 +119,13 @@ static uint32_t search_from(struct division *division, uint32_t first, const uin
     return farthest;
 }
 
-/* A node at the rim: farthest from the one that is farthest from any. */
-static void order_from_rim(struct division *division, const uint32_t *node, uint32_t count,
-                           uint32_t within) {
-    uint32_t rim = node[0];
+/* A node at the boundary: farthest from the one that is farthest from any. */
+static void order_from_boundary(struct division *division, const uint32_t *node, uint32_t count,
+                                uint32_t within) {
+    uint32_t outer = node[0];
     for (int again = 0; again < 2; again++)
-        rim = search_from(division, rim, node, count, within);
-    search_from(division, rim, node, count, within);
+        outer = search_from(division, outer, node, count, within);
+    search_from(division, outer, node, count, within);
 }
 
 /* Room above an equal share, so that refinement can move something. */
@@ -158,7 +158,7 @@ static void bisect(struct division *division, uint32_t *node, uint32_t count, ui
         sum += weight;
         heaviest = weight > heaviest ? weight : heaviest;
     }
-    order_from_rim(division, node, count, low);
+    order_from_boundary(division, node, count, low);
     memcpy(node, division->order, count * sizeof *node);
     const uint64_t share = share_of(division, sum, low, middle, high);
     uint32_t first = 0;

@@ -10,8 +10,8 @@ enum { REDCC_PARTS_MOST = 256 };
 /**
  * Divides all nodes into parts 0 ... parts - 1 (at most REDCC_PARTS_MOST), of which `stealable`
  * after each one are stealable (redcc_amount_below says how large they are): by bisection, each
- * time in the order in which a breadth-first search from a node at the graph's rim meets the nodes,
- * then refined. part [count] is set. False: no memory.
+ * time in the order in which a breadth-first search from a node at the graph's boundary meets the
+ * nodes, then refined. part [count] is set. False: no memory.
  */
 bool redcc_divide_graph(const struct graph *graph, uint32_t parts, uint32_t stealable,
                         unsigned char *part);

@@ -215,7 +215,7 @@ static void mark_rims(struct divide *divide, int thread) {
     }
 }
 
-/* The iterations that touch a rim, all of a rim's among them. */
+/* The iterations that touch a boundary, all of a boundary's among them. */
 static bool list_rims(struct divide *divide, int thread) {
     const struct unit_list *told = &divide->told[thread].leading;
     struct unit_list *list = &divide->rims.list[thread];

@@ -26,7 +26,8 @@ static void end_query(must_write *prover) {
     prover->scratch = NULL;
 }
 
-/* ---- objects that can be judged ------------------------------------------------------------- */
+/* ---- objects that can be analysed -------------------------------------------------------------
+ */
 
 static bool has_union_or_volatile(const ir_type *type) {
     if (type->is_volatile || type->is_atomic || type->kind == IR_OTHER_TYPE)
@@ -191,7 +192,7 @@ static bool pointers_end_inside(run *r, const ir_node *body, const state *s) {
     return true;
 }
 
-/* ---- the judgement --------------------------------------------------------------------------- */
+/* ---- the analysis --------------------------------------------------------------------------- */
 
 typedef struct constants {
     arena *arena;

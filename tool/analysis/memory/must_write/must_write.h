@@ -23,7 +23,7 @@ must_write *must_write_new(arena *a, const ir_unit *unit, const analysis_options
 typedef enum private_verdict {
     PRIVATE_PROVED,            /* each iteration may have its own, uninitialised copy */
     PRIVATE_READ_BEFORE_WRITE, /* an iteration may read what it did not write */
-    PRIVATE_UNKNOWN            /* escapes, not a local variable, too large, too dear to tell ... */
+    PRIVATE_UNKNOWN /* escapes, not a local variable, too large, too expensive to tell ... */
 } private_verdict;
 
 typedef struct private_result {
@@ -41,7 +41,7 @@ typedef struct private_result {
 } private_result;
 
 /**
- * Judges `variable` for iterations that execute `body` (a loop's body; `continue` ends the
+ * Analyses `variable` for iterations that execute `body` (a loop's body; `continue` ends the
  * iteration). The loop's own header is not looked at: that it neither reads nor writes the
  * variable is the caller's to know. A variable declared inside the body is private by its scope:
  * PROVED, not assigned at the end.

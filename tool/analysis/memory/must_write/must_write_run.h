@@ -36,7 +36,7 @@ struct must_write {
     unsigned steps;                         /* left to it */
 };
 
-/** One body being interpreted: the judged one, or a callee's. */
+/** One body being interpreted: the analysed one, or a callee's. */
 typedef struct run {
     must_write *prover;
     const ir_function *function;
@@ -142,7 +142,7 @@ const call_summary *summarise_call(must_write *prover, const ir_function *functi
                                    bool is_open, unsigned argument_count, const value *arguments,
                                    unsigned depth);
 /** Does the function keep or pass on the address of an object of this size that its argument
- *  points into? For calls outside the judged loop. */
+ *  points into? For calls outside the analysed loop. */
 bool call_keeps_address(must_write *prover, const ir_node *call, unsigned argument, int64_t size);
 
 #endif

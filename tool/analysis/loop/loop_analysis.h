@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What is known of the unit as a whole, and of the one loop under judgement. */
-#ifndef ANALYSIS_JUDGEMENT_H
-#define ANALYSIS_JUDGEMENT_H
+/** What is known of the unit as a whole, and of the one loop that is analysed. */
+#ifndef ANALYSIS_LOOP_ANALYSIS_H
+#define ANALYSIS_LOOP_ANALYSIS_H
 
 #include "analysis/base/counted.h"
 #include "analysis/base/facts.h"
@@ -32,33 +32,33 @@ typedef enum access_class {
     CLASS_SHARED     /* a read of memory that other loops' iterations may read as well */
 } access_class;
 
-typedef struct judged_access {
+typedef struct loop_access {
     access access;
     location where;
     access_class class;
     unsigned array;        /* CLASS_REDUCTION */
     reduction_operator op; /* CLASS_REDUCTION */
     bool needs_guard;      /* CLASS_SHARED: may overlap an array as far as is known */
-} judged_access;
+} loop_access;
 
-typedef struct judged_array {
+typedef struct loop_array {
     reduction_array array;
     location where; /* of its first update */
     const ir_node *first;
     bool is_irregular;
-} judged_array;
+} loop_array;
 
-/** One loop under judgement. The steps (gate, arrays, privates, sources, slice) fill it in turn;
+/** One loop that is analysed. The steps (gate, arrays, privates, sources, slice) fill it in turn;
  *  the first that finds something in the way sets `why` and returns false. */
-typedef struct judgement {
+typedef struct loop_analysis {
     const analyser *an;
     ir_function *function;
     ir_node *loop;
     counted_loop counted;
     access_list found;
     unsigned access_count;
-    judged_access *accesses;
-    VECTOR(judged_array) arrays;
+    loop_access *accesses;
+    VECTOR(loop_array) arrays;
     VECTOR(reduction_update) updates;
     VECTOR(scalar_update) scalars;
     VECTOR(forwarded_store) forwards;
@@ -73,19 +73,19 @@ typedef struct judgement {
     unkept_read unkept;
     bool counter_is_live_after;
     reason why;
-} judgement;
+} loop_analysis;
 
 /** Sets the reason, if none is set yet. Returns false. */
-bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name);
+bool analysis_refuse(loop_analysis *j, reason_id why, const ir_node *node, const char *name);
 
 /** Is an address in the array with this base used as a value below `node`, as in `h == p` or
- *  `&h[i] - q`? A function that gets it is judged by what it reaches. */
-bool judgement_has_address_as_value(const ir_node *node, const ir_node *base);
+ *  `&h[i] - q`? A function that gets it is analysed by what it reaches. */
+bool has_address_as_value(const ir_node *node, const ir_node *base);
 
 /** Is this statement one of the updates found? */
-bool judgement_is_update(const judgement *j, const ir_node *statement);
+bool analysis_is_update(const loop_analysis *j, const ir_node *statement);
 
 /** A name for messages: the text of the lvalue's base, or its root variable. */
-const char *judgement_name(const judgement *j, const ir_node *lvalue);
+const char *analysis_name(const loop_analysis *j, const ir_node *lvalue);
 
 #endif

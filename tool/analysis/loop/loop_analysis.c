@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "analysis/loop/judgement.h"
+#include "analysis/loop/loop_analysis.h"
 
 #include <assert.h>
 
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
 
-bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const char *name) {
+bool analysis_refuse(loop_analysis *j, reason_id why, const ir_node *node, const char *name) {
     assert(why > REASON_NONE && why < REASON_COUNT);
     if (j->why.id != REASON_NONE)
         return false;
@@ -17,14 +17,14 @@ bool judgement_refuse(judgement *j, reason_id why, const ir_node *node, const ch
     return false;
 }
 
-bool judgement_is_update(const judgement *j, const ir_node *statement) {
+bool analysis_is_update(const loop_analysis *j, const ir_node *statement) {
     for (unsigned i = 0; i < j->updates.count; i++)
         if (j->updates.items[i].statement == statement)
             return true;
     return false;
 }
 
-const char *judgement_name(const judgement *j, const ir_node *lvalue) {
+const char *analysis_name(const loop_analysis *j, const ir_node *lvalue) {
     if (!lvalue)
         return "?";
     location where = location_of(j->an->facts, lvalue, j->loop);
@@ -44,9 +44,9 @@ static bool leads_on(const ir_node *parent, const ir_node *node) {
                        (parent->kind == IR_UNARY && parent->op == IR_OP_DEREFERENCE));
 }
 
-bool judgement_has_address_as_value(const ir_node *node, const ir_node *base) {
+bool has_address_as_value(const ir_node *node, const ir_node *base) {
     for (unsigned i = 0; i < node->child_count; i++)
-        if (judgement_has_address_as_value(node->children[i], base))
+        if (has_address_as_value(node->children[i], base))
             return true;
     if (!ir_is_expression(node) || !node->type || !expression_same(node, base))
         return false;

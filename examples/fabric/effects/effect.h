@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The effects, EFFECT_DRAG and so on, and which of them this build has. */
+#ifndef FABRIC_EFFECT_H
+#define FABRIC_EFFECT_H
+
+enum {
+#define EFFECT(NAME, text, active, elements) EFFECT_##NAME,
+#include "effects.def"
+    EFFECT_COUNT
+};
+
+/* Bits of the effects that a build is to leave out, for measuring what their presence costs. */
+#ifndef FABRIC_WITHOUT
+#define FABRIC_WITHOUT 0
+#endif
+
+#define BUILT_WITH(effect) (((unsigned)FABRIC_WITHOUT >> (effect)&1u) == 0)
+
+#endif
