@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The life of a loop: its state, and enter, join, leave. pipeline.h draws what lies between. */
+/** A call of a loop: enter, join, leave. pipeline.h draws what lies between. */
 #include "loop.h"
 
 #include "base/clock.h"
 #include "base/forked.h"
-#include "base/memory.h"
 #include "base/node.h"
 #include "base/team.h"
 #include "base/trace.h"
@@ -15,107 +14,11 @@
 #include <errno.h>
 #include <string.h>
 
-static void state_free(struct loop_state *state) {
-    if (!state)
-        return;
-    struct execution *execution = &state->execution;
-    struct request *request = &execution->call.request;
-    redcc_cache_drop_all(&state->cache);
-    redcc_threads_end(state);
-    redcc_memory_give(request->bases);
-    redcc_memory_give(request->known);
-    redcc_memory_give(request->key);
-    redcc_memory_give(execution->inspection.touched);
-    redcc_memory_give(execution->inspection.sources);
-    redcc_memory_give(state->binning.stream);
-    redcc_memory_give(state->reported.file);
-    redcc_memory_give(state->reported.function);
-    redcc_memory_give(state);
-}
-
-/* What the parts of an execution go by, the same for all of them. */
-static void join_parts(struct loop_state *state) {
-    struct execution *execution = &state->execution;
-    struct inspection *inspection = &execution->inspection;
-    execution->state = state;
-    inspection->call = execution->run.call = execution->reuse.call = &execution->call;
-    inspection->barrier = execution->run.barrier = execution->reuse.barrier = &execution->barrier;
-    execution->reuse.cache = &state->cache;
-    execution->reuse.sources = inspection->sources;
-    execution->reuse.written = inspection->touched;
-    state->binning.call = &execution->call;
-    state->binning.barrier = &execution->barrier;
-    state->binning.last_claimed = &execution->run.last_claimed;
-    state->binning.error = &execution->run.error;
-}
-
-static struct loop_state *state_new(redcc_loop *loop) {
-    struct loop_state *state = redcc_memory_take_zeroed(1, sizeof *state);
-    if (!state)
-        return NULL;
-    struct inspection *inspection = &state->execution.inspection;
-    struct request *request = &state->execution.call.request;
-    request->loop = loop;
-    request->bases = redcc_memory_take(loop->array_count * sizeof *request->bases);
-    request->known = redcc_memory_take(loop->source_count * sizeof *request->known);
-    request->key = redcc_memory_take(loop->key_count * sizeof *request->key);
-    inspection->touched = redcc_memory_take(loop->array_count * sizeof *inspection->touched);
-    inspection->sources = redcc_memory_take(loop->source_count * sizeof *inspection->sources);
-    state->reported.file = redcc_memory_take_text(loop->file);
-    state->reported.function = redcc_memory_take_text(loop->function);
-    state->reported.line = loop->line;
-    join_parts(state);
-    if (!redcc_bins_new(&state->binning, loop) || !request->bases || !request->known ||
-        !request->key || !inspection->touched || !inspection->sources || !state->reported.file ||
-        !state->reported.function) {
-        state_free(state);
-        return NULL;
-    }
-    return state;
-}
-
-/* The loop's state; of several threads that come first, one makes it. NULL: no memory. */
-static struct loop_state *state_of(redcc_loop *loop) {
-    void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
-    if (!redcc_is_unmade(state))
-        return state;
-    struct loop_state *mine = state_new(loop);
-    if (!mine)
-        return NULL;
-    while (!__atomic_compare_exchange_n(&loop->state, &state, mine, 0, __ATOMIC_ACQ_REL,
-                                        __ATOMIC_ACQUIRE))
-        if (!redcc_is_unmade(state)) {
-            state_free(mine);
-            return state;
-        }
-    redcc_report_add(&mine->reported);
-    return mine;
-}
-
-/* The loop's state, where it has one. */
-static struct loop_state *made_state_of(redcc_loop *loop) {
-    void *state = __atomic_load_n(&loop->state, __ATOMIC_ACQUIRE);
-    return redcc_is_unmade(state) ? NULL : state;
-}
-
-void redcc_loop_make(redcc_loop *loop) {
-    state_of(loop);
-}
-
-void redcc_loop_forget(redcc_loop *loop) {
-    struct loop_state *state = made_state_of(loop);
-    loop->state = NULL;
-    if (!state)
-        return;
-    redcc_report_remove(&state->reported);
-    state_free(state);
-}
-
 static redcc_order order_of(const redcc_loop *loop, const struct settings *settings) {
     return settings->order_given ? settings->order : loop->order;
 }
 
-/* An order asked for in so many words, and a method by name that does not keep it. */
+/* An order asked for explicitly, and a method by name that does not keep it. */
 static void stop_at_contradiction(const redcc_loop *loop, const struct settings *settings) {
     const redcc_order order = order_of(loop, settings);
     if (!settings->method || settings->method->keeps <= order ||
@@ -167,41 +70,13 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
     return threads < 2 && !one_will_do(loop, settings) ? REASON_ONE_THREAD : REASON_NONE;
 }
 
-/* The state for this call: the loop's, which it acquires, or, where another thread holds that and
- * must not be waited for (it may be waiting for this one), one of its own. NULL, with *reason:
- * none. */
-static struct loop_state *acquire(struct loop_state *state, redcc_loop *loop, bool always,
-                                  enum reason *reason) {
-    int idle = 0;
-    if (atomic_compare_exchange_strong_explicit(&state->busy, &idle, 1, memory_order_acquire,
-                                                memory_order_relaxed))
-        return state;
-    *reason = REASON_CONCURRENT;
-    if (!always)
-        return NULL;
-    *reason = REASON_NO_MEMORY;
-    struct loop_state *other = state_new(loop);
-    if (other)
-        other->temporary = true;
-    return other;
-}
-
-static void release(struct loop_state *state) {
-    if (state->temporary)
-        state_free(state);
-    else {
-        assert(atomic_load(&state->busy) == 1);
-        atomic_store_explicit(&state->busy, 0, memory_order_release);
-    }
-}
-
 static int serially(struct loop_state *state, enum reason reason) {
     redcc_count_fallback(state, reason);
     return 0;
 }
 
 void redcc_note_no_memory(redcc_loop *loop) {
-    struct loop_state *state = state_of(loop);
+    struct loop_state *state = redcc_state_of(loop);
     if (!state)
         return;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
@@ -217,10 +92,10 @@ static bool is_long(const struct execution *execution) {
                1e-3 * (double)statistics->in_loops;
 }
 
-/* The loop is let go: nothing of the execution's is touched any more. */
+/* The loop is released: nothing of the execution's is touched any more. */
 static void end(struct loop_state *state) {
     const struct within within = state->execution.within;
-    release(state);
+    redcc_loop_release(state);
     redcc_within_end(within);
 }
 
@@ -360,8 +235,8 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
  * one when it takes long enough. */
 static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                                const redcc_extent *known, bool parallel) {
-    if (made_state_of(loop) || settings->method || settings->compensated || settings->validate ||
-        settings->report || redcc_traced)
+    if (redcc_made_state_of(loop) || settings->method || settings->compensated ||
+        settings->validate || settings->report || redcc_traced)
         return false;
     if (parallel && !redcc_within && redcc_unmade_call(&loop->state, trip))
         time_original(loop, trip, known);
@@ -377,9 +252,10 @@ void redcc_sequential_done(redcc_loop *loop) {
     struct loop_state *state = NULL;
     redcc_is_forked(); /* the body may have forked, and memory is used */
     if (redcc_unmade_timed(&loop->state, original.trip, seconds))
-        state = state_of(loop);
+        state = redcc_state_of(loop);
     enum reason reason;
-    if (state && acquire(state, loop, false, &reason)) { /* else another thread executes it */
+    if (state &&
+        redcc_loop_acquire(state, loop, false, &reason)) { /* else another thread executes it */
         redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
         redcc_tell_auto(
             state, loop,
@@ -387,7 +263,7 @@ void redcc_sequential_done(redcc_loop *loop) {
             REASON_NONE);
         if (loop->source_count <= MOST_SOURCES)
             redcc_advise_timed(&state->chooser, loop, original.known, original.trip, seconds);
-        release(state);
+        redcc_loop_release(state);
     }
     errno = error;
 }
@@ -405,7 +281,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     stop_at_contradiction(loop, settings);
     if (trip > 0 && goes_without_state(settings, loop, trip, known, threads > 1 && !nested))
         return 0;
-    struct loop_state *state = state_of(loop);
+    struct loop_state *state = redcc_state_of(loop);
     if (!state)
         return 0;
     atomic_fetch_add_explicit(&state->reported.statistics.calls, 1, memory_order_relaxed);
@@ -421,18 +297,18 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     const bool always = is_always_planned(settings);
     if (redcc_within && !always)
         return serially(state, REASON_NESTED);
-    struct loop_state *held = acquire(state, loop, always, &reason);
+    struct loop_state *held = redcc_loop_acquire(state, loop, always, &reason);
     if (!held)
         return serially(state, reason);
     struct execution *execution = &held->execution;
     const bool asks_auto = !always && !settings->method;
     if (asks_auto && rests(held, trip, threads, &reason)) {
-        release(held);
+        redcc_loop_release(held);
         return serially(state, reason);
     }
     take_settings(&execution->call, settings, error_before);
     if (redcc_float_traps(execution->call.float_control)) {
-        release(held);
+        redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
     }
     threads = nested || threads < 1 || forked ? 1 : threads;

@@ -70,6 +70,21 @@ struct loop_state {
     int thread_count;
 };
 
+/** The loop's state; of several threads that come first, one makes it. NULL: no memory. */
+struct loop_state *redcc_state_of(redcc_loop *loop);
+
+/** The loop's state, where it has one; else NULL. */
+struct loop_state *redcc_made_state_of(redcc_loop *loop);
+
+/** The state for a call: the loop's, which it holds from now on, or, where another thread holds
+ * that and must not be waited for (it may be waiting for this one), with `always` one of its own.
+ * NULL, with *reason: none. */
+struct loop_state *redcc_loop_acquire(struct loop_state *state, redcc_loop *loop, bool always,
+                                      enum reason *reason);
+
+/** Ends what redcc_loop_acquire began. */
+void redcc_loop_release(struct loop_state *state);
+
 /** Sees to it that the loop has a state, as a long loop gets one (unmade.h); for tests. */
 void redcc_loop_make(redcc_loop *loop);
 

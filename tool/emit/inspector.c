@@ -6,223 +6,9 @@
  */
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
-#include "emit/loop.h"
 #include "emit/origin.h"
-#include "emit/print.h"
 #include "emit/syntax.h"
-#include "support/vector.h"
-
-typedef struct told_row {
-    const ir_node *row;
-    int source; /* or SOURCE_NOT_TOLD, for an update */
-    unsigned array;
-    bool is_bare;
-} told_row;
-
-typedef VECTOR(told_row) row_list;
-
-typedef struct inspector {
-    printer printer; /* first: the printer's hook gets at the rest through it */
-    loop_text *loop;
-    bool probes;         /* addresses are compared, not told; */
-    bool is_either;      /* or the text does for both */
-    bool *update_told;   /* by update */
-    bool *source_told;   /* by the facts' source */
-    bool *is_mentioned;  /* by variable: in what was printed */
-    bool is_bare;        /* what is printed now may be evaluated where the program does not */
-    unsigned loop_count; /* around what is printed now, of a function that the loop calls */
-    const source_loop *loops;
-    row_list recent;   /* told since the slice last did something else */
-    size_t recent_end; /* length of the text when the last of them was */
-} inspector;
-
-/* ---- telling addresses --------------------------------------------------------------------- */
-
-static bool is_same_told(const told_row *a, const told_row *b) {
-    return a->source == b->source && a->array == b->array && syntax_same(a->row, b->row);
-}
-
-static bool is_listed(const row_list *rows, told_row item) {
-    for (unsigned i = 0; i < rows->count; i++)
-        if (is_same_told(&rows->items[i], &item))
-            return true;
-    return false;
-}
-
-static bool was_just_told(inspector *self, told_row item) {
-    if (self->printer.out->out.length != self->recent_end)
-        self->recent.count = 0;
-    return is_listed(&self->recent, item);
-}
-
-static void remember(inspector *self, told_row item) {
-    VECTOR_PUSH(self->printer.arena, &self->recent, item);
-    self->recent_end = self->printer.out->out.length;
-}
-
-static const char *note_variable(const ir_node *node, void *context);
-
-/** As the slice names things: what it has stored is in variables. */
-static const char *row_text(inspector *self, const ir_node *row) {
-    const char *text = text_operand(self->loop->arena, row, note_variable, self);
-    if (!text)
-        loop_obstacle(self->loop, row->range, "an expression of the loop cannot be spelled");
-    return text ? text : "0";
-}
-
-/** Is this row an element, of constant size, of an array or pointer that no iteration changes? Then
- *  its number says which it is: that takes less to compare than its address. */
-static bool is_numbered(const ir_node *row, const ir_node *base) {
-    return row->kind == IR_INDEX && row->type->size > 0 && syntax_same(row->children[0], base);
-}
-
-/** &row, or, where the program may not come to it, as a number: a pointer has a meaning only within
- *  its object. Of a span: for the counter's present value. */
-static const char *row_address_text(inspector *self, const ir_node *row,
-                                    const ir_variable *counter) {
-    arena *a = self->loop->arena;
-    row_address address;
-    const char *number = NULL;
-    if (self->is_bare && row_address_of(row, &address)) {
-        number = address_number(a, &address, counter, note_variable, self);
-        if (address.base_is_object && number) /* a pointer may stand for it: another address */
-            self->loop->is_outlinable = false;
-    }
-    if (number)
-        return arena_format(a, "(const char *)(%s)", number);
-    const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
-    return arena_format(a, "%s&%s", plain, row_text(self, row));
-}
-
-/** The same by a macro of loop.h. */
-static void tell_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
-                        const ir_node *base) {
-    arena *a = self->loop->arena;
-    const char *what = is_update ? "TOUCH" : "READ";
-    const char *text = row_text(self, row);
-    const char *address = row_address_text(self, row, NULL);
-    writer *out = self->printer.out;
-    const bool is_row = base && is_numbered(row, base);
-    const char *array = is_row ? row_text(self, row->children[0]) : NULL;
-    const char *subscript = is_row ? row_text(self, row->children[1]) : NULL;
-    if (is_row && !self->is_bare)
-        writer_line(out, "REDCC_%s_ROW(%u, %s, %s);", what, number, macro_argument(a, array),
-                    macro_argument(a, subscript));
-    else if (is_row)
-        writer_line(out,
-                    "redcc_slice_%s_row(REDCC_SLICE_NAMES, %u, %s, %s%s, (redcc_int)%s, "
-                    "sizeof(%s));",
-                    is_update ? "touch" : "read", number, address,
-                    row->type->is_restrict ? "(const void *)" : "", array, subscript, text);
-    else
-        writer_line(out, "REDCC_%s(%u, %s, sizeof(%s));", what, number, macro_argument(a, address),
-                    text);
-}
-
-/** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
- *  is_numbered, or NULL. */
-static void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
-                     const ir_node *base) {
-    const char *what = is_update ? "touch" : "read";
-    const char *text = row_text(self, row);
-    const char *address = row_address_text(self, row, NULL);
-    const char *plain = row->type->is_restrict ? "(const void *)" : "";
-    writer *out = self->printer.out;
-    if (self->is_either)
-        tell_either(self, row, is_update, number, base);
-    else if (!self->probes)
-        writer_line(out, "redcc_%s(&redcc__worker, %u, %s, sizeof(%s));", what, number, address,
-                    text);
-    else if (base && is_numbered(row, base))
-        writer_line(out,
-                    "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s%s, (redcc_int)%s, "
-                    "sizeof(%s));",
-                    what, number, plain, row_text(self, row->children[0]),
-                    row_text(self, row->children[1]), text);
-    else
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s, sizeof(%s));", what,
-                    number, address, text);
-}
-
-/* ---- loops of functions that are called ---------------------------------------------------- */
-
-static void tell_up_to(inspector *self, const told_row *item, unsigned row,
-                       const ir_variable *counter);
-
-/** The row lies in these loops, each of which begins a block and another inside. */
-static void open_loops(inspector *self, const loop_source *read, bool is_span) {
-    arena *a = self->loop->arena;
-    writer *out = self->printer.out;
-    for (unsigned i = 0; i < read->loop_count; i++) {
-        const source_loop *loop = &read->loops[i];
-        const char *name = source_loop_counter(a, i);
-        const char *type = origin_type(a, loop->counter->type);
-        const char *lower = row_text(self, loop->lower);
-        self->loop_count = i + 1;
-        if (!type)
-            loop_obstacle(self->loop, read->row->range, "the type of a counter has no name");
-        writer_line(out, "{ %s %s = (%s)%s;", type, name, type, lower);
-        writer_line(out, "%s {",
-                    source_loop_header(a, read, i, name, row_text(self, loop->bound),
-                                       is_span && i + 1 == read->loop_count));
-    }
-}
-
-/** Tells what a function that is called reads in its loops: `for` each turn, or at once. */
-static void tell_in_loops(inspector *self, const loop_source *read, unsigned number,
-                          const ir_node *base) {
-    const source_loop *last = &read->loops[read->loop_count - 1];
-    const bool is_span = source_loop_is_span(last, read->row);
-    arena *a = self->loop->arena;
-    writer *out = self->printer.out;
-    self->loops = read->loops;
-    open_loops(self, read, is_span);
-    if (is_span) {
-        writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",
-                    row_address_text(self, read->row, last->counter));
-        writer_line(out, "%s = (%s)(%s%s);", source_loop_counter(a, read->loop_count - 1),
-                    origin_type(a, last->counter->type), row_text(self, last->bound),
-                    last->comparison == IR_OP_LESS ? " - 1" : "");
-        tell_up_to(self, &(told_row){read->row, (int)number, 0, self->is_bare}, 0, last->counter);
-    } else {
-        tell_row(self, read->row, false, number, base);
-    }
-    self->loop_count = 0;
-    for (unsigned i = 0; i < read->loop_count; i++)
-        writer_line(out, "} }");
-    self->recent.count = 0;
-}
-
-static bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
-    return update->statement->kind == IR_IF || is_bare(facts, update->statement);
-}
-
-static bool source_is_bare(const loop_facts *facts, const loop_source *read) {
-    return read->is_ahead || !read->place || is_bare(facts, read->place);
-}
-
-static void tell_update(inspector *self, const reduction_update *update) {
-    const told_row item = {update->row, SOURCE_NOT_TOLD, update->array, false};
-    if (was_just_told(self, item))
-        return;
-    self->is_bare = update_is_bare(self->loop->facts, update);
-    tell_row(self, update->row, true, update->array, self->loop->facts->arrays[update->array].base);
-    remember(self, item);
-}
-
-static void tell_read(inspector *self, const loop_source *read, int number) {
-    const told_row item = {read->row, number, 0, false};
-    if (!read->loop_count && was_just_told(self, item))
-        return;
-    const bool is_fixed = read->base && can_be_read_ahead(self->loop->facts, read->base);
-    self->is_bare = source_is_bare(self->loop->facts, read);
-    if (read->loop_count) {
-        tell_in_loops(self, read, (unsigned)number, is_fixed ? read->base : NULL);
-        return;
-    }
-    tell_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
-    remember(self, item);
-}
+#include "emit/tell.h"
 
 static bool is_declared_in_block(const ir_node *node) {
     return node->kind == IR_DECLARATOR && node->parent->kind == IR_DECLARATION &&
@@ -253,7 +39,7 @@ static bool before_statement(printer *p, const ir_node *statement) {
     self->is_bare = is_bare(facts, statement);
     const forwarded_store *store = forward_stored_by(facts, statement);
     if (store && facts->in_slice[statement->id])
-        write_forward(self->loop, p->out, store, note_variable, self);
+        write_forward(self->loop, p->out, store, inspector_note_variable, self);
     bool is_update = false;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (facts->updates[i].statement == statement) {
@@ -283,7 +69,7 @@ static bool is_at_once(const printer *p, const ir_node *loop) {
 
 static void list_row(inspector *self, row_list *rows, told_row item) {
     for (unsigned i = 0; i < rows->count; i++)
-        if (is_same_told(&rows->items[i], &item)) {
+        if (told_same(&rows->items[i], &item)) {
             rows->items[i].is_bare |= item.is_bare;
             return;
         }
@@ -315,45 +101,6 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
     return rows;
 }
 
-static bool is_update(const told_row *item) {
-    return item->source == SOURCE_NOT_TOLD;
-}
-
-/** Of the array that is updated, or of the source. */
-static unsigned number_of(const told_row *item) {
-    return is_update(item) ? item->array : (unsigned)item->source;
-}
-
-/** Row number `row` of the list, from its first on, whose address was noted, to this one. */
-static void tell_up_to(inspector *self, const told_row *item, unsigned row,
-                       const ir_variable *counter) {
-    const unsigned number = number_of(item);
-    arena *a = self->printer.arena;
-    self->is_bare = item->is_bare;
-    const char *end =
-        item->is_bare
-            ? arena_format(a, "%s + sizeof(%s)", row_address_text(self, item->row, counter),
-                           row_text(self, item->row))
-            : arena_format(a, "(const char *)(&%s + 1)", row_text(self, item->row));
-    const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
-    writer *out = self->printer.out;
-    if (self->is_either && is_update(item))
-        writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
-                    macro_argument(a, end));
-    else if (self->is_either)
-        writer_line(out, "REDCC_READ(%u, redcc__begin_%u, %s);", number, row,
-                    macro_argument(a, bytes));
-    else if (self->probes)
-        writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
-                    is_update(item) ? "touch" : "read", number, row, bytes);
-    else if (is_update(item))
-        writer_line(out, "redcc_touch_span(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
-                    end);
-    else
-        writer_line(out, "redcc_read(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
-                    bytes);
-}
-
 /** The counter has its first value; afterwards it has the one that the loop leaves it with. */
 static void tell_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
@@ -364,17 +111,18 @@ static void tell_at_once(printer *p, const ir_node *loop) {
         if (expression_mentions(rows.items[i].row, counted->counter)) {
             self->is_bare = rows.items[i].is_bare;
             writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
-                        row_address_text(self, rows.items[i].row, counted->counter));
+                        tell_address_text(self, rows.items[i].row, counted->counter));
         }
     for (unsigned i = 0; i < rows.count; i++) {
         const told_row *item = &rows.items[i];
         self->is_bare = item->is_bare;
         if (!expression_mentions(item->row, counted->counter))
-            tell_row(self, item->row, is_update(item), number_of(item), NULL);
+            tell_row(self, item->row, told_is_update(item), told_number(item), NULL);
     }
     self->is_bare = is_bare(self->loop->facts, loop);
     writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
-                row_text(self, counted->bound), counted->comparison == IR_OP_LESS ? " - 1" : "");
+                tell_row_text(self, counted->bound),
+                counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < rows.count; i++)
         if (expression_mentions(rows.items[i].row, counted->counter))
             tell_up_to(self, &rows.items[i], i, counted->counter);
@@ -412,20 +160,6 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
             expression_mentions(facts->sources[i].row, variable))
             return true;
     return false;
-}
-
-/** The printer's hook for spellings: notes the variables. */
-static const char *note_variable(const ir_node *node, void *context) {
-    inspector *self = context;
-    for (unsigned i = 0; node->kind == IR_VARIABLE && i < self->loop_count; i++)
-        if (self->loops[i].counter == node->variable)
-            return source_loop_counter(self->loop->arena, i);
-    if (node->kind == IR_VARIABLE)
-        self->is_mentioned[node->variable->id] = true;
-    const char *name = forward_read_name(self->loop, node);
-    if (name || !self->is_bare)
-        return name;
-    return wrapping_operation(self->loop->arena, node, note_variable, self);
 }
 
 static void declare_variables(const inspector *self, writer *out) {
@@ -480,7 +214,7 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                       .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
                       .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
                       .is_mentioned = is_mentioned};
-    self.printer.rename = note_variable;
+    self.printer.rename = inspector_note_variable;
     self.printer.context = &self;
     writer slice = {.depth = out->depth, .fills = is_either};
     self.printer.out = &slice;
