@@ -63,9 +63,13 @@ static void show_errors(const frontend_result *parsed) {
         fprintf(stderr, "redcc: note: %u more errors are not shown\n", errors - MOST);
 }
 
+static bool is_binary(const source *file) {
+    return memchr(file->text, 0, file->length) != NULL;
+}
+
 /** A file that cannot be parsed. */
 static file_outcome fail_to_parse(const source *file, const frontend_result *parsed) {
-    if (memchr(file->text, 0, file->length))
+    if (is_binary(file))
         return fail(file->path, "is a binary file, not C source; nothing was written");
     show_errors(parsed);
     return fail(file->path, "cannot be parsed; nothing was written");
@@ -268,7 +272,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
 static bool is_translated(const source *file) {
     static const char beginning[] =
         "#ifdef _OPENMP\n#include <redcc/runtime.h>\nREDCC_REQUIRE_VERSION(";
-    return memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
+    return !is_binary(file) &&
+           memmem(file->text, file->length, beginning, sizeof beginning - 1) != NULL;
 }
 
 static file_outcome leave_translated(arena *a, const options *o, const source *file) {
