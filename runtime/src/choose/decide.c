@@ -193,10 +193,9 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
                               const struct situation *now, double current) {
     enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
     const double usual = redcc_usual(&size->sequential) * (double)now->trip;
-    const double patience = way != WAY_SEQUENTIAL ? waited * usual : 0;
+    const double slack = way != WAY_SEQUENTIAL ? waited * usual : 0;
     if (way != WAY_SEQUENTIAL)
-        lend(state,
-             least_of(now->spent + 2 * cost_of(size, now, way) + patience, loan_most * usual));
+        lend(state, least_of(now->spent + 2 * cost_of(size, now, way) + slack, loan_most * usual));
     else
         way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
@@ -206,7 +205,7 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
     size->rule = RULE_SET_UP;
     return (struct decision){.action = ACTION_INSPECT,
                              .way = way,
-                             .deadline = least_of(2 * cost_of(size, now, way) + patience, allowed),
+                             .deadline = least_of(2 * cost_of(size, now, way) + slack, allowed),
                              .rule = RULE_SET_UP};
 }
 
