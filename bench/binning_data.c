@@ -50,7 +50,7 @@ void make_particles(struct data *d) {
     double(*x)[3] = malloc(PARTICLES * sizeof *x);
     for (int p = 0; p < PARTICLES; p++)
         for (int c = 0; c < 3; c++)
-            x[p][c] = unit_random() * (SIDE - 1.001);
+            x[p][c] = unit_random() * ((double)SIDE - 1.001);
     *d = (struct data){.trip = PARTICLES, .rows = SIDE * SIDE * SIDE, .x = (const double(*)[3])x};
 }
 

@@ -71,7 +71,7 @@ static double write_rows(const study *of, const flock *all, FILE *file) {
         fprintf(file, "%.6g,%d,%.4g,%.6g,%.6g\n", simulation_time(run), r, apart, total_energy(run),
                 lowest_point(vertices, simulation_positions(run)));
     }
-    return sqrt(squares / MOVED_RUNS);
+    return sqrt(squares / (double)MOVED_RUNS);
 }
 
 /* Steps all runs until one gives up, and tells when they are how far apart. */
@@ -101,8 +101,8 @@ static void tell_ends(const study *of, const flock *all) {
             total_energy(all->run[r]),
             lowest_point(of->cloth.vertex_count, simulation_positions(all->run[r]))};
         for (int k = 0; k < 2; k++) {
-            sum[k] += value[k] / MOVED_RUNS;
-            squares[k] += value[k] * value[k] / MOVED_RUNS;
+            sum[k] += value[k] / (double)MOVED_RUNS;
+            squares[k] += value[k] * value[k] / (double)MOVED_RUNS;
         }
     }
     fprintf(stderr,
