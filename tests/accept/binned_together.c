@@ -13,7 +13,7 @@
 enum { N = 3000, M = 200 };
 static int i1[N], i2[N];
 static double w[N], u[N], fx[M + 2], fy[M + 2], fz[M + 2], low[M], high[M];
-static double p0[M], p1[M], p2[M], p3[M], p4[M], p5[M];
+static double p0[M], p1[M], p2[M + M / 4], p3[M], p4[M], p5[M];
 static float part[N], sums[M];
 static long counts[M], totals[M];
 static unsigned char small[M];
