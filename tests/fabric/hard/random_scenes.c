@@ -23,7 +23,7 @@
 #include "simulation_state.h"
 #include "vector.h"
 
-enum { PATIENCE = 60 /* s of CPU time */ };
+enum { PATIENCE = 900 /* s of CPU time: what takes longer will not end */ };
 enum {
     FINISHED,
     REFUSED,
