@@ -10,8 +10,8 @@
  *
  *   kernel,method,threads,serial_seconds,seconds,speed_up,lowest,highest,best,cpu,extra_percent
  *
- * Beside these a run of its own by `auto`, from the loop's first execution on, in which the
- * sequential loop takes turns with it: seconds and the speed-up are those of all executions.
+ * A separate run executes the loop by `auto`, in turns with the sequential loop, and adds up all
+ * executions, the first included: seconds and the speed-up are those of the sums.
  *
  * Of the others seconds are medians; speed-ups are medians of the rounds' own, lowest and highest
  * of them; best is the least time of the sequential loop over the least of this one; cpu is the

@@ -237,9 +237,8 @@ static bool can_be_stream(const loop_text *loop, unsigned number) {
 
 /** Do the arrays stand nowhere but in their updates? */
 static bool is_read_elsewhere(const loop_text *loop, const ir_node *node) {
-    for (unsigned i = 0; i < loop->facts->update_count; i++)
-        if (loop->facts->updates[i].statement == node)
-            return false;
+    if (loop_update_at(loop->facts, node))
+        return false;
     if (ir_is_expression(node) && loop_array_of_base(loop, node) >= 0)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)

@@ -19,13 +19,6 @@ typedef struct grouping {
     unsigned begin; /* the first group of the statements at hand */
 } grouping;
 
-static const reduction_update *update_at(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->update_count; i++)
-        if (facts->updates[i].statement == statement)
-            return &facts->updates[i];
-    return NULL;
-}
-
 /** Has the element the same number, counted from its array's base in elements? Both have been found
  *  to be in step. */
 static bool same_place(const loop_text *loop, const reduction_update *a,
@@ -74,7 +67,7 @@ static unsigned group_for(grouping *g, const reduction_update *update) {
 
 static void find_groups(grouping *g, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++) {
-        const reduction_update *update = update_at(g->loop->facts, node->children[i]);
+        const reduction_update *update = loop_update_at(g->loop->facts, node->children[i]);
         if (!update || node->kind != IR_BLOCK)
             g->begin = g->count;
         if (update)
@@ -131,7 +124,7 @@ bool group_updates(loop_text *loop, struct bins_text *bins, bool together) {
     const loop_facts *facts = loop->facts;
     grouping g = {.loop = loop,
                   .members = ARENA_ARRAY(loop->arena, struct member, facts->update_count + 1)};
-    const reduction_update *only = update_at(facts, facts->counted.body);
+    const reduction_update *only = loop_update_at(facts, facts->counted.body);
     if (only)
         add_member(&g, only, g.count++);
     else

@@ -56,13 +56,6 @@ static const char *guard_end(const reduction_update *update) {
     return needs_braces(update) ? "} }" : "}";
 }
 
-static const reduction_update *update_of(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->update_count; i++)
-        if (facts->updates[i].statement == statement)
-            return &facts->updates[i];
-    return NULL;
-}
-
 /** s += e: the operand is kept. */
 static bool print_operand(body_copy *copy, const ir_node *statement) {
     loop_text *loop = copy->loop;
@@ -84,7 +77,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
     const forwarded_store *store = forward_stored_by(loop->facts, statement);
     if (!store)
         return false;
-    const reduction_update *update = update_of(loop->facts, statement);
+    const reduction_update *update = loop_update_at(loop->facts, statement);
     write_forward(loop, out, store, local_name, loop);
     writer_line(out, "%s", guard_text(loop, update));
     write_forwarded_store(loop, out, store, local_name, loop);
@@ -113,7 +106,7 @@ static bool print_guard(printer *p, const ir_node *statement) {
         return true;
     if (copy->within == statement)
         return false;
-    const reduction_update *update = update_of(copy->loop->facts, statement);
+    const reduction_update *update = loop_update_at(copy->loop->facts, statement);
     if (!update)
         return false;
     if (update->last)

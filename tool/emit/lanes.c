@@ -17,13 +17,6 @@ void lane_problem(lifter *l, const char *problem) {
 
 /* ---- what updates ---------------------------------------------------------------------------- */
 
-static const reduction_update *update_at(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->update_count; i++)
-        if (facts->updates[i].statement == statement)
-            return &facts->updates[i];
-    return NULL;
-}
-
 static bool has_update(const loop_facts *facts, const ir_node *statement) {
     for (unsigned i = 0; i < facts->update_count; i++)
         if (ir_contains(statement, facts->updates[i].statement))
@@ -102,7 +95,7 @@ static bool check_update_node(ir_node *node, void *context) {
     const update_check *check = context;
     lifter *l = check->l;
     bool other = false;
-    if (update_at(l->loop->facts, node)) {
+    if (loop_update_at(l->loop->facts, node)) {
         check_update(l, node);
         return false;
     }
@@ -146,7 +139,7 @@ typedef struct update_printer {
 
 static bool print_update(printer *p, const ir_node *statement) {
     lifter *l = ((update_printer *)p)->l;
-    const reduction_update *update = update_at(l->loop->facts, statement);
+    const reduction_update *update = loop_update_at(l->loop->facts, statement);
     if (!update)
         return false;
     const char *target = text_operand(p->arena, update->target, lane_rename, l);

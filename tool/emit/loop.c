@@ -66,6 +66,13 @@ int loop_array_of_base(const loop_text *loop, const ir_node *node) {
     return -1;
 }
 
+const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].statement == statement)
+            return &facts->updates[i];
+    return NULL;
+}
+
 /* ---- the block ----------------------------------------------------------------------------- */
 
 static void write_execution(loop_text *loop, writer *out) {

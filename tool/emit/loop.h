@@ -78,6 +78,8 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset);
 const char *loop_iteration_offset(loop_text *loop);
 /** The array whose base this node says, or -1. */
 int loop_array_of_base(const loop_text *loop, const ir_node *node);
+/** The first update that this statement makes, or NULL. */
+const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement);
 
 /** setup.c: fills arrays, sources and counter_type, and records what forbids writing the loop. */
 void prepare_loop(loop_text *loop);
