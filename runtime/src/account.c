@@ -89,7 +89,8 @@ static void trace_outcome(const struct loop_state *state, const redcc_loop *loop
     static const char *const results[] = {
         [RESULT_SEQUENTIAL] = "sequential", [RESULT_PARALLEL] = "in parallel",
         [RESULT_UNATTRACTIVE] = "a look",   [RESULT_STOPPED] = "an inspection stopped",
-        [RESULT_CHANGED] = "a plan lost",   [RESULT_REFUSED] = "a plan refused"};
+        [RESULT_CHANGED] = "a plan lost",   [RESULT_REFUSED] = "a plan refused",
+        [RESULT_LEFT] = "bins left"};
     redcc_trace(TRACE_CHOICE, loop, "%s: %.3g s, set-up %.3g s; may lose %.3g s",
                 results[outcome->result], outcome->seconds, outcome->set_up,
                 redcc_credit(&state->chooser.state));
@@ -253,7 +254,9 @@ static void account_binned(struct execution *execution, double now) {
                 binning->bytes, now - execution->run.ready);
     if (call->method)
         return;
-    const struct outcome outcome = {RESULT_PARALLEL, WAY_BINS, trip, now - call->entered, 0, 0};
+    const enum result result =
+        execution->reason == REASON_SERIAL_FASTER ? RESULT_LEFT : RESULT_PARALLEL;
+    const struct outcome outcome = {result, WAY_BINS, trip, now - call->entered, 0, 0};
     redcc_tell_auto(state, call->request.loop, &outcome, REASON_NONE);
 }
 

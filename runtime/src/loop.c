@@ -37,8 +37,8 @@ static void join_parts(struct loop_state *state) {
     execution->reuse.written = inspection->touched;
     state->binning.call = &execution->call;
     state->binning.barrier = &execution->barrier;
-    state->binning.last_claimed = &execution->run.last_claimed;
-    state->binning.error = &execution->run.error;
+    state->binning.effects.last_claimed = &execution->run.last_claimed;
+    state->binning.effects.error = &execution->run.error;
 }
 
 static struct loop_state *state_new(redcc_loop *loop) {

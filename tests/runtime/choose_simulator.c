@@ -96,6 +96,19 @@ static void run_sequentially(struct simulation *it, const struct simulated_call 
         it->so_far.total += call->sequential;
 }
 
+/* A trial in bins: rounds of a 16th of the loop, of as much again, ... */
+static void try_bins(struct simulation *it, const struct simulated_call *call, double may_lose) {
+    const double more = call->execution[WAY_BINS] - call->sequential, start = start_left(it);
+    double done = 1.0 / 16;
+    while (done < 1 && done * more <= may_lose)
+        done *= 2;
+    const enum result result = done < 1 ? RESULT_LEFT : RESULT_PARALLEL;
+    const double seconds = call->sequential + fmin(done, 1) * more + start;
+    it->started = true;
+    it->so_far.parallel += result == RESULT_PARALLEL;
+    tell(it, (struct outcome){result, WAY_BINS, call->trip, seconds, 0, 0});
+}
+
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
     struct kept_plan *plan = way == WAY_BINS ? NULL : find_plan(it, way, call->trip);
     if (!plan || plan->subscripts == call->subscripts) {
@@ -186,7 +199,10 @@ static void carry_out(struct simulation *it, const struct simulated_call *call) 
         inspect(it, call, &now, decision);
         break;
     case ACTION_REUSE:
-        run_by_plan(it, call, decision.way);
+        if (decision.trial.may_lose > 0)
+            try_bins(it, call, decision.trial.may_lose);
+        else
+            run_by_plan(it, call, decision.way);
         break;
     }
 }

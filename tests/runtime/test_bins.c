@@ -256,12 +256,33 @@ static void random_problems(void **unused) {
         redcc_bins_tuning.direct_bins = n % 2 ? 0 : 288;
         redcc_bins_tuning.round = n % 3 ? INT64_MAX : 1 + trip / 3;
         redcc_bins_tuning.least_budget = (size_t)1 << (small ? 32 : 20 + n % 5);
+        redcc_bins_tuning.trial = (struct trial){.usual = n % 5, .may_lose = n % 7 ? 0 : 1e-9};
         for (int call = 0; call < 3; call++) /* what is known stays, for other threads, too */
             compare(&data, thread_counts[1 + (n + call) % (COUNTS - 2)]);
         free_data(&data);
     }
     redcc_bins_tuning = *usual;
     assert_int_equal(redcc_memory_live(), 0);
+}
+
+/* A trial that loses whatever it does ends after one round, the rest being sequential; one that
+ * gains has rounds that become longer. */
+static void trials(void **unused) {
+    (void)unused;
+    for (int l = 0; l < LOOPS; l++) {
+        struct data data = new_data(loops[l], 701, 6000, l % KINDS, (unsigned long)(l + 1));
+        for (int c = 1; c < COUNTS; c += 2)
+            for (int gains = 0; gains < 2; gains++) {
+                redcc_bins_tuning.trial = (struct trial){.usual = gains, .may_lose = 1e-9};
+                const long rounds = compare(&data, thread_counts[c]);
+                const struct binning *binning = &state_of(loops[l])->binning;
+                assert_int_equal(binning->reason, gains ? REASON_NONE : REASON_SERIAL_FASTER);
+                assert_int_equal(binning->round.begin == 6000, gains);
+                assert_int_equal(rounds, gains ? 5 : 1);
+            }
+        free_data(&data);
+    }
+    redcc_bins_tuning = *usual;
 }
 
 /* Between executions subscripts may go elsewhere, and the loop may become longer or shorter. */
@@ -333,10 +354,15 @@ int main(void) {
     usual_tuning = redcc_bins_tuning;
     usual = &usual_tuning;
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(floats_are_never_copied), cmocka_unit_test(the_last_iteration_is_claimed),
-        cmocka_unit_test(every_operator),          cmocka_unit_test(rounds_of_every_size),
-        cmocka_unit_test(bins_of_every_size),      cmocka_unit_test(random_problems),
-        cmocka_unit_test(other_subscripts),        cmocka_unit_test(small_integers_are_copied),
+        cmocka_unit_test(floats_are_never_copied),
+        cmocka_unit_test(the_last_iteration_is_claimed),
+        cmocka_unit_test(every_operator),
+        cmocka_unit_test(rounds_of_every_size),
+        cmocka_unit_test(bins_of_every_size),
+        cmocka_unit_test(random_problems),
+        cmocka_unit_test(trials),
+        cmocka_unit_test(other_subscripts),
+        cmocka_unit_test(small_integers_are_copied),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,6 +27,7 @@
 #include "base/bins_kind.h"
 #include "base/call.h"
 #include "base/reason.h"
+#include "base/trial.h"
 #include "bins/buffer.h"
 #include "ownership/overlap.h"
 
@@ -79,6 +80,19 @@ struct written_witness {
     void *whom;
 };
 
+/** What iterations leave beside the arrays, in the execution: undone with a round that is thrown
+ * away.
+ */
+struct effects {
+    atomic_int *last_claimed;
+    atomic_ullong *error;
+};
+
+struct bins_trial {
+    struct trial terms;
+    double began; /* when; of a trial */
+};
+
 struct binning {
     const struct call *call;
     const redcc_binned *loop; /* NULL: it has no form for bins */
@@ -87,16 +101,16 @@ struct binning {
     int binners;
     struct binned_stream *stream; /* [stream_count] */
     enum bins_phase phase;
+    struct bins_trial trial;
     struct round round;
     bool copies;        /* private ones, in this execution */
     int cut_threads;    /* that the windows were cut for */
     bool denies_copies; /* the guard found them to be too coarse */
     atomic_uint next_bin;
-    atomic_int failed;        /* in this round, by some thread */
-    atomic_int *last_claimed; /* of the execution */
-    atomic_ullong *error;     /* of the execution */
-    enum reason reason;       /* why the rest is sequential; NONE: all is done */
-    struct overlap overlap;   /* of REASON_OVERLAP */
+    atomic_int failed; /* in this round, by some thread */
+    struct effects effects;
+    enum reason reason;     /* why the rest is sequential; NONE: all is done */
+    struct overlap overlap; /* of REASON_OVERLAP */
     long rounds;
     size_t bytes;
     struct written_witness witness;
@@ -160,8 +174,9 @@ bool redcc_bins_new(struct binning *binning, const redcc_loop *loop);
 /** A thread joins an execution of `threads` threads. */
 void redcc_binner_join(struct binner *binner, int threads);
 
-/** Begins an execution. One thread. */
-void redcc_bins_begin(struct binning *binning, struct written_witness witness);
+/** Begins an execution of binning->call. A trial begins with a short round, and ends after the
+ * first one by which too much is lost: the rest of the loop runs sequentially. One thread. */
+void redcc_bins_begin(struct binning *binning, struct trial trial, struct written_witness witness);
 
 /** The next iterations of the thread, into *worker and bins [stream_count]. False: it is over. */
 bool redcc_bins_step(struct binning *binning, struct binner *binner, redcc_worker *worker,

@@ -2,6 +2,7 @@
 /** The phases of a binned loop, which binning.h draws. */
 #include "bins/binning.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/share.h"
 
@@ -12,7 +13,9 @@ enum {
     CHUNK = 16384,  /* iterations: after so many a thread sees that the round has failed */
     STRETCHES = 64, /* of each thread's share are measured, */
     STRETCH = 64,   /* so many iterations each */
-    LEAST_CHUNK = 512
+    LEAST_CHUNK = 512,
+    TRIED = 16 /* the first round of a trial is that part of the loop; the next is as long as all
+                  before */
 };
 
 /* Than was seen may come; while a rate holds as much of what is seen, it stays, and memory with it.
@@ -21,6 +24,10 @@ static const double measured_more = 1.25, pushed_more = 1.0625, kept_down_to = 0
 
 static uint32_t stream_count(const struct binning *binning) {
     return binning->loop->stream_count;
+}
+
+static bool is_trial(const struct binning *binning) {
+    return binning->trial.terms.may_lose > 0;
 }
 
 /* ---- each thread's part ---------------------------------------------------------------------- */
@@ -107,8 +114,9 @@ static bool next_chunk(struct binning *binning, struct binner *binner, redcc_wor
 
 /* What the body has done as if it were for good is undone. */
 static void throw_away(struct binning *binning) {
-    atomic_store_explicit(binning->error, binning->round.error_before, memory_order_relaxed);
-    atomic_store_explicit(binning->last_claimed, 0, memory_order_relaxed);
+    atomic_store_explicit(binning->effects.error, binning->round.error_before,
+                          memory_order_relaxed);
+    atomic_store_explicit(binning->effects.last_claimed, 0, memory_order_relaxed);
 }
 
 static enum bins_phase end_with(struct binning *binning, enum reason reason) {
@@ -117,14 +125,16 @@ static enum bins_phase end_with(struct binning *binning, enum reason reason) {
     return BINS_OVER;
 }
 
-/* What is left, in rounds of about equal size. */
+/* What is left, in rounds of about equal size; in a trial a part of it. Memory is there for all of
+ * it, so that the parts take only what they use. */
 static enum bins_phase begin_round(struct binning *binning) {
     struct round *round = &binning->round;
-    const redcc_int left = binning->call->request.trip - round->begin;
-    const redcc_int rounds = (left - 1) / round->most + 1;
+    const redcc_int trip = binning->call->request.trip, left = trip - round->begin;
+    const redcc_int rounds = (left - 1) / round->most + 1, even = (left - 1) / rounds + 1;
+    const redcc_int tried = round->begin > 0 ? round->begin : trip / TRIED + 1;
     assert(left > 0 && round->most > 0);
-    round->end = round->begin + (left - 1) / rounds + 1;
-    round->error_before = atomic_load_explicit(binning->error, memory_order_relaxed);
+    round->end = round->begin + (is_trial(binning) && tried < even ? tried : even);
+    round->error_before = atomic_load_explicit(binning->effects.error, memory_order_relaxed);
     atomic_store_explicit(&binning->failed, 0, memory_order_relaxed);
     atomic_store_explicit(&binning->next_bin, 0, memory_order_relaxed);
     return BINS_PUSH;
@@ -136,6 +146,8 @@ static enum bins_phase lay_out(struct binning *binning) {
 }
 
 static enum bins_phase after_start(struct binning *binning) {
+    if (is_trial(binning))
+        binning->trial.began = redcc_seconds();
     for (uint32_t s = 0; s < stream_count(binning); s++)
         if (binning->stream[s].rate == 0)
             return BINS_MEASURE;
@@ -246,13 +258,25 @@ static enum bins_phase lengthen(struct binning *binning) {
     return lay_out(binning);
 }
 
+/* What was lost so far is taken from what all may lose. */
+static bool is_too_slow(const struct binning *binning) {
+    const struct trial terms = binning->trial.terms;
+    return is_trial(binning) &&
+           redcc_seconds() - binning->trial.began - terms.usual * (double)binning->round.begin >
+               terms.may_lose;
+}
+
 static enum bins_phase after_apply(struct binning *binning) {
     struct round *round = &binning->round;
     binning->rounds++;
     round->begin = round->end;
     round->failures = 0;
-    if (round->begin < binning->call->request.trip)
-        return round->shortened ? lengthen(binning) : begin_round(binning);
+    if (round->begin < binning->call->request.trip) {
+        if (!is_too_slow(binning))
+            return round->shortened ? lengthen(binning) : begin_round(binning);
+        binning->reason = REASON_SERIAL_FASTER;
+        return BINS_OVER;
+    }
     if (binning->rounds == 1)
         trim(binning);
     return BINS_OVER;
@@ -311,8 +335,9 @@ void redcc_binner_join(struct binner *binner, int threads) {
     binner->begun = false;
 }
 
-void redcc_bins_begin(struct binning *binning, struct written_witness witness) {
+void redcc_bins_begin(struct binning *binning, struct trial trial, struct written_witness witness) {
     binning->phase = BINS_START;
+    binning->trial.terms = trial;
     binning->witness = witness;
     binning->round = (struct round){.most = redcc_bins_tuning.round};
     binning->reason = REASON_NONE;

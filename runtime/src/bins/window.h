@@ -3,6 +3,7 @@
 #ifndef REDCC_WINDOW_H
 #define REDCC_WINDOW_H
 
+#include "base/trial.h"
 #include "redcc/bins.h"
 
 #include <stdbool.h>
@@ -46,6 +47,7 @@ struct bins_tuning {
     size_t least_budget;     /* bytes of records, whatever the size of the arrays */
     size_t copies_bytes;     /* of the arrays, at most, for private copies to be made */
     size_t one_thread_bytes; /* of the arrays, at least, for one thread to bin them */
+    struct trial trial;      /* where binning is named */
 };
 
 extern struct bins_tuning redcc_bins_tuning;

@@ -169,6 +169,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .way = decision.way,
                             .alone = decision.alone,
                             .timed = decision.timed,
+                            .trial = decision.trial,
                             .skipped_calls = chooser->skipped,
                             .rule = decision.rule};
     chooser->skipped = decision.action == ACTION_SEQUENTIAL ? chooser->skipped + 1 : 0;

@@ -11,6 +11,9 @@ static const double share = 1.0 / 32;
  * LOCALWRITE on loops without runs took up to 1.6 times the sequential loop, but there estimates
  * say so; else no more than 1.25 times. */
 static const double reserve = 0.25;
+/* ... and for a trial in bins, which ends after the first round that has lost as much: paid for by
+ * two sequential executions and a look. */
+static const double tried = 1.0 / 24;
 /* Before any sample was taken: 256 iterations of some touches, by one thread. */
 static const double first_look = 0.4e-3;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
@@ -54,19 +57,31 @@ static struct decision sequentially(struct size_state *size, enum rule rule) {
     return (struct decision){.action = ACTION_SEQUENTIAL, .timed = true, .rule = rule};
 }
 
-static struct decision reuse(struct size_state *size, enum way way, enum rule rule) {
+/* Bins need no set-up: until they are the faster way, an execution by them is a trial. */
+static bool is_trial(const struct size_state *size, enum way way) {
+    const bool compared = size->stand == STAND_COMPARING && size->comparison.contender == way;
+    return way == WAY_BINS && (compared || !size->prospect[way].measured);
+}
+
+static struct decision reuse(struct size_state *size, const struct situation *now, enum way way,
+                             enum rule rule) {
+    const double usual = redcc_usual(&size->sequential);
+    struct decision decision = {.action = ACTION_REUSE, .way = way, .rule = rule};
+    const bool was_faster = size->prospect[way].measured && size->prospect[way].execution < usual;
     size->rule = rule;
-    return (struct decision){.action = ACTION_REUSE, .way = way, .rule = rule};
+    if (is_trial(size, way) && !was_faster) /* whose short rounds would hide a gain */
+        decision.trial = (struct trial){usual, tried * usual * (double)now->trip};
+    return decision;
 }
 
 /* Seconds that a set-up of this way may take now, or, if not negative: may a plan be executed? */
 static double room_for(const struct choice_state *state, const struct size_state *size,
                        long long trip, enum way way) {
     const double usual = redcc_usual(&size->sequential);
-    const bool is_known = way != WAY_BINS || size->prospect[way].measured;
-    const bool is_clear = is_known && redcc_expected(size, way) < redcc_clear * usual;
+    const bool is_clear = redcc_expected(size, way) < redcc_clear * usual;
+    const double risk = is_trial(size, way) ? tried : is_clear ? 0 : reserve;
     const double lent = way == WAY_BINS ? state->ledger.loan : 0; /* for a set-up */
-    return redcc_credit(state) - lent - (is_clear ? 0 : reserve * usual * (double)trip);
+    return redcc_credit(state) - lent - risk * usual * (double)trip;
 }
 
 static bool keeps_changing(const struct size_state *size, const struct situation *now) {
@@ -243,10 +258,10 @@ static struct decision decide_saving(struct choice_state *state, struct size_sta
         if (size->prospect[kept].measured) {
             size->way = kept;
             size->stand = STAND_PARALLEL;
-            return reuse(size, kept, RULE_FASTER);
+            return reuse(size, now, kept, RULE_FASTER);
         }
         redcc_compare(size, kept, WAY_SEQUENTIAL);
-        return reuse(size, kept, RULE_COMPARING);
+        return reuse(size, now, kept, RULE_COMPARING);
     }
     if (keeps_changing(size, now))
         return sequentially(size, RULE_CHANGING);
@@ -270,7 +285,7 @@ static struct decision decide_comparing(struct choice_state *state, struct size_
     if (turn == WAY_SEQUENTIAL)
         return sequentially(size, RULE_COMPARING);
     return room_for(state, size, now->trip, turn) < 0 ? sequentially(size, RULE_SAVING)
-                                                      : reuse(size, turn, RULE_COMPARING);
+                                                      : reuse(size, now, turn, RULE_COMPARING);
 }
 
 /* Was the sequential loop not timed for so long that timing it costs little? Where the plan was as
@@ -305,9 +320,9 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
     const enum way kept = kept_way(state, size, now, redcc_better * current);
     if (kept != WAY_SEQUENTIAL && kept != size->way) {
         redcc_compare(size, kept, size->way);
-        return reuse(size, kept, RULE_COMPARING);
+        return reuse(size, now, kept, RULE_COMPARING);
     }
-    return reuse(size, size->way, RULE_FASTER);
+    return reuse(size, now, size->way, RULE_FASTER);
 }
 
 /* Calls that are left to the sequential loop end here: a compare and a counter. */

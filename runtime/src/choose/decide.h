@@ -14,6 +14,7 @@
 #ifndef REDCC_CHOOSE_DECIDE_H
 #define REDCC_CHOOSE_DECIDE_H
 
+#include "base/trial.h"
 #include "base/way.h"
 #include "choose/rule.h"
 
@@ -63,17 +64,19 @@ struct decision {
     bool alone;      /**< INSPECT: by one thread, for redcc_note_prospects; no thread is started */
     bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
     double deadline; /**< of redcc_pick_way: seconds after which the set-up must be given up */
+    struct trial trial; /**< REUSE of WAY_BINS, where it may turn out to be slower */
     enum rule rule;
 };
 
 /** What came of a call. An inspection or a reuse that fails is followed by a sequential execution,
- *  which is an outcome of its own. */
+ *  which is an outcome of its own; but not a trial, which is one outcome with what followed. */
 enum result {
     RESULT_SEQUENTIAL,
     RESULT_PARALLEL,     /**< after a set-up, where set_up > 0 */
     RESULT_UNATTRACTIVE, /**< the inspection ended with its sample: redcc_pick_way said so */
     RESULT_STOPPED,      /**< ... or at its deadline */
     RESULT_CHANGED,      /**< the kept plan's subscripts were others */
+    RESULT_LEFT,         /**< a trial was slower than allowed; it went on sequentially, and ended */
     RESULT_REFUSED       /**< a guard, or memory, forbade it; way SEQUENTIAL: any other, too */
 };
 

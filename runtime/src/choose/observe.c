@@ -10,6 +10,7 @@ enum {
     PAIRS = 3, /* of a comparison: decides right in 19 of 20 cases at a noise of 30 % */
     /* Calls, of the first rest. */
     SLOWER_REST = 16,
+    LEFT_REST = 4, /* a round is timed once, and what is lost on it is little */
     UNATTRACTIVE_REST = 64,
     REFUSED_REST = 2
 };
@@ -26,6 +27,14 @@ static bool another_may_do(struct size_state *size, enum way way) {
     return redcc_some_way_is_better(size);
 }
 
+/* The way was slower than the sequential loop. Bins have no set-up that is lost with them. */
+static void return_to_sequential(struct size_state *size, enum way way, long rest) {
+    if (way == WAY_BINS && another_may_do(size, WAY_BINS))
+        stop_resting(size, STAND_SAVING);
+    else
+        redcc_rest(size, STAND_RESTING, RULE_SLOWER, rest, REDCC_REST_MOST);
+}
+
 /* A comparison is over: the contender was the faster way, or not. */
 static void settle(struct size_state *size, bool contender_won) {
     const struct comparison *it = &size->comparison;
@@ -35,11 +44,7 @@ static void settle(struct size_state *size, bool contender_won) {
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (!contender_won && it->incumbent == WAY_SEQUENTIAL) {
-        if (it->contender == WAY_BINS && another_may_do(size, WAY_BINS)) {
-            stop_resting(size, STAND_SAVING);
-            return;
-        }
-        redcc_rest(size, STAND_RESTING, RULE_SLOWER, SLOWER_REST, REDCC_REST_MOST);
+        return_to_sequential(size, it->contender, SLOWER_REST);
         return;
     }
     stop_resting(size, STAND_PARALLEL);
@@ -153,6 +158,20 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
         size->unchecked += outcome->seconds;
 }
 
+/* Of all ways bins alone can be left in the middle. */
+static void observe_left(struct choice_state *state, struct size_state *size,
+                         const struct outcome *outcome) {
+    const double sequential = redcc_least(&size->sequential) * (double)outcome->trip;
+    struct prospect *prospect = &size->prospect[outcome->way];
+    state->ledger.sequential += sequential;
+    state->ledger.overhead += outcome->seconds - sequential;
+    size->set_ups.since += sequential;
+    prospect->execution = outcome->seconds / (double)outcome->trip;
+    prospect->measured = true;
+    size->way = outcome->way;
+    return_to_sequential(size, outcome->way, LEFT_REST);
+}
+
 static void observe_stop(struct size_state *size, const struct outcome *outcome) {
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
@@ -187,6 +206,9 @@ static void take_in(struct choice_state *state, struct size_state *size,
         return;
     case RESULT_PARALLEL:
         observe_parallel(state, size, outcome);
+        return;
+    case RESULT_LEFT:
+        observe_left(state, size, outcome);
         return;
     case RESULT_UNATTRACTIVE:
         if (outcome->way != WAY_SEQUENTIAL)
