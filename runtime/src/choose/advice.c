@@ -22,9 +22,9 @@ static const double frequent = 0.25;       /* runs, of the iterations */
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
 static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execution */
-/* Bytes of arrays that no cache holds: random updates of smaller ones are no faster in bins
- * (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
-static const double beyond_caches = 32e6, copied_most = 4e6;
+/* Bytes of arrays that no core's own caches hold: random updates of smaller ones are no faster in
+ * bins (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
+static const double beyond_caches = 12e6, copied_most = 4e6;
 static const double least_row = 4; /* bytes: more updates than rows, or copies are not worth it */
 static const double least_alone = 100e-6; /* of one thread: half of it is saved by a second */
 
