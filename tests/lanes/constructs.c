@@ -185,6 +185,20 @@ static void lifted_varying_condition(int n, const struct element *restrict e,
     }
 }
 
+static void lifted_array_of_some(int n, const struct element *restrict e,
+                                 const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        double d[2], sum = 0;
+        if (p[i][0] > 0.25) {
+            d[0] = -p[i][1];
+            d[1] = d[0] - 0.5;
+            sum = d[0] * d[1];
+        }
+        b[i] += sum;
+    }
+}
+
 static void lifted_conditions_within(int n, const struct element *restrict e,
                                      const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -458,6 +472,7 @@ int main(void) {
             EACH(lifted_uniform_conditions(n, round, element, P, block), block);
             EACH(lifted_condition_around_updates(n, element, P, single), single);
             EACH(lifted_varying_condition(n, element, P, single), single);
+            EACH(lifted_array_of_some(n, element, P, single), single);
             EACH(lifted_conditions_within(n, element, P, single), single);
             EACH(lifted_decided_by_the_left(n, far_outside, element, P, single), single);
             EACH(lifted_exits(n, element, P, scale, single), single);

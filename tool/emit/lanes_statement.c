@@ -78,8 +78,8 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
 static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node *value) {
     const char *name = origin_declarator(l->loop->arena, variable);
     const char *of = extents(l, variable->type);
-    if (!value)
-        writer_line(l->out, "redcc_vector %s%s%s;", name, of, *of ? "" : " = {0}");
+    if (!value) /* what a selection keeps of it is not used, but read */
+        writer_line(l->out, "redcc_vector %s%s = %s;", name, of, zeros(l, variable->type));
     else if (variable->type->kind == IR_ARRAY)
         writer_line(l->out, "redcc_vector %s%s = %s;", name, of,
                     array_initialiser(l, variable->type, value));

@@ -43,7 +43,8 @@
 /* gcc and clang: what the user's file does not warn of must not be warned of here. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
-        _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"") REDCC_QUIET_XOR
+        _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
+            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"") REDCC_QUIET_XOR
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** What one execution is described by: bases, extents of sources, key. */
