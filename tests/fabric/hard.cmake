@@ -26,6 +26,9 @@ if(REDCC_SANITIZE) # driven scenes behind the 19th take up to a minute so, and d
 endif()
 add_test(NAME fabric.hard.random_scenes COMMAND random_scenes ${scenes})
 add_test(NAME fabric.hard.random_scenes_driven COMMAND random_scenes ${driven} 1 driven)
+# The longest tests begin first, or one core waits for the other at the end.
+set_tests_properties(fabric.hard.piles fabric.hard.random_scenes_driven fabric.hard.demand
+                     fabric.hard.shape fabric.hard.random_scenes PROPERTIES COST 100)
 # A stiff sheet in steps of 29 s: a plane at rest seemed to have put in what the solution gained.
 add_test(NAME fabric.hard.random_scenes_230 COMMAND random_scenes 3 229)
 
