@@ -44,36 +44,43 @@ if(TARGET fabric_app)
            WORKING_DIRECTORY ${files_folder})
 endif()
 
-# Instructions of a build with the effects that a sheet lacks against one without them.
+# Instructions of a build with an effect that a sheet lacks against one without it: one test for each
+# effect of effects.def.
 find_program(VALGRIND valgrind)
 if(VALGRIND AND NOT REDCC_SANITIZE)
-  # effect_cost(SHEET EFFECT...): the effects as effect.h names them. Only the sources that ask what a
-  # build has are compiled anew.
+  set(sheet_SHEAR no-shear)
+  set(sheet_SHEAR_DAMPING no-shear)
+  set(sheet_STRETCH no-stretch)
+  set(sheet_STRETCH_DAMPING no-stretch)
+  set(sheet_GRAVITY weightless)
+  set(sheet_PINS free)
+  set(sheet_MONITOR unwatched)
+  # Only the sources that ask what a build has are compiled anew.
   set(asking forces.c integrator.c simulation.c simulation_state.c effects/triangle.c)
   list(TRANSFORM asking PREPEND ${PROJECT_SOURCE_DIR}/examples/fabric/)
   set_source_files_properties(${asking} PROPERTIES COMPILE_OPTIONS -Wno-unknown-pragmas)
   add_executable(effect_cost EXCLUDE_FROM_ALL hard/effect_cost.c)
   target_link_libraries(effect_cost PRIVATE fabric_physics_tests fabric_physics redcc_warnings)
   set(effect_cost_targets effect_cost)
-  function(effect_cost sheet)
-    list(TRANSFORM ARGN PREPEND "1<<EFFECT_" OUTPUT_VARIABLE bits)
-    list(JOIN bits "|" bits)
-    add_executable(effect_cost_${sheet} EXCLUDE_FROM_ALL hard/effect_cost.c ${asking})
-    target_compile_definitions(effect_cost_${sheet} PRIVATE "FABRIC_WITHOUT=(${bits})")
-    target_link_libraries(effect_cost_${sheet} PRIVATE fabric_physics_tests fabric_physics
+  file(STRINGS ${PROJECT_SOURCE_DIR}/examples/fabric/effects/effects.def effects REGEX "^EFFECT\\(")
+  list(TRANSFORM effects REPLACE "^EFFECT\\(([A-Z_]+),.*" "\\1")
+  foreach(effect ${effects})
+    set(sheet ${sheet_${effect}})
+    if(NOT sheet)
+      set(sheet held)
+    endif()
+    string(TOLOWER ${effect} name)
+    add_executable(effect_cost_${name} EXCLUDE_FROM_ALL hard/effect_cost.c ${asking})
+    target_compile_definitions(effect_cost_${name} PRIVATE "FABRIC_WITHOUT=(1<<EFFECT_${effect})")
+    target_link_libraries(effect_cost_${name} PRIVATE fabric_physics_tests fabric_physics
                           redcc_warnings)
-    add_test(NAME fabric.hard.instructions_${sheet}
+    add_test(NAME fabric.hard.instructions_${name}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/instructions.sh
-                     $<TARGET_FILE:effect_cost> $<TARGET_FILE:effect_cost_${sheet}> ${sheet})
-    set_tests_properties(fabric.hard.instructions_${sheet} PROPERTIES FIXTURES_REQUIRED effect_cost
+                     $<TARGET_FILE:effect_cost> $<TARGET_FILE:effect_cost_${name}> ${sheet})
+    set_tests_properties(fabric.hard.instructions_${name} PROPERTIES FIXTURES_REQUIRED effect_cost
                          LABELS slow)
-    set(effect_cost_targets ${effect_cost_targets} effect_cost_${sheet} PARENT_SCOPE)
-  endfunction()
-  effect_cost(held BEND BEND_DAMPING STRAIN_LIMIT DRAG WIND SELF_COLLISION)
-  effect_cost(no-shear SHEAR SHEAR_DAMPING)
-  effect_cost(no-stretch STRETCH STRETCH_DAMPING)
-  effect_cost(unwatched MONITOR)
-  effect_cost(free PINS CONTACT FRICTION SELF_COLLISION)
+    list(APPEND effect_cost_targets effect_cost_${name})
+  endforeach()
   add_test(NAME fabric.hard.build_without
            COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target ${effect_cost_targets})
   set_tests_properties(fabric.hard.build_without PROPERTIES FIXTURES_SETUP effect_cost LABELS slow)

@@ -22,6 +22,8 @@ static int choose(scene *s, const char *name) {
         s->stretch = s->stretch_damping = 0;
     else if (strcmp(name, "unwatched") == 0)
         s->limits.off = 1;
+    else if (strcmp(name, "weightless") == 0)
+        s->gravity[0] = s->gravity[1] = s->gravity[2] = 0;
     else if (strcmp(name, "free") == 0) /* nothing but gravity and its own forces */
         s->pin_count = 0;
     else
