@@ -19,6 +19,7 @@ typedef struct inputs {
     const options *options;
     joined_report *joined; /* where reports are put together */
     unsigned transformed;
+    unsigned long long unknown_pure; /* names that none of the files declares */
     int status;
 } inputs;
 
@@ -45,6 +46,7 @@ static void count_input(unsigned number, const void *result, int ended_by, void 
         return;
     }
     all->transformed += outcome->transformed;
+    all->unknown_pure &= outcome->unknown_pure;
     if (outcome->status == FILE_FAILED)
         all->status = EXIT_FAILED;
     else if (outcome->status == FILE_WRONG_PRAGMA && all->status == EXIT_DONE)
@@ -55,7 +57,7 @@ static int translate_inputs(arena *a, const options *o) {
     const bool is_joined = joined_report_is_needed(o);
     const options of_one = is_joined ? joined_report_of_one(o) : *o;
     joined_report joined = joined_report_begin(o);
-    inputs all = {.options = &of_one, .joined = &joined};
+    inputs all = {.options = &of_one, .joined = &joined, .unknown_pure = ~0ULL};
     const workers how = {.count = o->inputs.count,
                          .at_once = o->in_process ? 0 : 1,
                          .result_size = sizeof(file_outcome),
@@ -70,6 +72,8 @@ static int translate_inputs(arena *a, const options *o) {
         fprintf(stderr, "redcc: error: %s\n", wrong);
         return EXIT_FAILED;
     }
+    translate_file_warn_pure(o, all.unknown_pure,
+                             o->inputs.count == 1 ? o->inputs.items[0] : "any of the files");
     if (all.status == EXIT_DONE && o->require && all.transformed == 0) {
         fputs("redcc: error: no loop was transformed (--require)\n", stderr);
         return EXIT_REQUIREMENT;

@@ -202,6 +202,19 @@ cc -g -O2 -c m.c -o by-cc.o && "$redcc_cc" -g -O2 -c m.c -o by-redcc.o
 expect_same by-cc.o by-redcc.o
 end
 
+begin "--redcc-report: what would be translated is in the report, and nothing is compiled"
+printf '%s' "$source_text" >x.c
+grep -v MARK x.c >y.c
+REDCC_BUILD_REPORT=report "$redcc_cc" -O2 -MD -c x.c -o x.o --redcc-report >said 2>&1 || fail "$case_name"
+REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report -O2 y.c -o y || fail "$case_name"
+REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report -fwrapv -c x.c || fail "$case_name"
+REDCC_BUILD_REPORT=report "$redcc_cc" --redcc-report x.o -o y || fail "$case_name"
+expect_empty said
+expect_equal "$case_name: files" "report said x.c y.c" "$(echo *)"
+expect_equal "$case_name: lines" "x.c false y.c false x.c true" \
+  "$(jq -r '[.file, (.left_alone != null)] | join(" ")' report | paste -sd ' ')"
+end
+
 begin "--redcc-show, --redcc-help, --redcc-version"
 printf '%s' "$source_text" >x.c
 "$redcc_cc" --redcc-show -O2 -c x.c >shown || fail "$case_name"

@@ -301,11 +301,13 @@ _Noreturn void build(session *s, const translation *translations, unsigned count
     unsigned translated = 0;
     for (unsigned i = 0; i < count; i++) {
         translated += translations[i].text != NULL;
-        if (!translations[i].text)
-            translation_keep(s, &translations[i], false, NULL);
+        if (s->only_reports || !translations[i].text)
+            translation_keep(s, &translations[i], s->only_reports, NULL);
     }
     if (process_signal())
         session_end(s, -process_signal());
+    if (s->only_reports)
+        session_end(s, 0);
     if (translated == 0)
         build_original(s);
     /* Where files are to be named after the program, its one source is compiled and linked in one

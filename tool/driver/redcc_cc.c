@@ -26,6 +26,7 @@ static const char help_text[] =
     "Compiles C as COMPILER does ($REDCC_CC, else cc), irregular reduction loops made parallel.\n"
     "ARGUMENTS are the compiler's; its own --help and --version are reached by these names.\n"
     "  --redcc-show          print the commands that would run, run nothing\n"
+    "  --redcc-report        translate and write the build's report, compile nothing\n"
     "  --redcc-summary FILE  print what the build's report in FILE comes to\n"
     "  --redcc-help          print this\n"
     "  --redcc-version       print the version of redcc-cc\n"
@@ -55,10 +56,9 @@ static bool is_option_of_ours(session *s, const char *word) {
         puts("redcc-cc " REDCC_VERSION);
         exit(0);
     }
-    if (strcmp(word, "--redcc-show") != 0)
-        return false;
-    s->show = true;
-    return true;
+    s->show |= strcmp(word, "--redcc-show") == 0;
+    s->only_reports |= strcmp(word, "--redcc-report") == 0;
+    return strcmp(word, "--redcc-show") == 0 || strcmp(word, "--redcc-report") == 0;
 }
 
 static void read_arguments(session *s, unsigned count, char **words) {
@@ -165,8 +165,8 @@ static _Noreturn void run(session *s) {
     for (unsigned i = 0; why && i < s->command.count; i++)
         if (s->command.items[i].kind == INPUT_C)
             session_leave_alone(s, s->command.items[i].text, why);
-    bool translates = !why && is_complete(s);
-    if (!translates && !build_can_add_runtime(s))
+    bool translates = !why && (s->only_reports || is_complete(s)); /* a report needs no runtime */
+    if (!translates && (s->only_reports || !build_can_add_runtime(s)))
         session_become_compiler(s);
     process_catch_signals();
     s->folder = s->show ? "TEMPORARY" : temporary_create(s->memory);

@@ -142,6 +142,8 @@ void session_add_original(session *s, word_list *list) {
 }
 
 _Noreturn void session_become_compiler(session *s) {
+    if (s->only_reports)
+        session_end(s, 0);
     word_list words = {0};
     session_add_original(s, &words);
     if (s->show) {

@@ -17,6 +17,7 @@ typedef struct session {
     word_list options;   /**< $REDCC_OPTS */
     bool contracts;      /**< order any: the compiler may fuse multiply and add */
     bool show;           /**< --redcc-show: print what would run, run nothing */
+    bool only_reports;   /**< --redcc-report: translate and report, compile nothing */
     bool verbose;        /**< -v */
     bool strict;         /**< $REDCC_STRICT: a source that would be left alone ends the build */
     const char *report;  /**< where the build's report goes; NULL: nowhere */
@@ -53,7 +54,7 @@ void session_leave_alone(session *s, const char *file, const char *why);
 _Noreturn void session_end(session *s, int status);
 
 /** Removes the temporaries and becomes the compiler, with the arguments given; runs it instead
- * where something is left to do after it. */
+ * where something is left to do after it. Under --redcc-report the process ends here. */
 _Noreturn void session_become_compiler(session *s);
 
 /** Adds the compiler and its arguments as they were given. */

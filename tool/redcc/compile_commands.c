@@ -121,7 +121,7 @@ const char *compile_commands_flags(arena *a, const char *folder, const char *inp
     return wrong;
 }
 
-const char *compile_commands_files(arena *a, const char *folder, string_list *files) {
+const char *compile_commands_of_c(arena *a, const char *folder, compile_command_list *commands) {
     const char *path = arena_format(a, "%s/compile_commands.json", folder);
     const char *wrong = NULL;
     json_t *root = load(a, path, &wrong);
@@ -130,10 +130,12 @@ const char *compile_commands_files(arena *a, const char *folder, string_list *fi
         const char *directory = json_string_value(json_object_get(entry, "directory"));
         const char *file = json_string_value(json_object_get(entry, "file"));
         const size_t length = file ? strlen(file) : 0;
-        if (length > 2 && strcmp(file + length - 2, ".c") == 0)
-            VECTOR_PUSH(
-                a, files,
-                joined(a, joined(a, folder, directory ? directory : "."), arena_string(a, file)));
+        if (length <= 2 || strcmp(file + length - 2, ".c") != 0)
+            continue;
+        const char *from = joined(a, folder, directory ? arena_string(a, directory) : ".");
+        const compile_command command = {joined(a, from, arena_string(a, file)), from,
+                                         words_of(a, entry)};
+        VECTOR_PUSH(a, commands, command);
     }
     if (root)
         json_decref(root);

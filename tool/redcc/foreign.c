@@ -55,6 +55,14 @@ typedef struct call_search {
     VECTOR(foreign_call) found;
 } call_search;
 
+/* What the user says is pure needs no other file. */
+static bool is_given(const analysis_options *options, const ir_function *function) {
+    for (unsigned i = 0; i < options->pure_count; i++)
+        if (strcmp(options->pure[i], function->name) == 0)
+            return true;
+    return false;
+}
+
 static bool visit(ir_node *node, void *context) {
     call_search *search = context;
     if (node->kind != IR_FUNCTION)
@@ -66,7 +74,8 @@ static bool visit(ir_node *node, void *context) {
     const ir_range before = search->place;
     if (before.begin == before.end)
         search->place = node->range;
-    if (external_kind(search->options, function) != EXPORTED_NOTHING) {
+    if (external_kind(search->options, function) != EXPORTED_NOTHING &&
+        !is_given(search->options, function)) {
         const foreign_function *known =
             map_get(search->all->by_name, function->name, strlen(function->name));
         const foreign_call call = {function->name, known->file, exported_word(known->kind),

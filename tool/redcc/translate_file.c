@@ -99,13 +99,20 @@ static analysis_options options_of(arena *a, const options *o, const foreign_fun
                               .any_order = o->order == EMIT_ORDER_ANY};
 }
 
-/** A name that the program does not give to anything is most likely misspelt. */
-static void show_unknown_pure(const options *o, const source *file, const ir_unit *unit) {
-    for (unsigned i = 0; unit->names && i < o->pure.count; i++)
+static unsigned long long unknown_pure(const options *o, const ir_unit *unit) {
+    unsigned long long unknown = 0;
+    for (unsigned i = 0; unit->names && i < o->pure.count && i < 64; i++)
         if (!map_get(unit->names, o->pure.items[i], strlen(o->pure.items[i])))
+            unknown |= 1ULL << i;
+    return unknown;
+}
+
+void translate_file_warn_pure(const options *o, unsigned long long unknown, const char *where) {
+    for (unsigned i = 0; i < o->pure.count && i < 64; i++)
+        if (unknown >> i & 1)
             fprintf(stderr,
                     "redcc: warning: --pure=%s: no function of this name is declared in %s\n",
-                    o->pure.items[i], file->path);
+                    o->pure.items[i], where);
 }
 
 /** What is another program for the compiler that it is built by was not analysed. */
@@ -182,8 +189,7 @@ static file_outcome count_verdicts(const analysis_result *analysis) {
     file_outcome counts = {0};
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
         counts.transformed += analysis->verdicts[i].kind == VERDICT_TRANSFORM;
-        if (analysis->verdicts[i].kind == VERDICT_REFUSE)
-            counts.refused[analysis->verdicts[i].why.id]++;
+        counts.by_declarations += analysis->verdicts[i].foreign_count > 0;
     }
     return counts;
 }
@@ -316,8 +322,9 @@ file_outcome translate_file(arena *a, const options *o, const char *path,
         return (file_outcome){0};
     if (show_pragma_errors(a, parsed.unit))
         return (file_outcome){.status = FILE_WRONG_PRAGMA};
-    show_unknown_pure(o, file, parsed.unit);
-    return translate(a, o, file, &flags, parsed.unit, foreign);
+    file_outcome outcome = translate(a, o, file, &flags, parsed.unit, foreign);
+    outcome.unknown_pure = unknown_pure(o, parsed.unit);
+    return outcome;
 }
 
 void translate_file_exports(arena *a, const options *o, const char *path, buffer *out) {

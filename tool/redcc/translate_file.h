@@ -11,14 +11,20 @@ typedef enum file_status { FILE_DONE, FILE_FAILED, FILE_WRONG_PRAGMA } file_stat
 /** Plain numbers, which may be handed from one process to another. */
 typedef struct file_outcome {
     file_status status;
-    unsigned transformed;           /* loops */
-    unsigned refused[REASON_COUNT]; /* loops, by reason */
+    unsigned transformed;            /* loops */
+    unsigned long long unknown_pure; /* names of --pure that the file does not declare: a bit each,
+                                        for the first 64; 0 where this is not known */
+    unsigned by_declarations;        /* of them, those that rest on what other files define */
 } file_outcome;
 
 /** Does all of it; messages and reports go where the options say. "-" is standard input. `foreign`:
  *  what is known of other files' functions, for a report only; NULL: nothing. */
 file_outcome translate_file(arena *a, const options *o, const char *path,
                             const foreign_functions *foreign);
+
+/** Warns of the names of --pure that no file declares: most likely they are misspelt. `unknown`:
+ * what the outcomes have in common; `where`: the file, or what stands for several. */
+void translate_file_warn_pure(const options *o, unsigned long long unknown, const char *where);
 
 /** Appends what the file tells others of its functions (foreign_read); nothing, and no message,
  *  where it cannot be parsed. */

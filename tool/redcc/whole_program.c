@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Two rounds, each with a process for a file: what the files' functions are, then the loops. */
+/* Two rounds, each with a process for a file: what the files' functions are, then the loops. What
+ * is counted is what redcc-cc says of the build's commands. */
 #include "redcc/whole_program.h"
 
 #include <stdio.h>
@@ -7,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "analysis/base/reason.h"
+#include "redcc/build_counts.h"
 #include "redcc/compile_commands.h"
 #include "redcc/foreign.h"
 #include "redcc/joined_report.h"
@@ -25,25 +26,26 @@ typedef struct whole_program {
     foreign_functions functions;
     joined_report joined;
     const char *what; /* of the round, for the progress line */
-    unsigned failed, transformed, refused[REASON_COUNT];
+    unsigned failed, by_declarations;
+    unsigned long long unknown_pure; /* names that none of the files declares */
 } whole_program;
 
 /* ---- files ---------------------------------------------------------------------------------- */
 
 static const char *list_files(whole_program *p) {
-    string_list all = {0};
-    const char *wrong = compile_commands_files(p->memory, p->options.database_folder, &all);
+    compile_command_list all = {0};
+    const char *wrong = compile_commands_of_c(p->memory, p->options.database_folder, &all);
     if (wrong)
         return wrong;
     map *known = map_new(p->memory);
     p->mentions = ARENA_ARRAY(p->memory, unsigned, all.count + 1);
     for (unsigned i = 0; i < all.count; i++) {
-        char *resolved = realpath(all.items[i], NULL);
-        const char *path = resolved ? resolved : all.items[i];
+        char *resolved = realpath(all.items[i].file, NULL);
+        const char *path = resolved ? resolved : all.items[i].file;
         void **number = map_at(known, path, strlen(path));
         free(resolved);
         if (!*number) {
-            VECTOR_PUSH(p->memory, &p->files, all.items[i]);
+            VECTOR_PUSH(p->memory, &p->files, all.items[i].file);
             *number = &p->mentions[p->files.count - 1];
         }
         ++*(unsigned *)*number;
@@ -98,9 +100,8 @@ static void count_file(unsigned number, const void *result, int ended_by, void *
         p->failed++;
         return;
     }
-    p->transformed += outcome->transformed;
-    for (unsigned i = 0; i < REASON_COUNT; i++)
-        p->refused[i] += outcome->refused[i];
+    p->by_declarations += outcome->by_declarations;
+    p->unknown_pure &= outcome->unknown_pure;
 }
 
 /* ---- both ----------------------------------------------------------------------------------- */
@@ -130,25 +131,50 @@ static bool run_round(whole_program *p, const char *what, size_t result_size,
     return workers_run(&how);
 }
 
-static void show_summary(const whole_program *p) {
+/* A line of the table. */
+static void show_count(const char *what, unsigned count) {
+    fprintf(stderr, "%-24s%7u\n", what, count);
+}
+
+static void show_loops(const build_counts *counts) {
     unsigned refused = 0;
-    for (unsigned i = 0; i < REASON_COUNT; i++)
-        refused += p->refused[i];
-    fprintf(stderr, "%-24s%7u", "files", p->files.count);
+    for (unsigned i = REASON_NONE + 1; i < REASON_COUNT; i++)
+        refused += counts->refused[i];
+    show_count("loops", counts->transformed + refused);
+    show_count("  transformed", counts->transformed);
+    show_count("  refused", refused);
+    for (unsigned i = REASON_NONE + 1; i < REASON_COUNT; i++)
+        if (counts->refused[i])
+            fprintf(stderr, "    %-20s%7u\n", reason_slug((reason_id)i), counts->refused[i]);
+}
+
+static void show_summary(const whole_program *p) {
+    build_counts counts = {0};
+    const bool is_counted = build_counts_take(p->memory, &p->options, &counts);
+    fprintf(stderr, "%-24s%7u", "files", is_counted ? counts.files : p->files.count);
     if (p->failed)
         fprintf(stderr, "   (%u could not be analysed)", p->failed);
-    fprintf(stderr, "\n%-24s%7u\n%-24s%7u\n%-24s%7u\n", "loops", p->transformed + refused,
-            "  transformed", p->transformed, "  refused", refused);
-    for (unsigned i = 0; i < REASON_COUNT; i++)
-        if (p->refused[i])
-            fprintf(stderr, "    %-20s%7u\n", reason_slug((reason_id)i), p->refused[i]);
+    fputs("\n", stderr);
+    if (!is_counted) {
+        fputs("redcc: warning: redcc-cc is not beside redcc: what a build by it transforms is not "
+              "counted\n",
+              stderr);
+        return;
+    }
+    for (unsigned i = 0; i < counts.left.count; i++)
+        fprintf(stderr, "  left alone            %7u   (%s)\n", counts.left.items[i].files,
+                counts.left.items[i].why);
+    show_loops(&counts);
+    if (p->by_declarations > 0)
+        show_count("more by declarations", p->by_declarations);
 }
 
 bool whole_program_analyse(arena *a, const options *o) {
     const bool is_joined = joined_report_is_needed(o);
     whole_program p = {.memory = a,
                        .options = is_joined ? joined_report_of_one(o) : *o,
-                       .joined = joined_report_begin(o)};
+                       .joined = joined_report_begin(o),
+                       .unknown_pure = ~0ULL};
     const char *wrong = list_files(&p);
     if (!wrong && (!run_round(&p, "functions", EXPORTS_SIZE, export_file, take_exports, NULL) ||
                    !run_round(&p, "loops", sizeof(file_outcome), analyse_file, count_file,
@@ -160,6 +186,7 @@ bool whole_program_analyse(arena *a, const options *o) {
         fprintf(stderr, "redcc: error: %s\n", wrong);
         return false;
     }
+    translate_file_warn_pure(o, p.unknown_pure, "any of the files");
     show_summary(&p);
     return p.failed == 0;
 }

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* mkstemp, setenv */
+#include "redcc/build_counts.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "driver/files.h"
+#include "driver/installation.h"
+#include "driver/process.h"
+#include "redcc/compile_commands.h"
+#include "redcc/workers.h"
+
+/* What came of one command; of several files that it leaves alone the last one's reason. */
+typedef struct command_outcome {
+    unsigned files, left, transformed, refused[REASON_COUNT];
+    char why[256];
+} command_outcome;
+
+typedef struct counting {
+    arena *memory;
+    const options *options;
+    const char *wrapper;
+    compile_command_list commands;
+    build_counts *counts;
+} counting;
+
+/* redcc-cc, in an installed tree or in a build's; NULL: it is not there. */
+static const char *find_wrapper(arena *a) {
+    const installation found = installation_find(a);
+    if (!found.self)
+        return NULL;
+    const char *folder = path_folder(a, found.self);
+    const char *installed = arena_format(a, "%s/redcc-cc", folder);
+    const char *built = arena_format(a, "%s/driver/redcc-cc", folder);
+    return access(installed, X_OK) == 0 ? installed : access(built, X_OK) == 0 ? built : NULL;
+}
+
+/* ---- a command ------------------------------------------------------------------------------ */
+
+/* The build sees the options that were given here as it sees its own. */
+static void set_options(arena *a, const options *o) {
+    static const char *const lanes[] = {"", " --lanes=auto", " --lanes=2", "", " --lanes=4", "", "",
+                                        "", " --lanes=8"};
+    buffer text = {0};
+    for (unsigned i = 0; i < o->pure.count; i++)
+        buffer_format(&text, " --pure=%s", o->pure.items[i]);
+    if (o->assume_noalias)
+        buffer_text(&text, " --assume-noalias");
+    if (o->order_is_given)
+        buffer_format(&text, " --order=%s", options_order_word(o->order));
+    buffer_text(&text, lanes[o->lanes]);
+    if (text.data && text.length > 0)
+        setenv("REDCC_OPTS", arena_string(a, text.data), 1);
+    buffer_free(&text);
+}
+
+static word_list words_for(const counting *c, const compile_command *command) {
+    arena *a = c->memory;
+    word_list words = {0};
+    words_add(a, &words, c->wrapper);
+    for (unsigned i = 0; i < command->words.count; i++) /* a build's own redcc-cc is this one */
+        if (i > 0 || strcmp(path_base(command->words.items[0]), "redcc-cc") != 0)
+            words_add(a, &words, command->words.items[i]);
+    for (unsigned i = 0; i < c->options->flags.count; i++)
+        words_add(a, &words, c->options->flags.items[i]);
+    words_add(a, &words, "--redcc-report");
+    return words;
+}
+
+static void count_loops(const json_t *loops, command_outcome *outcome) {
+    size_t i;
+    const json_t *loop;
+    json_array_foreach(loops, i, loop) {
+        const char *verdict = json_string_value(json_object_get(loop, "verdict"));
+        const char *slug =
+            json_string_value(json_object_get(json_object_get(loop, "reason"), "slug"));
+        outcome->transformed += verdict && strcmp(verdict, "transformed") == 0;
+        for (unsigned r = REASON_NONE + 1; slug && r < REASON_COUNT; r++)
+            outcome->refused[r] += strcmp(slug, reason_slug((reason_id)r)) == 0;
+    }
+}
+
+static void read_report(FILE *report, command_outcome *outcome) {
+    json_t *file;
+    while ((file = json_loadf(report, JSON_DISABLE_EOF_CHECK, NULL))) {
+        const char *why = json_string_value(json_object_get(file, "left_alone"));
+        outcome->files++;
+        outcome->left += why != NULL;
+        if (why)
+            snprintf(outcome->why, sizeof outcome->why, "%s", why);
+        count_loops(json_object_get(file, "loops"), outcome);
+        json_decref(file);
+    }
+}
+
+static void report_command(unsigned number, void *result, void *context) {
+    const counting *c = context;
+    const compile_command *command = &c->commands.items[number];
+    const char *temporary = getenv("TMPDIR");
+    char *path = arena_format(c->memory, "%s/redcc-counts-XXXXXX",
+                              temporary && *temporary ? temporary : "/tmp");
+    const word_list words = words_for(c, command);
+    const int file = mkstemp(path);
+    if (file < 0)
+        return;
+    setenv("REDCC_BUILD_REPORT", path, 1);
+    unsetenv("REDCC_STRICT"); /* what would end the build is counted too */
+    unsetenv("REDCC_DISABLE");
+    unsetenv("REDCC_KEEP");
+    set_options(c->memory, c->options);
+    if (chdir(command->directory) == 0)
+        process_run(c->memory, &words, (process_streams){"/dev/null", "/dev/null", "/dev/null"});
+    FILE *report = fdopen(file, "r");
+    if (report)
+        read_report(report, result);
+    unlink(path);
+}
+
+/* ---- all of them ---------------------------------------------------------------------------- */
+
+static void add_left(counting *c, const command_outcome *outcome) {
+    /* an error of the source, whose text is its own each time */
+    const char *why =
+        strncmp(outcome->why, "redcc: ", 7) == 0 ? "redcc cannot read it" : outcome->why;
+    build_counts *counts = c->counts;
+    for (unsigned i = 0; i < counts->left.count; i++)
+        if (strcmp(counts->left.items[i].why, why) == 0) {
+            counts->left.items[i].files += outcome->left;
+            return;
+        }
+    VECTOR_PUSH(c->memory, &counts->left,
+                ((left_alone){arena_string(c->memory, why), outcome->left}));
+}
+
+static void count_command(unsigned number, const void *result, int ended_by, void *context) {
+    counting *c = context;
+    const command_outcome *outcome = result;
+    if (ended_by != 0) {
+        workers_explain(c->commands.items[number].file, ended_by);
+        return;
+    }
+    c->counts->files += outcome->files;
+    c->counts->transformed += outcome->transformed;
+    for (unsigned i = 0; i < REASON_COUNT; i++)
+        c->counts->refused[i] += outcome->refused[i];
+    if (outcome->left > 0)
+        add_left(c, outcome);
+}
+
+bool build_counts_take(arena *a, const options *o, build_counts *counts) {
+    counting c = {.memory = a, .options = o, .wrapper = find_wrapper(a), .counts = counts};
+    if (!c.wrapper || compile_commands_of_c(a, o->database_folder, &c.commands))
+        return false;
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    const workers how = {.count = c.commands.count,
+                         .at_once = processors > 0 ? (unsigned)processors : 1,
+                         .result_size = sizeof(command_outcome),
+                         .keeps_output = true,
+                         .work = report_command,
+                         .done = count_command,
+                         .context = &c};
+    return workers_run(&how);
+}
