@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "redcc/explain.h"
 
+#include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "driver/files.h"
+#include "driver/installation.h"
 #include "redcc/nearest.h"
+#include "support/buffer.h"
 
 /* docs/reasons.md: a section "## ID slug" for each reason, "# ..." between groups of them. */
 extern const char reasons_text[];
@@ -37,6 +42,33 @@ const char *explain_section(arena *a, const char *reason) {
         if (at)
             return arena_copy(a, at + 4, (size_t)(next_heading(at + 1) - (at + 4)));
     }
+    return NULL;
+}
+
+/* The folder of docs/reasons.md: a URI, in the arena; NULL: there is none. */
+static const char *documents_uri(arena *a) {
+    if (*REDCC_DOCUMENTS_URI)
+        return REDCC_DOCUMENTS_URI;
+    const installation found = installation_find(a);
+    char real[PATH_MAX];
+    if (!found.self || !realpath(arena_format(a, "%s/../" REDCC_DOCUMENTS_FOLDER "/reasons.md",
+                                              path_folder(a, found.self)),
+                                 real))
+        return NULL;
+    buffer uri = {0};
+    buffer_text(&uri, "file://");
+    buffer_uri(&uri, path_folder(a, real));
+    const char *text = arena_string(a, uri.data);
+    buffer_free(&uri);
+    return text;
+}
+
+const char *explain_link(arena *a, const char *reason) {
+    const char *folder = documents_uri(a);
+    for (unsigned i = 0; folder && i < REASON_COUNT; i++)
+        if (strcasecmp(reason, reasons[i].id) == 0) /* headings are anchors in small letters */
+            return arena_format(a, "%s/reasons.md#r%s-%s", folder, reasons[i].id + 1,
+                                reasons[i].slug);
     return NULL;
 }
 

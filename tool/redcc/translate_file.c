@@ -166,7 +166,8 @@ static report_input report_on(const options *o, const ir_unit *unit,
                           .version = REDCC_VERSION,
                           .order = options_order_word(o->order),
                           .all = o->all,
-                          .explain = explain_section};
+                          .explain = explain_section,
+                          .link = explain_link};
 }
 
 static const char *show_report(arena *a, const options *o, const report_input *input) {

@@ -17,6 +17,8 @@ typedef struct report_input {
     /** What docs/reasons.md says of a reason, in the arena; NULL for none. SARIF's rules have it.
      */
     const char *(*explain)(arena *a, const char *reason);
+    /** Where that can be read, a URI in the arena; NULL: nowhere. */
+    const char *(*link)(arena *a, const char *reason);
 } report_input;
 
 /**

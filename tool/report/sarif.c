@@ -6,18 +6,10 @@
 
 #include <string.h>
 
-/** A path as a URI reference: everything but unreserved characters and / is escaped. */
+/** A path. */
 static json_t *uri(const char *path) {
     buffer out = {0};
-    for (const char *c = path; *c; c++) {
-        const unsigned char byte = (unsigned char)*c;
-        const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-                              (byte >= '0' && byte <= '9') || strchr("-._~/", byte);
-        if (is_plain)
-            buffer_byte(&out, *c);
-        else
-            buffer_format(&out, "%%%02X", byte);
-    }
+    buffer_uri(&out, path);
     json_t *value = json_text(out.data ? out.data : "");
     buffer_free(&out);
     return value;
@@ -105,6 +97,9 @@ static json_t *rule_object(arena *a, const report_input *input, const loop_verdi
         json_object_set_new(help, "markdown", json_text(section));
         json_object_set_new(rule, "help", help);
     }
+    const char *link = is_refused && input->link ? input->link(a, rule_of(verdict)) : NULL;
+    if (link)
+        json_object_set_new(rule, "helpUri", json_text(link));
     return rule;
 }
 

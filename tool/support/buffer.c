@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,18 @@ void buffer_format(buffer *b, const char *format, ...) {
         b->length += (size_t)length;
     }
     va_end(again);
+}
+
+void buffer_uri(buffer *b, const char *path) {
+    for (const char *c = path; *c; c++) {
+        const unsigned char byte = (unsigned char)*c;
+        const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                              (byte >= '0' && byte <= '9') || strchr("-._~/", byte);
+        if (is_plain)
+            buffer_byte(b, *c);
+        else
+            buffer_format(b, "%%%02X", byte);
+    }
 }
 
 void buffer_shorten(buffer *b, size_t count) {

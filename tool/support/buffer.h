@@ -15,6 +15,8 @@ void buffer_append(buffer *b, const char *text, size_t length);
 void buffer_text(buffer *b, const char *text);
 void buffer_format(buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void buffer_byte(buffer *b, char c);
+/** Appends a path as a URI reference: all but unreserved characters and / is escaped. */
+void buffer_uri(buffer *b, const char *path);
 /** Takes bytes off the end, at most what there are. */
 void buffer_shorten(buffer *b, size_t count);
 void buffer_free(buffer *b);
