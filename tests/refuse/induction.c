@@ -100,7 +100,8 @@ void on_one_side(int n, int k) {
 
 void in_the_update(int n, int k) {
     for (int i = 0; i < n; i++) // EXPECT: refuse side-effect
-        h[s[i]] += e[k++];
+        if (s[i] > 3)
+            h[s[i]] += e[k++];
 }
 
 void behind_the_counter(int n, int k) {

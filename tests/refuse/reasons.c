@@ -5,7 +5,7 @@
 void side_effect(int n, const int *restrict s, double *restrict h, const double *e) {
     int j = 0;
     for (int t = 0; t < n; t++) // EXPECT: refuse side-effect
-        h[s[j++]] += e[t];
+        h[s[j]] += e[++j];
 }
 
 struct holder {

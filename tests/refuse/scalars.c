@@ -37,7 +37,7 @@ void own_counter(int n, const int *k, double *h) {
 
 void walking_pointer(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: nothing
-        h[*k++] += 1.0;
+        h[*k++] += 1.0 + *k;
 }
 
 void list_walk(int n, const int *next, double *h) {

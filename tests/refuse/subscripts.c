@@ -20,7 +20,7 @@ void subscripts_updated(int n, int *k, const int *r, double *h) {
 void moving_subscript(int n, const int *k, double *h) {
     int j = 0;
     for (int t = 0; t < n; t++) // EXPECT: nothing
-        h[k[j++ + (t & 1)]] += 1.0;
+        h[k[(t & 1) && j++]] += 1.0;
 }
 
 void assigned_in_subscript(int n, const int *k, double *h) {

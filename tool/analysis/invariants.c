@@ -28,7 +28,8 @@ static bool is_in_loop(const loop_facts *facts, const ir_node *node) {
 /* ---- the loop's header ---------------------------------------------------------------------- */
 
 static void assert_counted(const counted_loop *counted) {
-    assert(counted->counter && counted->counter->type->kind == IR_INTEGER);
+    assert(counted->counter && (counted->counter->type->kind == IR_INTEGER ||
+                                counted->counter->type->kind == IR_POINTER));
     assert(counted->bound && ir_is_expression(counted->bound));
     assert(counted->body && counted->increment);
     assert(!counted->lower || ir_is_expression(counted->lower));
@@ -45,7 +46,8 @@ static void assert_counted(const counted_loop *counted) {
         break;
     default:
         assert(counted->comparison == IR_OP_NOT_EQUAL);
-        assert(counted->step == 1 || counted->step == -1);
+        assert(counted->counter->type->kind == IR_POINTER || counted->step == 1 ||
+               counted->step == -1);
     }
 }
 
@@ -125,7 +127,8 @@ static void assert_private(const loop_facts *facts, const private_variable *item
     assert(!item->is_declared_inside || (!item->is_live_after && !item->is_last_sought));
     assert(!item->is_live_after || !item->is_last_sought);
     assert(item->is_stepped || (!item->is_step_wanted && !item->is_in_slice && !item->entry));
-    assert(!item->is_stepped || item->variable->type->kind == IR_INTEGER);
+    assert(!item->is_stepped || item->variable->type->kind == IR_INTEGER ||
+           item->variable->type->kind == IR_POINTER);
     assert(item->is_stepped || !item->by);
 }
 

@@ -271,7 +271,7 @@ static void drop_increment(body_copy *copy) {
     const loop_text *loop = copy->loop;
     const ir_node *increment = loop->facts->counted.increment;
     if (!increment || loop->facts->loop->kind != IR_WHILE ||
-        loop->facts->counted.steps_in_condition)
+        loop->facts->counted.steps_in_condition || loop->facts->counted.steps_inside)
         return;
     increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
     replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),

@@ -20,7 +20,7 @@ static bool has_compiler_pragmas(const ir_unit *unit) {
 }
 
 /** The declarator's text: attributes that libclang does not know are seen in it. */
-bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
+static bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
     const char *at = unit->source->text + function->range.begin;
     const char *const body = unit->source->text + function->body->range.begin;
     for (; at < body; at++)
@@ -31,9 +31,8 @@ bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
 
 static bool is_called_once(const ir_unit *unit, const ir_function *function) {
     return function->body && function->is_static && function->is_in_main_file &&
-           function->reference_count == 1 && !function->is_variadic &&
-           !function->has_other_attributes && function->body->range.end > function->range.begin &&
-           is_declared_plainly(unit, function);
+           function->reference_count == 1 && !function->is_variadic && !function->has_attributes &&
+           function->body->range.end > function->range.begin && is_declared_plainly(unit, function);
 }
 
 /** Has something else, a parameter perhaps, the function's name? Where the declaration stands it

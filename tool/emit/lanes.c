@@ -171,7 +171,8 @@ static bool is_liftable(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
     if (!loop->is_outlined || !loop->is_outlinable || facts->scalar_count > 0 ||
         facts->forward_count > 0 || has_sought_values(facts) || has_last_values(facts) ||
-        loop->options->order == EMIT_ORDER_ANY || facts->counted.body->kind != IR_BLOCK)
+        loop->options->order == EMIT_ORDER_ANY || facts->counted.body->kind != IR_BLOCK ||
+        facts->counted.counter->type->kind == IR_POINTER)
         return false;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered || !loop->arrays[i].local)

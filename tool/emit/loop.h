@@ -233,8 +233,6 @@ const char *source_loop_header(arena *a, const loop_source *read, unsigned depth
 /** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
  *  at one place only. */
 void declare_inlined(loop_text *loop, writer *out);
-/** Has the function's definition no attributes, also such as libclang does not know? */
-bool is_declared_plainly(const ir_unit *unit, const ir_function *function);
 
 /** body.c: the user's body for one iteration, with the counter and private variables declared. */
 void write_iteration(loop_text *loop, writer *out);

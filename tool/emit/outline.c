@@ -314,9 +314,10 @@ static bool has_thread_local(const loop_facts *facts) {
 
 const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
-    loop->is_outlinable = !has_values_to_leave(facts) && facts->array_count <= MOST_ARRAYS &&
-                          !has_thread_local(facts) && !has_macro_of_header_words(loop) &&
-                          has_place(loop) && !may_name_function(loop);
+    loop->is_outlinable = !has_values_to_leave(facts) && !facts->counted.steps_inside &&
+                          facts->array_count <= MOST_ARRAYS && !has_thread_local(facts) &&
+                          !has_macro_of_header_words(loop) && has_place(loop) &&
+                          !may_name_function(loop);
     if (!loop->is_outlinable)
         return NULL;
     writer out = {0};

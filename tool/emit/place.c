@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "emit/loop.h"
+#include "support/attributes.h"
 
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {
     for (unsigned i = 0; i < unit->directive_count; i++) {
@@ -40,7 +41,8 @@ bool has_place_in_front(arena *a, const ir_unit *unit, const ir_function *functi
     const uint32_t begin = function->range.begin;
     if (!function->is_in_main_file || function->has_other_attributes ||
         function->range.end <= begin || begin >= function->body->range.begin ||
-        unit->includes_itself || !is_declared_plainly(unit, function) ||
+        unit->includes_itself ||
+        !attributes_are_harmless(file->text + begin, file->text + function->body->range.begin) ||
         macro_name_in(a, unit, file->text + begin, function->body->range.begin - begin))
         return false; /* a macro may make attributes, or another name each time */
     const uint32_t before = end_of_last_token(unit, begin);

@@ -11,10 +11,15 @@
 
 /** By how much an iteration moves it, in words. */
 static const char *stride_text(loop_text *loop, const private_variable *item) {
+    const ir_type *type = item->variable->type;
+    const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
     if (!item->by)
-        return arena_format(loop->arena, "(redcc_word)%lld", (long long)item->step);
-    return arena_format(loop->arena, "((redcc_word)%lld %c (redcc_word)%s)", (long long)item->step,
-                        item->is_down ? '-' : '+', loop_operand(loop, item->by));
+        return arena_format(loop->arena, "(redcc_word)%lld", (long long)(item->step * size));
+    const char *by = loop_operand(loop, item->by);
+    if (size != 1)
+        by = arena_format(loop->arena, "%lld * (redcc_word)%s", (long long)size, by);
+    return arena_format(loop->arena, "((redcc_word)%lld %c (redcc_word)%s)",
+                        (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
 void declare_entry_values(loop_text *loop, writer *out, bool by_header) {

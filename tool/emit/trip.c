@@ -30,7 +30,13 @@ typedef struct integer_type {
     int64_t size;
 } integer_type;
 
+static bool is_address(const ir_type *type) {
+    return type->kind == IR_POINTER || type->kind == IR_ARRAY;
+}
+
 static integer_type promote(const ir_type *type) {
+    if (is_address(type))
+        return (integer_type){false, WIDE_SIZE};
     if (type->kind == IR_BOOLEAN || type->size < INT_SIZE)
         return (integer_type){true, INT_SIZE};
     return (integer_type){type->is_signed, type->size};
@@ -201,6 +207,8 @@ static bool is_integer(const ir_type *type) {
 
 static bool can_be_counted(loop_text *loop, const header *h) {
     const counted_loop *counted = h->counted;
+    if (h->counter->kind == IR_POINTER)
+        return true; /* lower and bound are addresses */
     if (h->counter->kind != IR_INTEGER || h->counter->size > WIDE_SIZE || !is_integer(h->bound))
         loop_obstacle(loop, loop->facts->loop->range, "its counter or bound is not an integer");
     else if (counted->lower && !is_integer(counted->lower->type) &&

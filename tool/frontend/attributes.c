@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "support/attributes.h"
 
 static enum CXChildVisitResult find_unexposed(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
@@ -74,6 +75,24 @@ bool is_under_may_alias(CXCursor declaration) {
     return has_attribute(declaration, words, 2);
 }
 
+/* Is the attribute a harmless one, spelled where it stands? What a macro makes of a name may be
+ * another. */
+static bool is_harmless(CXCursor attribute) {
+    CXFile file, spelling_file;
+    unsigned offset, spelling_offset;
+    size_t size = 0, length = 0;
+    const CXSourceLocation begin = clang_getRangeStart(clang_getCursorExtent(attribute));
+    clang_getExpansionLocation(begin, &file, NULL, NULL, &offset);
+    clang_getSpellingLocation(begin, &spelling_file, NULL, NULL, &spelling_offset);
+    if (file == NULL || !clang_File_isEqual(file, spelling_file) || offset != spelling_offset)
+        return false;
+    const CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
+    const char *text = clang_getFileContents(unit, file, &size);
+    while (text != NULL && offset + length < size && is_word_byte(text[offset + length]))
+        length++;
+    return text != NULL && attribute_is_harmless(text + offset, length);
+}
+
 static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientData data) {
     (void)parent;
     ir_function *function = data;
@@ -85,8 +104,10 @@ static enum CXChildVisitResult visit(CXCursor child, CXCursor parent, CXClientDa
         function->is_attribute_const = true;
         break;
     default:
-        if (clang_isAttribute(clang_getCursorKind(child)))
-            function->has_other_attributes = true;
+        if (clang_isAttribute(clang_getCursorKind(child))) {
+            function->has_attributes = true;
+            function->has_other_attributes |= !is_harmless(child);
+        }
         break;
     }
     return CXChildVisit_Continue;

@@ -138,11 +138,12 @@ struct ir_function {
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
     bool is_weak;    /* what runs may be another definition than the one in this unit */
     bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
-    bool is_interposable;      /* is_weak, because a shared object exports it: the program may have
-                                  another of its name. Not in the text form */
-    bool is_hidden;            /* no other object can name it, or put another in its place */
-    bool is_from_system;       /* one of the system's headers declares it. Not in the text form */
-    bool has_other_attributes; /* of whatever kind */
+    bool is_interposable; /* is_weak, because a shared object exports it: the program may have
+                             another of its name. Not in the text form */
+    bool is_hidden;       /* no other object can name it, or put another in its place */
+    bool is_from_system;  /* one of the system's headers declares it. Not in the text form */
+    bool has_attributes;  /* others than pure and const, of whatever kind. Not in the text form */
+    bool has_other_attributes; /* some of them may mean something (support/attributes.h) */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: analyse nothing in it */
     bool is_in_main_file;

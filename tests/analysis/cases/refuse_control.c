@@ -60,8 +60,9 @@ int shared_counter;
 void counter_type(int n, const int *s, double *h) {
     for (shared_counter = 0; shared_counter < n; shared_counter++) // EXPECT: refuse counter-type
         h[s[shared_counter]] += 1.0;
-    for (const int *p = s; p < s + n; p++) // EXPECT: refuse counter-type
-        h[*p] += 1.0;
+    const int(*rows)[3] = (const int(*)[3])s;
+    for (const int(*p)[3] = rows; p < rows + n; p++) // EXPECT: refuse counter-type
+        h[(*p)[1]] += 1.0;
 }
 
 void wraps(unsigned n, long m, const int *s, double *h) {

@@ -3,7 +3,9 @@
 
 #include "analysis/base/counted_condition.h"
 #include "analysis/base/counted_start.h"
+#include "analysis/base/counted_wraps.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 
 /* ---- who writes a variable ------------------------------------------------------------------ */
 
@@ -21,12 +23,6 @@ bool variable_is_written_in(const ir_node *node, const ir_variable *variable) {
 }
 
 /* ---- the parts of a header ------------------------------------------------------------------ */
-
-static const ir_node *strip_casts(const ir_node *node) {
-    while (node->kind == IR_CAST && node->type && node->type->kind == IR_INTEGER)
-        node = node->children[0];
-    return node;
-}
 
 bool counted_step(const ir_node *node, ir_variable **variable, int64_t *step) {
     const ir_node *target = expression_written(node);
@@ -81,68 +77,6 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
     return !expression_mentions(*bound, counter);
 }
 
-/* ---- can the counter wrap around? ----------------------------------------------------------- */
-
-static bool is_non_negative(const ir_node *node) {
-    int64_t value;
-    if (!node)
-        return false;
-    if (expression_constant(node, &value))
-        return value >= 0;
-    node = strip_casts(node);
-    return node->type && node->type->kind == IR_INTEGER && !node->type->is_signed;
-}
-
-static int64_t type_maximum(const ir_type *type) {
-    int bits = (int)type->size * 8 - (type->is_signed ? 1 : 0);
-    return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
-}
-
-/*
- * The generated code counts iterations in 64 bits by lower, bound and step as mathematical numbers.
- * That agrees with the loop where the comparison is one of numbers and the counter reaches the
- * bound without leaving its type. Where it would leave a signed type of int's size or more, C gives
- * no meaning to the loop at all; a trip count computed as zero or less runs the original loop.
- */
-static bool may_wrap(const counted_loop *loop) {
-    const ir_type *counter = loop->counter->type;
-    const ir_type *bound = loop->bound->type;
-    int64_t constant = 0;
-    bool bound_is_constant = expression_constant(loop->bound, &constant);
-    int64_t magnitude = loop->step < 0 ? -loop->step : loop->step;
-    bool is_up = loop->step > 0;
-    bool is_inclusive =
-        loop->comparison == IR_OP_LESS_EQUAL || loop->comparison == IR_OP_GREATER_EQUAL;
-    bool bound_is_unsigned = !bound->is_signed && !(bound_is_constant && constant >= 0) &&
-                             bound->size >= 4 && bound->size >= counter->size;
-    if (bound_is_constant && is_up && constant >= 0 &&
-        constant <= type_maximum(counter) - magnitude)
-        return counter->is_signed && bound->size >= 4 && !bound->is_signed &&
-               !is_non_negative(loop->lower);
-    if (counter->is_signed) {
-        if (counter->size < 4)
-            return true;
-        /* A signed counter compared with an unsigned bound is converted: negative ones are large.
-         */
-        return (bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
-               (!is_up || !is_non_negative(loop->lower));
-    }
-    if (loop->comparison == IR_OP_NOT_EQUAL) {
-        int64_t lower;
-        return !(is_up && loop->lower && expression_constant(loop->lower, &lower) && lower == 0 &&
-                 bound->size <= counter->size && counter->size >= 4);
-    }
-    if (is_up)
-        return counter->size < 4 || magnitude != 1 || bound->size > counter->size ||
-               (is_inclusive && counter->size < 8);
-    /* down: i > bound ends at bound >= 0 with step -1; i >= 0 never ends */
-    if (counter->size < 4 || magnitude != 1)
-        return true;
-    if (is_inclusive)
-        return !(bound_is_constant && constant >= 1);
-    return bound->is_signed && !(bound_is_constant && constant >= 0);
-}
-
 /* ---- putting it together -------------------------------------------------------------------- */
 
 /* The first variable that the condition of a loop, or an expression, mentions; NULL: none. */
@@ -193,6 +127,23 @@ static bool is_plain_integer(const ir_type *type) {
            !type->is_volatile && !type->is_atomic;
 }
 
+static bool is_address(const ir_node *node) {
+    return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
+}
+
+/* A pointer that goes from object to object: its numbers are addresses, its step is in bytes. */
+static bool is_plain_pointer(const ir_type *type) {
+    const ir_type *object = type->kind == IR_POINTER ? type->target : NULL;
+    return object && object->size > 0 && object->size <= INT16_MAX && object->kind != IR_VOID &&
+           object->kind != IR_ARRAY && object->kind != IR_FUNCTION_TYPE && !type->is_volatile &&
+           !type->is_atomic;
+}
+
+static bool is_plain_end(const counted_loop *loop, const ir_node *node) {
+    return loop->counter->type->kind == IR_POINTER ? is_address(node)
+                                                   : is_plain_integer(node->type);
+}
+
 /* No assignment, increment or opaque node in it. */
 static bool is_plain_but_for_calls(const ir_node *node) {
     if (node->kind == IR_OPAQUE || expression_written(node))
@@ -207,15 +158,17 @@ static bool is_plain_but_for_calls(const ir_node *node) {
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;
-    if (!is_plain_integer(loop->counter->type) || !variable_is_automatic(loop->counter))
+    const bool is_pointer = is_plain_pointer(loop->counter->type);
+    if ((!is_plain_integer(loop->counter->type) && !(is_pointer && !loop->steps_in_condition)) ||
+        !variable_is_automatic(loop->counter))
         return not_counted(REASON_COUNTER_TYPE, node, name);
-    if (!is_plain_integer(loop->bound->type))
+    if (!is_plain_end(loop, loop->bound))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
     if (!is_plain_but_for_calls(loop->bound))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
-    if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_integer(loop->lower->type)))
+    if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
-    for (unsigned i = 0; i < loop->body->child_count || i == 0; i++) {
+    for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
         /* a while's increment is the last of its body and not looked at */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
@@ -229,7 +182,9 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
         return not_counted(REASON_BOUND_VARIES, loop->bound, written);
     if (!step_agrees(loop))
         return not_counted(REASON_STEP, node, name);
-    if (loop->steps_in_condition ? counted_stepping_wraps(loop) : may_wrap(loop))
+    if (is_pointer) /* C gives no meaning to one that leaves what it points into */
+        loop->step *= loop->counter->type->target->size;
+    else if (loop->steps_in_condition ? counted_stepping_wraps(loop) : counted_wraps(loop))
         return not_counted(REASON_COUNTER_WRAPS, node, name);
     return (counted_result){.is_counted = true, .loop = *loop};
 }
@@ -330,12 +285,33 @@ static bool continues(const ir_node *node) {
     return false;
 }
 
+/* while (p < end) h[*p++]++: the one step of what the condition compares, where each iteration
+ * comes to it once and asks for the variable no more. */
+static bool split_inside(const ir_node *condition, counted_loop *counted) {
+    for (unsigned side = 0; condition->kind == IR_BINARY && side < 2; side++) {
+        const ir_node *compared = condition->children[side];
+        const ir_node *step = compared->kind == IR_VARIABLE
+                                  ? lone_last_step(counted->body, compared->variable)
+                                  : NULL;
+        if (!step || !counted_step(step, &counted->counter, &counted->step) ||
+            !split_condition(condition, counted->counter, &counted->comparison, &counted->bound))
+            continue;
+        counted->increment = step;
+        counted->steps_inside = true;
+        return true;
+    }
+    return false;
+}
+
 static counted_result recognise_while(const ir_node *loop) {
     const ir_node *condition = loop->children[0];
     const ir_node *body = loop->children[1];
     counted_loop counted = {.body = body};
     if (counted_split_stepping(condition, &counted))
         return recognise_stepping(loop, &counted);
+    counted = (counted_loop){.body = body};
+    if (split_inside(condition, &counted) && !continues(body))
+        return check(&counted, loop, NULL);
     counted = (counted_loop){.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
@@ -372,6 +348,10 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
         return not_counted(REASON_TRIP_COUNT, header, result.loop.counter->name);
     if (!expression_is_plain(result.loop.bound) || result.loop.bound_variable)
         return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
+    if (result.loop.counter->type->kind == IR_POINTER)
+        return not_counted(REASON_COUNTER_TYPE, loop, result.loop.counter->name);
+    if (result.loop.steps_inside)
+        return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
     return result;
 }
 

@@ -33,7 +33,8 @@ typedef struct reason {
 
 /* ---- the counted loop ---------------------------------------------------------------------- */
 
-/** for (counter = lower; counter <comparison> bound; counter += step), or a while like it. */
+/** for (counter = lower; counter <comparison> bound; counter += step), or a while like it. The
+ * counter is an integer, or a pointer to objects: then lower and bound are pointers, or arrays. */
 typedef struct counted_loop {
     ir_variable *counter;
     bool counter_is_declared_in_header;
@@ -45,10 +46,12 @@ typedef struct counted_loop {
     const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
     ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                  as counter <comparison> bound */
-    int64_t step;             /* non-zero constant; sign agrees with comparison */
-    const ir_node *body;      /* executed each iteration; for a while, the increment is its last
-                                 statement, `increment`, and not part of the copy */
+    int64_t step;        /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
+    const ir_node *body; /* executed each iteration; for a while, the increment is its last
+                            statement, `increment`, and not part of the copy */
     const ir_node *increment;
+    bool steps_inside; /* of a while: `increment` is v++ or v-- somewhere in the body, whose copy
+                          keeps it; after it the iteration does not ask for v */
     bool steps_in_condition; /* `increment` stands in the condition: the first iteration has `lower`
                                 and one step, and an unsigned counter ends one step below 0 */
 } counted_loop;
@@ -148,8 +151,9 @@ typedef struct private_variable {
     bool is_live_after;      /* its last value is needed: assigned in every iteration, proved */
     bool is_last_sought;     /* its last value is needed, but some iterations leave it as it was: a
                                 scalar that is assigned by statements of its own (IR_EXPRESSION) */
-    bool is_stepped;     /* an integer that each iteration moves by `step`, once: it begins with the
-                            value on entry and as many steps as there were iterations before */
+    bool is_stepped; /* an integer or pointer that each iteration moves by `step`, once: it begins
+                        with the value on entry and as many steps as there were iterations
+                        before */
     bool is_step_wanted; /* is_stepped: its value after the loop is needed */
     bool is_in_slice;    /* is_stepped: the inspector asks for it */
     int64_t step;

@@ -44,7 +44,7 @@ static bool is_in_slice(const loop_analysis *j, const bool *keep, const loop_acc
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
         if (!other->needs_guard || other->access.callee || other == read ||
-            !ir_contains(other->access.lvalue, read->access.node))
+            !ir_contains(other->access.node, read->access.node))
             continue;
         if (source_plan_of(j, other, false).source.extent == EXTENT_TOUCHED)
             return true;

@@ -16,6 +16,7 @@
 
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 #include "analysis/reduction/forward.h"
 
 /* A variable, or one field of a variable that is a record. */
@@ -187,6 +188,13 @@ static bool is_noted(slicer *s, needed_part part) {
     return false;
 }
 
+static bool is_in_update(const slicer *s, const ir_node *node) {
+    for (unsigned i = 0; i < s->j->updates.count; i++)
+        if (!s->j->updates.items[i].last && ir_contains(s->j->updates.items[i].statement, node))
+            return true;
+    return false;
+}
+
 static void need_part(slicer *s, needed_part part) {
     const ir_variable *variable = part.variable;
     if (!is_of_iteration(s, variable) || is_noted(s, part))
@@ -198,6 +206,8 @@ static void need_part(slicer *s, needed_part part) {
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
         const ir_node *bottom = bottom_of(write);
+        if (is_step_afterwards(write) && is_in_update(s, write))
+            continue; /* the last word on it in the iteration (updates.c) */
         if (ir_contains(s->j->counted.body, write) &&
             concerns(part.field, bottom ? part_of(bottom) : NULL))
             keep_statement(s, expression_place(write), variable);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 #include "analysis/loop/variation.h"
 
 /* ---- the source text --------------------------------------------------------------------------
@@ -257,6 +258,8 @@ bool check_accesses(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *a = &j->accesses[i];
         a->access = j->found.items.items[i];
+        if (a->access.lvalue && !a->access.callee)
+            a->access.lvalue = lvalue_before_steps(j->an->memory, a->access.lvalue);
         if (a->access.lvalue)
             a->where = location_of(j->an->facts, a->access.lvalue, j->loop);
         else

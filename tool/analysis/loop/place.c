@@ -3,6 +3,7 @@
 #include "analysis/loop/place.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 
 /* ---- under fewer conditions ----------------------------------------------------------------- */
 
@@ -80,10 +81,27 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place) {
     return false;
 }
 
+/* Is all that `place` says of the variable one step v++: does it have the value there that it has
+ * where `place` begins? */
+static bool is_only_stepped(const loop_analysis *j, const ir_node *place,
+                            const ir_variable *variable) {
+    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    const ir_node *only = NULL;
+    for (unsigned i = 0; i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        if (ir_contains(place, use) && only)
+            return false;
+        if (ir_contains(place, use))
+            only = use;
+    }
+    return only && only->parent && is_step_afterwards(only->parent);
+}
+
 static bool changes_in(const loop_analysis *j, const ir_node *row, const ir_node *place) {
     if (row->kind == IR_VARIABLE) {
         const ir_node *declarator = variable_fact_of(j->an->facts, row->variable)->declarator;
-        if (variable_written_in(j->an->facts, place, row->variable) ||
+        if ((variable_written_in(j->an->facts, place, row->variable) &&
+             !is_only_stepped(j, place, row->variable)) ||
             (declarator && ir_contains(place, declarator)))
             return true;
     }

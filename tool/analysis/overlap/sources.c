@@ -23,6 +23,8 @@
 static bool is_affine_row(const loop_analysis *j, const ir_node *row) {
     switch (row->kind) {
     case IR_VARIABLE:
+        if (row->variable == j->counted.counter) /* its address moves with it by itself */
+            return row->type->kind == IR_POINTER;
         return ir_type_is_scalar(row->type) ? variation_is_invariant(j->an->facts, j->loop, row)
                                             : variation_is_fixed(j->an->facts, j->loop, row);
     case IR_INDEX:
@@ -79,14 +81,35 @@ static bool is_fixed_base(const loop_analysis *j, const ir_node *base) {
                : variation_is_fixed(j->an->facts, j->loop, base);
 }
 
+static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
+    return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
+}
+
+/* A pointer that each iteration moves by a step: what it is when the loop begins; NULL: it is none
+ * of these. */
+static const ir_node *first_of_steps(const loop_analysis *j, const ir_node *base) {
+    if (base->kind != IR_VARIABLE || base->type->kind != IR_POINTER)
+        return NULL;
+    if (base->variable == j->counted.counter)
+        return j->counted.lower ? j->counted.lower : base;
+    for (unsigned i = 0; i < j->privates.count; i++) {
+        const private_variable *item = &j->privates.items[i];
+        if (item->variable == base->variable && item->is_stepped)
+            return item->entry ? item->entry : base;
+    }
+    return NULL;
+}
+
+/* What the address of a read moves with, as it is before the loop; NULL: that is not told. */
+static const ir_node *base_before(const loop_analysis *j, const ir_node *base) {
+    const ir_node *first = is_fixed_base(j, base) ? base : first_of_steps(j, base);
+    return first && can_be_spelled(j, first) ? first : NULL;
+}
+
 /* Is the address of `row` computed before the loop without doing what the program would not have
  * done: by variables alone, or in each iteration anyway? */
 static bool is_safe_before(const loop_access *read, const ir_node *row) {
     return !read->access.is_conditional || slice_is_safe_anywhere(row);
-}
-
-static bool can_be_spelled(const loop_analysis *j, const ir_node *row) {
-    return strcmp(expression_text(j->an->memory, row), "...") != 0 && expression_is_plain(row);
 }
 
 /* A bit-field has no address: the object that it is a member of does, which holds more bytes than
@@ -134,7 +157,7 @@ static bool plan_affine(const loop_analysis *j, const loop_access *read, bool ca
     item->is_sometimes = read->access.is_conditional;
     item->is_checked = item->is_sometimes || (is_known ? may_wrap(&address, counter)
                                                        : subscripts_may_wrap(item->row, counter));
-    if (item->is_checked && !is_known)
+    if (item->is_checked && (!is_known || counter->type->kind == IR_POINTER))
         return false;
     if (item->is_sometimes)
         item->limit_count = executed_limits(j, read->access.node, &item->limits);
@@ -188,9 +211,8 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
     if (of_contents && may_reach_beyond(read, row))
         return plan;
     const ir_node *base = read->where.base;
-    bool base_is_fixed = is_fixed_base(j, base) && can_be_spelled(j, base);
     plan.source = (loop_source){.name = expression_text(j->an->memory, base),
-                                .base = base_is_fixed ? base : NULL,
+                                .base = base_before(j, base),
                                 .row = row,
                                 .loop_count = read->access.loop_count,
                                 .loops = read->access.loops};

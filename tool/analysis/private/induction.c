@@ -8,6 +8,7 @@
 #include "analysis/private/induction.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/step_inside.h"
 #include "analysis/loop/executed.h"
 #include "analysis/loop/variation.h"
 #include "analysis/private/live.h"
@@ -22,6 +23,12 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
 static bool is_integer(const ir_type *type) {
     return type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 && !type->is_volatile &&
            !type->is_atomic;
+}
+
+/* Steps of a pointer are as long as what it points to. */
+static bool is_pointer(const ir_type *type) {
+    return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
+           type->target->kind != IR_VOID && type->target->size > 0;
 }
 
 static bool is_of_function(const loop_analysis *j, const ir_variable *variable) {
@@ -111,13 +118,36 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
                              .is_stepped = true};
     if (is_taken(j, variable))
         return true;
-    if (!is_integer(variable->type) || !is_of_function(j, variable) ||
-        !sum_steps(j, variable, &item))
+    if ((!is_integer(variable->type) && !is_pointer(variable->type)) ||
+        !is_of_function(j, variable) || !sum_steps(j, variable, &item))
         return false;
     /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */
     item.is_step_wanted = !start || variable_is_live_after(j->an->facts, j->loop, variable);
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
+}
+
+/* Does nothing depend on what is left of the variable when an iteration ends? */
+static bool is_left_behind(const loop_analysis *j, const ir_variable *variable) {
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    private_variable item = {0};
+    return variable == j->counted.counter || (declarator && ir_contains(j->loop, declarator)) ||
+           sum_steps(j, variable, &item);
+}
+
+bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step) {
+    if (!is_step_afterwards(step) || !is_executed_once(j, step))
+        return false;
+    const ir_variable *variable = step->children[0]->variable;
+    const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    for (unsigned i = 0; i < fact->occurrences.count; i++) {
+        const ir_node *use = fact->occurrences.items[i];
+        if (use != step->children[0] && ir_contains(j->counted.body, use) &&
+            use->id >= statement->id)
+            return false;
+    }
+    return variable_is_automatic(variable) && variable->function == j->function &&
+           !variable->address_taken && !variable->has_other_name && is_left_behind(j, variable);
 }
 
 static bool take_steps(loop_analysis *j, const ir_node *part) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Secondary induction variables: integers that each iteration moves by the same constant. */
+/** Secondary induction variables: integers and pointers that each iteration moves by the same
+ *  constant. */
 #ifndef ANALYSIS_INDUCTION_H
 #define ANALYSIS_INDUCTION_H
 
@@ -9,6 +10,11 @@
  *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
  *  the value that it has when an iteration begins; false: not, and nothing is changed. */
 bool induction_take(loop_analysis *j, const ir_variable *variable);
+
+/** Is the step, `v++` within `statement`, executed once in each iteration, and v, a variable that
+ * only the text reaches, not asked for from the statement on in the rest of it? Then the iteration
+ * may as well leave the statement out. */
+bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
 /** Takes what the header steps beside the counter: for (...; i++, q += 3). False: refused. */
 bool check_header_steps(loop_analysis *j);

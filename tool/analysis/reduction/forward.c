@@ -92,7 +92,8 @@ static const ir_node *statement_of(const loop_analysis *j, const loop_access *st
     for (unsigned i = 0; i < block->child_count; i++) {
         const ir_node *later = block->children[i];
         if (later->id >= statement->id && later != j->counted.increment &&
-            !(j->counted.increment && ir_contains(later, j->counted.increment)) &&
+            !(j->counted.increment && !j->counted.steps_inside &&
+              ir_contains(later, j->counted.increment)) &&
             (has_entry(later) || moves(j, target, later)))
             return NULL;
     }

@@ -127,6 +127,13 @@ static bool is_inside_node(const ir_node *outer, const ir_node *inner) {
     return inner && ir_contains(outer, inner);
 }
 
+/* h[*p++] += e, and p is not asked for again: each iteration begins with a p of its own. */
+static bool is_last_step(const loop_analysis *j, const ir_node *statement,
+                         const loop_access *write) {
+    const ir_node *step = write->access.callee ? NULL : write->access.node->parent;
+    return step && statement->kind == IR_EXPRESSION && induction_is_last_step(j, statement, step);
+}
+
 /* Is something else written by the same statement? The guarded form would skip that as well. */
 static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
                              const loop_access *update) {
@@ -138,7 +145,7 @@ static bool has_other_effect(const loop_analysis *j, const ir_node *statement,
         bool is_same_element = statement->kind == IR_IF && !other->access.callee &&
                                expression_same(other->access.lvalue, update->access.lvalue);
         bool is_same_call = update->access.callee && other->access.node == update->access.node;
-        if (!is_same_element && !is_same_call)
+        if (!is_same_element && !is_same_call && !is_last_step(j, statement, other))
             return true;
     }
     return false;
@@ -221,13 +228,15 @@ static update_kind kind_of_update(const loop_analysis *j, const loop_access *upd
 static bool check_update(loop_analysis *j, loop_access *update) {
     const ir_node *statement;
     unsigned number;
-    const ir_node *target = update->access.form.target;
+    const ir_node *target = update->access.lvalue; /* without steps in it */
     const char *name = analysis_name(j, target);
     if (update->where.base &&
         (is_inside_node(target, update->where.base) || update_is_by_local_pointer(j, update)))
         update->where.base = update_base_of(target, update->where.base);
-    if (!check_statement(j, update, name, &statement) || !check_element(j, update, name) ||
-        !update_check_base(j, update, name))
+    if (!check_statement(j, update, name, &statement))
+        return false;
+    update->access.form.target = target;
+    if (!check_element(j, update, name) || !update_check_base(j, update, name))
         return false;
     update_kind kind = kind_of_update(j, update, statement);
     kind.needs_order |= update_is_by_local_pointer(j, update); /* it may not lead into a copy */

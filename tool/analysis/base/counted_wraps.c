@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/counted_wraps.h"
+
+#include "analysis/base/expression.h"
+
+static const ir_node *strip_casts(const ir_node *node) {
+    while (node->kind == IR_CAST && node->type && node->type->kind == IR_INTEGER)
+        node = node->children[0];
+    return node;
+}
+
+static bool is_non_negative(const ir_node *node) {
+    int64_t value;
+    if (!node)
+        return false;
+    if (expression_constant(node, &value))
+        return value >= 0;
+    node = strip_casts(node);
+    return node->type && node->type->kind == IR_INTEGER && !node->type->is_signed;
+}
+
+static int64_t type_maximum(const ir_type *type) {
+    int bits = (int)type->size * 8 - (type->is_signed ? 1 : 0);
+    return bits >= 63 ? INT64_MAX : ((int64_t)1 << bits) - 1;
+}
+
+/*
+ * The generated code counts iterations in 64 bits by lower, bound and step as mathematical numbers.
+ * That agrees with the loop where the comparison is one of numbers and the counter reaches the
+ * bound without leaving its type. Where it would leave a signed type of int's size or more, C gives
+ * no meaning to the loop at all; a trip count computed as zero or less runs the original loop.
+ */
+bool counted_wraps(const counted_loop *loop) {
+    const ir_type *counter = loop->counter->type;
+    const ir_type *bound = loop->bound->type;
+    int64_t constant = 0;
+    bool bound_is_constant = expression_constant(loop->bound, &constant);
+    int64_t magnitude = loop->step < 0 ? -loop->step : loop->step;
+    bool is_up = loop->step > 0;
+    bool is_inclusive =
+        loop->comparison == IR_OP_LESS_EQUAL || loop->comparison == IR_OP_GREATER_EQUAL;
+    bool bound_is_unsigned = !bound->is_signed && !(bound_is_constant && constant >= 0) &&
+                             bound->size >= 4 && bound->size >= counter->size;
+    if (bound_is_constant && is_up && constant >= 0 &&
+        constant <= type_maximum(counter) - magnitude)
+        return counter->is_signed && bound->size >= 4 && !bound->is_signed &&
+               !is_non_negative(loop->lower);
+    if (counter->is_signed) {
+        if (counter->size < 4)
+            return true;
+        /* A signed counter compared with an unsigned bound is converted: negative ones are large.
+         */
+        return (bound_is_unsigned || (!bound->is_signed && bound->size >= counter->size)) &&
+               (!is_up || !is_non_negative(loop->lower));
+    }
+    if (loop->comparison == IR_OP_NOT_EQUAL) {
+        int64_t lower;
+        return !(is_up && loop->lower && expression_constant(loop->lower, &lower) && lower == 0 &&
+                 bound->size <= counter->size && counter->size >= 4);
+    }
+    if (is_up)
+        return counter->size < 4 || magnitude != 1 || bound->size > counter->size ||
+               (is_inclusive && counter->size < 8);
+    /* down: i > bound ends at bound >= 0 with step -1; i >= 0 never ends */
+    if (counter->size < 4 || magnitude != 1)
+        return true;
+    if (is_inclusive)
+        return !(bound_is_constant && constant >= 1);
+    return bound->is_signed && !(bound_is_constant && constant >= 0);
+}

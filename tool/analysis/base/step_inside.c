@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/step_inside.h"
+
+#include "analysis/base/expression.h"
+
+bool is_step_afterwards(const ir_node *node) {
+    return node->kind == IR_UNARY &&
+           (node->op == IR_OP_POST_INCREMENT || node->op == IR_OP_POST_DECREMENT) &&
+           node->children[0]->kind == IR_VARIABLE;
+}
+
+static unsigned mentions(const ir_node *node, const ir_variable *variable) {
+    unsigned count = node->kind == IR_VARIABLE && node->variable == variable;
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += mentions(node->children[i], variable);
+    return count;
+}
+
+/* How often it is assigned, or its address taken. */
+static unsigned writes(const ir_node *node, const ir_variable *variable) {
+    const ir_node *target = expression_written(node);
+    unsigned count = target && target->kind == IR_VARIABLE && target->variable == variable;
+    count += node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+             expression_object(node->children[0]) == variable;
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += writes(node->children[i], variable);
+    return count;
+}
+
+/* The last mention of the variable, in the order of the text; NULL: there is none. */
+static const ir_node *last_mention(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return node;
+    for (unsigned i = node->child_count; i-- > 0;) {
+        const ir_node *found = last_mention(node->children[i], variable);
+        if (found)
+            return found;
+    }
+    return NULL;
+}
+
+/* Are these all evaluated, once, whenever the whole is? */
+static bool is_evaluated_once(const ir_node *node) {
+    switch (node->kind) {
+    case IR_BLOCK:
+    case IR_DECLARATION:
+    case IR_DECLARATOR:
+    case IR_EXPRESSION:
+    case IR_ASSIGN:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+        return true;
+    case IR_UNARY:
+        return node->op != IR_OP_ADDRESS;
+    case IR_BINARY:
+        return node->op != IR_OP_AND && node->op != IR_OP_OR;
+    default:
+        return false;
+    }
+}
+
+const ir_node *lone_last_step(const ir_node *body, const ir_variable *variable) {
+    const ir_node *last = last_mention(body, variable);
+    const ir_node *step = last ? last->parent : NULL;
+    if (!step || !is_step_afterwards(step) || !ir_value_is_used(step))
+        return NULL;
+    const ir_node *statement = expression_place(step);
+    if (mentions(statement, variable) != 1 || writes(body, variable) != 1)
+        return NULL;
+    for (const ir_node *node = step; node != body; node = node->parent)
+        if (!is_evaluated_once(node->parent))
+            return NULL;
+    return step;
+}
+
+/* Has it such steps, each of a variable that `statement` names this once? */
+static bool has_lone_steps(const ir_node *node, const ir_node *statement, bool *has_other) {
+    bool has_step = is_step_afterwards(node);
+    if (has_step)
+        *has_other |= mentions(statement, node->children[0]->variable) != 1;
+    for (unsigned i = 0; i < node->child_count; i++)
+        has_step |= has_lone_steps(node->children[i], statement, has_other);
+    return has_step;
+}
+
+static void leave_steps_out(ir_node *node) {
+    for (unsigned i = 0; i < node->child_count; i++) {
+        ir_node *child = node->children[i];
+        if (is_step_afterwards(child)) {
+            node->children[i] = child->children[0];
+            node->children[i]->parent = node;
+        } else {
+            leave_steps_out(child);
+        }
+    }
+}
+
+const ir_node *lvalue_before_steps(arena *a, const ir_node *lvalue) {
+    const ir_node *statement = expression_place(lvalue);
+    bool has_other = false;
+    if (!statement || !has_lone_steps(lvalue, statement, &has_other) || has_other)
+        return lvalue;
+    ir_node *copy = ir_substitute(a, lvalue, NULL, NULL);
+    copy->parent = NULL;
+    leave_steps_out(copy);
+    return copy;
+}
