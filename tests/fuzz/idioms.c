@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops as programmers spell them: updates by functions that find the array in a record, extrema of
- * scalars. Of programs whose seeds are divisible by 11; the others stay what they were when these
- * were added. */
+ * scalars, walks through arrays. Of programs whose seeds are divisible by 11; the others stay what
+ * they were when these were added. */
 #include "fuzz/kernel.h"
 
 /* mat_add(&m, r, c, v), with m->values[r * m->width + c] += v. */
@@ -57,8 +57,43 @@ static void scalar_extremum(kernel *k) {
     add_name(&k->scope.values, type[0] == 'd' ? x : "0.5");
 }
 
+/* h[*p++ & 63] += v, and h[s[j++ % 64] & 63] += v where the statement may be reached more often
+ * than the loop has iterations. */
+static void walk(kernel *k) {
+    const array *a = any_reduction(k);
+    const char *p = new_name(k, "walk"), *x = new_name(k, "x"), *own = k->subscript[0].base;
+    const bool is_pointer = !k->is_wide && !k->scope.in_loop && k->subscript[0].shape == SHAPE_FLAT;
+    if (a->shape != SHAPE_FLAT || *a->operation == '<' || *a->operation == '>')
+        return;
+    const char *type = elements[k->subscript[0].type].spelling;
+    declare_outside(k, is_pointer ? text(k, "const %s *", type) : "int", p, is_pointer ? own : "0");
+    const char *here = is_pointer ? text(k, "*%s", p) : k->flag.base;
+    const char *step = is_pointer ? text(k, "*%s++", p)
+                                  : text(k, "%s[(unsigned)%s++ %% %du]", k->flag.base, p, k->size);
+    const int mask = k->elements - 1;
+    if (chance(k, 10))
+        put(k, &k->body, "if (%s)\n", condition(k));
+    if (chance(k, 45)) {
+        put(k, &k->body, "%s[%s & %d] %s= %s;\n", a->base, step, mask, a->operation,
+            contribution(k, a));
+    } else if (chance(k, 50)) {
+        put(k, &k->body, "{\nconst int %s = %s;\n%s[%s & %d] %s= %s;\n}\n", x, step, a->base, x,
+            mask, a->operation, contribution(k, a));
+    } else {
+        put(k, &k->body, "%s[%s & %d] %s= %s & 3;\n", a->base, subscript(k), mask, a->operation,
+            step);
+    }
+    if (is_pointer && chance(k, 8))
+        put(k, &k->body, "live[0] += %s;\n", here);
+    put(k, &k->after,
+        is_pointer ? "    live[%d] = (double)(%s - %s);\n" : "    live[%d] = (double)%s;\n",
+        k->live++ % 8, p, own);
+}
+
 void idiom(kernel *k) {
-    if (chance(k, 45))
+    if (chance(k, 40))
+        walk(k);
+    else if (chance(k, 45))
         scalar_extremum(k);
     else
         update_by_member(k);

@@ -264,9 +264,11 @@ static void put_all(kernel *k, buffer *b) {
         k->globals.length ? k->globals.data : "");
     if (chance(k, 5))
         put(k, b, "#line %d \"made_%llu.y\"\n", 10 + below(k, 500), seed);
-    /* Loops of functions with attributes are written in place, others in front of the function. */
-    put(k, b, "static %svoid kernel_%llu%s {\n", seed % 4 == 3 ? "__attribute__((noinline)) " : "",
-        seed, parameters(k));
+    /* Loops of functions with some attributes are written in place, others in front of the
+     * function.
+     */
+    put(k, b, "static %svoid kernel_%llu%s {\n",
+        seed % 4 == 3 ? "__attribute__((aligned(32))) " : "", seed, parameters(k));
     put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",
         k->pointers.length ? k->pointers.data : "", k->locals.length ? k->locals.data : "");
     if (chance(k, 15))
