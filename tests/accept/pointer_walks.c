@@ -12,7 +12,7 @@ struct pair {
 struct list {
     const struct pair *first, *last;
 };
-static int s[3 * N + 9], from[ROWS], counted[ROWS];
+static int s[3 * N + 9], picks[N], from[2 * ROWS], counted[ROWS], both[2 * ROWS];
 static double e[3 * N + 9], h[ROWS];
 static unsigned char bytes[3 * N + 9];
 static struct pair pairs[N];
@@ -141,6 +141,12 @@ static void reads_what_it_updates(int n, const int *p) {
         counted[(unsigned)*p++ % ROWS]++;
 }
 
+/* Where it reads is told by what q walks over: beside the elements, and then among them. */
+static void looked_up(int n, const int *q, const int *other, int *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[s[t]] += other[*q++] & 63;
+}
+
 int main(void) {
     long ends[1] = {0};
     for (int round = 0; round < 3; round++) {
@@ -173,6 +179,13 @@ int main(void) {
             ends[0] += step_in_subscript(N, round);
             ends[0] += step_in_value(N, N + round);
             own_step(N);
+            for (int i = 0; i < N; i++)
+                picks[i] = i % ROWS + (again ? 0 : ROWS);
+            for (int i = 0; i < 2 * ROWS; i++)
+                both[i] = i;
+            looked_up(N, picks, both, both);
+            ends[0] += both[7] + 3 * both[ROWS - 1];
+            looked_up(N, picks, from, both);
             reads_what_it_updates(ROWS, counted);
             reads_what_it_updates(N, s);
         }
