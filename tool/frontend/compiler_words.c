@@ -2,6 +2,7 @@
 /* Does the program ask which compiler it is compiled by? The parser is clang; the compiler may be
  * another. Headers of the system are left out: that they hold for each is their business. */
 #define _GNU_SOURCE /* memmem */
+#include <ctype.h>
 #include <string.h>
 
 #include "frontend/convert.h"
@@ -48,6 +49,26 @@ static const char *parsers_word_in(converter *c, file_text file) {
     return NULL;
 }
 
+/* The attribute optimize, by which gcc compiles a function otherwise than the file; clang passes
+ * over it, on whichever declaration it stands. Not the pragma, which is read as one. */
+static bool names_optimize(file_text file) {
+    static const char word[] = "optimize", pragma[] = "GCC";
+    const char *at = file.text, *const end = file.text + file.length;
+    while (at != NULL && at < end && (at = memmem(at, (size_t)(end - at), word, sizeof word - 1))) {
+        const char *before = at;
+        at += sizeof word - 1;
+        while (before > file.text && isspace((unsigned char)before[-1]))
+            before--;
+        if (before - file.text >= 3 && memcmp(before - 3, pragma, 3) == 0)
+            continue;
+        while (at < end && (*at == '_' || isspace((unsigned char)*at)))
+            at++;
+        if (at < end && (*at == '(' || *at == '\\' || *at == '/'))
+            return true;
+    }
+    return false;
+}
+
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
@@ -57,6 +78,7 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     const file_text text = text_of_file(c, file);
     if (c->unit->compiler_word == NULL)
         c->unit->compiler_word = word_in(text);
+    c->unit->names_optimize |= names_optimize(text);
     const char *own = c->predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
         c->unit->unseen_word = own;

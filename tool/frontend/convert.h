@@ -122,7 +122,7 @@ void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
 /** Adds what is declared, in a record its members' tags too, to the unit's names. */
 void note_name(converter *c, CXCursor declaration);
-/** Sets the unit's compiler_word and unseen_word. */
+/** Sets the unit's compiler_word, unseen_word and names_optimize. */
 void find_compiler_words(converter *c);
 
 /** Sets the unit's header_pragmas. */

@@ -43,8 +43,7 @@ static bool has_word(const char *text, const char *const *words, unsigned count)
 static bool find_own_options(const ir_unit *unit) {
     static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
                                           "float_control", "FP_CONTRACT", "attribute"};
-    static const char *const attributes[] = {"optimize(", "optimize (", "optimize__"};
-    if (unit->source && has_word(unit->source->text, attributes, 3))
+    if (unit->names_optimize)
         return true;
     for (unsigned i = 0; i < unit->header_pragma_count; i++)
         if (has_word(unit->header_pragmas[i], pragmas, 6))

@@ -14,8 +14,7 @@ unit_text *unit_text_new(arena *a, const ir_unit *unit);
 /** A directive, of the file or of a header, that switches FENV_ACCESS on, or NULL. */
 const char *unit_text_fenv_access(const unit_text *text);
 
-/** May pieces of the file be compiled otherwise than the macros of its beginning say? clang knows
- *  nothing of the attribute `optimize`, so it is looked for in the text. */
+/** May pieces of the file be compiled otherwise than the macros of its beginning say? */
 bool unit_text_has_own_options(const unit_text *text);
 
 /** Index of the first directive that begins at `offset` or behind it. */
