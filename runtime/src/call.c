@@ -3,6 +3,7 @@
 #include "loop.h"
 
 #include "base/clock.h"
+#include "base/escapes.h"
 #include "base/forked.h"
 #include "base/node.h"
 #include "base/team.h"
@@ -65,6 +66,8 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_NO_BINS;
     if (forked)
         return REASON_FORKED;
+    if (redcc_allocator_is_split())
+        return REASON_ALLOCATOR;
     if (nested)
         return REASON_NESTED;
     return threads < 2 && !one_will_do(loop, settings) ? REASON_ONE_THREAD : REASON_NONE;

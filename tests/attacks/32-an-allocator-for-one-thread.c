@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* The program brings an allocator of its own (as glibc allows), made for the one thread it has. */
 #define _GNU_SOURCE
+#include <errno.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -28,6 +29,16 @@ void free(void *block) {
 }
 void *calloc(size_t count, size_t bytes) {
     return malloc(count * bytes); /* all zero, since never used again */
+}
+void *aligned_alloc(size_t alignment, size_t bytes) {
+    return alignment <= 64 ? malloc(bytes) : NULL;
+}
+void *memalign(size_t alignment, size_t bytes) {
+    return aligned_alloc(alignment, bytes);
+}
+int posix_memalign(void **block, size_t alignment, size_t bytes) {
+    *block = aligned_alloc(alignment, bytes);
+    return *block ? 0 : ENOMEM;
 }
 void *realloc(void *block, size_t bytes) {
     void *other = malloc(bytes);

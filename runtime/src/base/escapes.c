@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
+ * What the objects of the process refer to, and define.
+ *
  * Most programs have nothing that leaves a handler but its end; for their loops to hold back
  * signals would gain nothing, and takes a tenth of a short loop's time. What objects refer to is in
  * their dynamic symbol tables. A program that is linked statically has none, and counts as one that
@@ -103,6 +105,35 @@ static bool object_may_escape(const struct link_map *map) {
     return may && !openmp;
 }
 
+enum { FREE = 1, ALIGNED = 2 + 4 + 8 };
+
+/* Bits of the functions of these that the object defines. */
+static int allocator_of(const struct link_map *map) {
+    static const char *const names[] = {"free", "aligned_alloc", "posix_memalign", "memalign"};
+    const struct object object = object_of(map);
+    int defined = 0;
+    if (!object.symbol || !object.text || (uintptr_t)object.text < (uintptr_t)object.symbol)
+        return 0;
+    const Elf64_Sym *const end =
+        object.symbol + ((uintptr_t)object.text - (uintptr_t)object.symbol) / sizeof *object.symbol;
+    for (const Elf64_Sym *symbol = object.symbol; symbol < end; symbol++)
+        for (int n = 0; n < 4; n++)
+            if (symbol->st_shndx != SHN_UNDEF && symbol->st_name < object.text_bytes &&
+                strcmp(object.text + symbol->st_name, names[n]) == 0)
+                defined |= 1 << n;
+    return defined;
+}
+
+/* Of the first object that has it is the function that is called. */
+static bool look_for_split(void) {
+    for (const struct link_map *map = &_r_debug ? _r_debug.r_map : NULL; map; map = map->l_next) {
+        const int defined = allocator_of(map);
+        if (defined & FREE)
+            return (defined & ALIGNED) != ALIGNED;
+    }
+    return false;
+}
+
 static bool look(void) {
     if (!&_r_debug || !_r_debug.r_map)
         return true;
@@ -118,15 +149,29 @@ static bool look(void) {
     return true;
 }
 
+static bool look_for_split(void) {
+    return false;
+}
+
 #endif
 
-bool redcc_may_escape(void) {
-    enum { UNKNOWN, MAY, CANNOT };
-    static atomic_int known;
-    int answer = atomic_load_explicit(&known, memory_order_relaxed);
+/* The answer of the first call holds for good. */
+static bool answer(atomic_int *known, bool (*look_for)(void)) {
+    enum { UNKNOWN, YES, NO };
+    int answer = atomic_load_explicit(known, memory_order_relaxed);
     if (answer == UNKNOWN) {
-        answer = look() ? MAY : CANNOT;
-        atomic_store_explicit(&known, answer, memory_order_relaxed);
+        answer = look_for() ? YES : NO;
+        atomic_store_explicit(known, answer, memory_order_relaxed);
     }
-    return answer == MAY;
+    return answer == YES;
+}
+
+bool redcc_may_escape(void) {
+    static atomic_int known;
+    return answer(&known, look);
+}
+
+bool redcc_allocator_is_split(void) {
+    static atomic_int known;
+    return answer(&known, look_for_split);
 }

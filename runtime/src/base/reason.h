@@ -10,6 +10,7 @@
     X(REASON_FORKED, "forked", "in a process forked from one with several threads")                \
     X(REASON_TRAPS, "float-traps", "floating-point exceptions trap in the calling thread")         \
     X(REASON_NO_THREADS, "no-threads", "the system gives the process no more threads")             \
+    X(REASON_ALLOCATOR, "allocator", "the program's free is not that of aligned_alloc")            \
     X(REASON_HANDLER, "signal-handler", "in the handler of a signal, before there were threads")   \
     X(REASON_NESTED, "nested", "inside a parallel region")                                         \
     X(REASON_CONCURRENT, "concurrent", "the loop is being executed by another thread")             \
