@@ -9,7 +9,12 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-static char area[64 << 20] __attribute__((aligned(64)));
+#ifndef SIZE
+#define SIZE 60000
+#define AREA (64 << 20)
+#endif
+
+static char area[AREA] __attribute__((aligned(64)));
 static size_t used;
 static volatile long elsewhere;
 
@@ -30,6 +35,7 @@ void free(void *block) {
 void *calloc(size_t count, size_t bytes) {
     return malloc(count * bytes); /* all zero, since never used again */
 }
+#ifndef WITHOUT_ALIGNED /* 46-an-allocator-without-aligned-memory.c */
 void *aligned_alloc(size_t alignment, size_t bytes) {
     return alignment <= 64 ? malloc(bytes) : NULL;
 }
@@ -40,6 +46,7 @@ int posix_memalign(void **block, size_t alignment, size_t bytes) {
     *block = aligned_alloc(alignment, bytes);
     return *block ? 0 : ENOMEM;
 }
+#endif
 void *realloc(void *block, size_t bytes) {
     void *other = malloc(bytes);
     if (other && block)
@@ -49,7 +56,7 @@ void *realloc(void *block, size_t bytes) {
     return other;
 }
 
-enum { N = 60000, K = 700 };
+enum { N = SIZE, K = 700 };
 static int k[N];
 static double h[K];
 

@@ -1,63 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// The program brings an allocator of its own with what glibc asks for and no more: aligned memory, which
-// OpenMP's library takes, is the C library's, and must not be given to the program's free.
+// PROGRAM: 32-an-allocator-for-one-thread.c
+// CFLAGS: -O2 -DWITHOUT_ALIGNED -DSIZE=600000 -DAREA=(256<<20)
 // METHODS: auto localwrite binning
-#define _GNU_SOURCE
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-static char area[256 << 20] __attribute__((aligned(64)));
-static size_t used;
-static volatile long elsewhere;
-
-void *malloc(size_t bytes) {
-    elsewhere += syscall(SYS_gettid) != getpid();
-    size_t *block = (size_t *)(area + used);
-    used += (bytes + 64 + 63) / 64 * 64;
-    if (used > sizeof area)
-        return NULL;
-    block[0] = bytes;
-    return (char *)block + 64;
-}
-void free(void *block) {
-    elsewhere += block && syscall(SYS_gettid) != getpid();
-    if (block && ((char *)block < area || (char *)block >= area + sizeof area))
-        _exit(77); /* none of ours */
-}
-void *calloc(size_t count, size_t bytes) {
-    return malloc(count * bytes); /* all zero, since never used again */
-}
-void *realloc(void *block, size_t bytes) {
-    void *other = malloc(bytes);
-    if (other && block)
-        memcpy(other, block, bytes < ((size_t *)((char *)block - 64))[0]
-                                 ? bytes
-                                 : ((size_t *)((char *)block - 64))[0]);
-    return other;
-}
-
-enum { N = 600000, K = 700 };
-static int k[N];
-static double h[K];
-
-__attribute__((noinline)) static void fill(void) {
-    for (int t = 0; t < N; t++) // EXPECT: transformed
-        h[k[t]] += 1.0 / (1 + t);
-}
-
-int main(void) {
-    for (int round = 0; round < 30; round++) {
-        for (int t = 0; t < N; t++)
-            k[t] = (int)((t * (7919LL + round / 4) + t / 3) % K);
-        fill();
-    }
-    double sum = 0;
-    for (int i = 0; i < K; i++)
-        sum = sum * 0.5 + h[i];
-    printf("%a, %ld allocations in other threads\n", sum, elsewhere);
-    return 0;
-}
+// EXPECT-ALL: transformed
+// The program's allocator has what glibc asks for and no more. OpenMP's library takes aligned memory from
+// the C library, which must not be given to the program's free.

@@ -56,9 +56,11 @@ static bool is_option_of_ours(session *s, const char *word) {
         puts("redcc-cc " REDCC_VERSION);
         exit(0);
     }
-    s->show |= strcmp(word, "--redcc-show") == 0;
-    s->only_reports |= strcmp(word, "--redcc-report") == 0;
-    return strcmp(word, "--redcc-show") == 0 || strcmp(word, "--redcc-report") == 0;
+    const bool shows = strcmp(word, "--redcc-show") == 0;
+    const bool reports = strcmp(word, "--redcc-report") == 0;
+    s->show |= shows;
+    s->only_reports |= reports;
+    return shows || reports;
 }
 
 static void read_arguments(session *s, unsigned count, char **words) {

@@ -4,9 +4,7 @@
 #include <ctype.h>
 #include <string.h>
 
-static bool is_name_byte(char byte) {
-    return isalnum((unsigned char)byte) || byte == '_';
-}
+#include "support/source.h"
 
 bool attribute_is_harmless(const char *name, size_t length) {
     static const char *const harmless[] = {
@@ -47,7 +45,7 @@ static const char *skip_harmless(const char *at, const char *end) {
     }
     for (at = skip_blanks(at, end); at < end && *at != ')'; at = skip_blanks(at, end)) {
         const char *const name = at;
-        while (at < end && is_name_byte(*at))
+        while (at < end && source_is_name_byte(*at))
             at++;
         if (!attribute_is_harmless(name, (size_t)(at - name)))
             return NULL;

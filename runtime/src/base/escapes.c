@@ -22,7 +22,7 @@
 extern struct r_debug _r_debug __attribute__((__weak__));
 
 struct object {
-    const Elf64_Sym *symbol;
+    const Elf64_Sym *symbol, *end; /* NULL: not known */
     const char *text;
     size_t text_bytes;
 };
@@ -82,18 +82,19 @@ static struct object object_of(const struct link_map *map) {
         if (entry->d_tag == DT_STRSZ)
             object.text_bytes = (size_t)entry->d_un.d_val;
     }
+    /* How many symbols there are is not said simply; linkers put the texts behind them. */
+    const uintptr_t begin = (uintptr_t)object.symbol, end = (uintptr_t)object.text;
+    if (object.symbol && object.text && end >= begin)
+        object.end = object.symbol + (end - begin) / sizeof *object.symbol;
     return object;
 }
 
-/* How many symbols there are is not said simply; linkers put the texts behind them. */
 static bool object_may_escape(const struct link_map *map) {
     const struct object object = object_of(map);
-    if (!object.symbol || !object.text || (uintptr_t)object.text < (uintptr_t)object.symbol)
+    if (!object.end)
         return true;
-    const Elf64_Sym *const end =
-        object.symbol + ((uintptr_t)object.text - (uintptr_t)object.symbol) / sizeof *object.symbol;
     bool may = false, openmp = false;
-    for (const Elf64_Sym *symbol = object.symbol; symbol < end; symbol++) {
+    for (const Elf64_Sym *symbol = object.symbol; symbol < object.end; symbol++) {
         if (symbol->st_name >= object.text_bytes)
             continue;
         const char *const name = object.text + symbol->st_name;
@@ -112,11 +113,7 @@ static int allocator_of(const struct link_map *map) {
     static const char *const names[] = {"free", "aligned_alloc", "posix_memalign", "memalign"};
     const struct object object = object_of(map);
     int defined = 0;
-    if (!object.symbol || !object.text || (uintptr_t)object.text < (uintptr_t)object.symbol)
-        return 0;
-    const Elf64_Sym *const end =
-        object.symbol + ((uintptr_t)object.text - (uintptr_t)object.symbol) / sizeof *object.symbol;
-    for (const Elf64_Sym *symbol = object.symbol; symbol < end; symbol++)
+    for (const Elf64_Sym *symbol = object.symbol; object.end && symbol < object.end; symbol++)
         for (int n = 0; n < 4; n++)
             if (symbol->st_shndx != SHN_UNDEF && symbol->st_name < object.text_bytes &&
                 strcmp(object.text + symbol->st_name, names[n]) == 0)

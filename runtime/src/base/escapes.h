@@ -10,9 +10,9 @@
  * holds for good. */
 bool redcc_may_escape(void);
 
-/** Has the program a free of its own, and takes aligned memory from the library? gcc's OpenMP gives
- * back by the one what it took by the other, when a region has other threads than the last, or one.
- * The answer of the first call holds for good. */
+/** Does the program define free without the functions for aligned memory? gcc's OpenMP library
+ * takes its teams by these and releases them by free: after a region of one thread, and when the
+ * number of threads changes. The answer of the first call holds for good. */
 bool redcc_allocator_is_split(void);
 
 #endif

@@ -69,7 +69,7 @@ struct decision {
 };
 
 /** What came of a call. An inspection or a reuse that fails is followed by a sequential execution,
- *  which is an outcome of its own; but not a trial, which is one outcome with what followed. */
+ *  which is another outcome. A trial and the sequential rest of its execution are one. */
 enum result {
     RESULT_SEQUENTIAL,
     RESULT_PARALLEL,     /**< after a set-up, where set_up > 0 */

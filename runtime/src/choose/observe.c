@@ -124,13 +124,21 @@ static void begin_trial(struct size_state *size, enum way way, double each) {
         count_in_comparison(size, way, each);
 }
 
+/* An execution that was not the sequential loop's. Returns the seconds that one would have taken.
+ */
+static double enter_in_ledger(struct choice_state *state, const struct size_state *size,
+                              const struct outcome *outcome) {
+    const double sequential = redcc_least(&size->sequential) * (double)outcome->trip;
+    state->ledger.sequential += sequential;
+    state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
+    return sequential;
+}
+
 static void observe_parallel(struct choice_state *state, struct size_state *size,
                              const struct outcome *outcome) {
     const double each = outcome->seconds / (double)outcome->trip;
-    const double sequential = redcc_least(&size->sequential) * (double)outcome->trip;
+    const double sequential = enter_in_ledger(state, size, outcome);
     struct prospect *prospect = &size->prospect[outcome->way];
-    state->ledger.sequential += sequential;
-    state->ledger.overhead += outcome->seconds + outcome->set_up - sequential;
     if (outcome->set_up > 0) {
         if (size->stand == STAND_SAVING && size->set_ups.uses > 0)
             size->set_ups.lifetime = size->set_ups.met + size->set_ups.uses;
@@ -161,11 +169,8 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
 /* Of all ways bins alone can be left in the middle. */
 static void observe_left(struct choice_state *state, struct size_state *size,
                          const struct outcome *outcome) {
-    const double sequential = redcc_least(&size->sequential) * (double)outcome->trip;
     struct prospect *prospect = &size->prospect[outcome->way];
-    state->ledger.sequential += sequential;
-    state->ledger.overhead += outcome->seconds - sequential;
-    size->set_ups.since += sequential;
+    size->set_ups.since += enter_in_ledger(state, size, outcome);
     prospect->execution = outcome->seconds / (double)outcome->trip;
     prospect->measured = true;
     size->way = outcome->way;
