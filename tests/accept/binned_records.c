@@ -29,6 +29,15 @@ static struct kinds {
     double x;
     float y;
 } kinds[M];
+static struct same_size {
+    double x;
+    long n;
+    uint64_t bits;
+} same_size[M];
+static struct small_pair {
+    int n;
+    float y;
+} small_pairs[M];
 static long double longs[M];
 
 static void odd_numbers(int n) {
@@ -36,7 +45,7 @@ static void odd_numbers(int n) {
         h[k[t]] += w[t];
         g[k[t]] *= w[t];
     }
-} // BINNED: 35
+} // BINNED: 44
 
 static void unsigned_operands(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -45,14 +54,14 @@ static void unsigned_operands(int n) {
         g[k[t]] += large[t];
     for (int t = 0; t < n; t++) // EXPECT: transformed
         narrow[k[t]] -= wide[t];
-} // BINNED: 42 44 46
+} // BINNED: 51 53 55
 
 static void several_operands(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = (h[k[t]] * 0.5 + w[t]) / (u[t] + 2) - f[t];
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = (h[k[t]] * f[t] + w[t]) / u[t] - wide[t];
-} // BINNED: 51
+} // BINNED: 60
 
 static void several_updates(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -62,62 +71,78 @@ static void several_updates(int n) {
         h[(k[t] + 3) % M] = h[(k[t] + 3) % M] * 0.75 + u[t];
         h[(k[t] + 4) % M] += 1;
     }
-} // BINNED: 58
+} // BINNED: 67
 
 static void records_of_two_types(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         fs[k[t]] += f[t];
         fs[(k[t] + 1) % M] += w[t];
     }
-} // NOT-BINNED: 68
+} // NOT-BINNED: 77
 
 static void uncertain_operand(int n, const int *restrict at, const double *restrict x, double *restrict to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         if (x[t] < to[at[t]])
             to[at[t]] = x[t] * 2 + at[t] * 3;
-} // NOT-BINNED: 75
+} // NOT-BINNED: 84
 
 static void in_pairs(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         pairs[k[t]].x += w[t];
         pairs[k[t]].y -= u[t];
     }
-} // BINNED: 81
+} // BINNED: 90
 
 static void out_of_step(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         off[k[t]].y += f[t];
-} // NOT-BINNED: 88
+} // NOT-BINNED: 97
 
 static void of_two_kinds(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         kinds[k[t]].x += w[t];
         kinds[k[t]].y += f[t];
     }
-} // NOT-BINNED: 93
+} // NOT-BINNED: 102
+
+// A record is applied to elements of one type; another one of the same size is not that.
+static void of_one_size(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        same_size[k[t]].x += w[t];
+        same_size[k[t]].n++;
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        same_size[k[t]].n += wide[t];
+        same_size[(k[t] + 1) % M].bits += wide[t];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        small_pairs[k[t]].n += t;
+        small_pairs[k[t]].y -= f[t];
+    }
+} // NOT-BINNED: 110 114 118
 
 static void too_large(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         longs[k[t]] += w[t];
-} // NOT-BINNED: 100
+} // NOT-BINNED: 125
 
 // Integers, but no sums of integers: in private copies they would come out otherwise.
 static void truncated(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         counts[k[t]] += u[t] * 3.7;
-} // BINNED: 106
+} // BINNED: 131
 
 static void steps(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         sums[k[t]] = sums[k[t]] * 3 % 1000003 + wide[t] % 5;
-} // BINNED: 111
+} // BINNED: 136
 
 static void by_two_operators(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         counts[k[t]] += t;
         counts[(k[t] + 1) % M] ^= t;
     }
-} // BINNED: 116
+} // BINNED: 141
 
 // An operand is evaluated once, for the record.
 static double twice(double x) {
@@ -126,13 +151,13 @@ static double twice(double x) {
 static void by_functions(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         h[k[t]] = h[k[t]] * 0.5 + (fabs(w[t]) + twice(u[t]));
-} // BINNED: 127
+} // BINNED: 152
 
 // Where what is read turns out to be what is written, all is thrown away: the loop runs in order.
 static void read_far_away(int n, const int *at, const int *deep, const double *from, double *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += from[deep[t]] * 0.5;
-} // BINNED: 133
+} // BINNED: 158
 
 static void show(const char *what, const void *bytes, size_t size) {
     case_print(what, bytes, size);
@@ -169,6 +194,7 @@ int main(void) {
         in_pairs(N);
         out_of_step(N);
         of_two_kinds(N);
+        of_one_size(N);
         too_large(N);
         truncated(N);
         steps(N);
@@ -185,6 +211,9 @@ int main(void) {
         show("off", off, sizeof off);
         for (int i = 0; i < M; i++)
             printf("%a %a %La\n", kinds[i].x, kinds[i].y, longs[i]);
+        for (int i = 0; i < M; i++)
+            printf("%a %ld %llu %d %a\n", same_size[i].x, same_size[i].n,
+                   (unsigned long long)same_size[i].bits, small_pairs[i].n, small_pairs[i].y);
         show("counts", counts, sizeof counts);
         show("sums", sums, sizeof sums);
         show("both", both, sizeof both);

@@ -207,9 +207,12 @@ static bool fits_stream(struct bins_text *bins, const bins_record *record) {
 
 /* ---- may it have the form? ----------------------------------------------------------------- */
 
-/** Is each element a multiple of its own size away from the base? */
+/** Has the element the array's type, and is it a multiple of its own size away from the base? One
+ *  base may have elements of several types, in the members of its records. */
 static bool is_in_step(const loop_text *loop, const ir_node *target, unsigned array) {
     const int64_t size = loop->facts->arrays[array].element->size;
+    if (!ir_type_equal(target->type, loop->facts->arrays[array].element))
+        return false;
     for (; loop_array_of_base(loop, target) != (int)array; target = target->children[0]) {
         const bool is_step = target->kind == IR_INDEX || target->kind == IR_MEMBER ||
                              (target->kind == IR_UNARY && target->op == IR_OP_DEREFERENCE);
