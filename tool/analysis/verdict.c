@@ -70,7 +70,7 @@ static int64_t unit_without_split(const ir_type *row, int64_t unit) {
     return record->size;
 }
 
-static void finish_arrays(loop_analysis *j, loop_facts *facts) {
+static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     reduction_array *arrays = ARENA_ARRAY(j->an->memory, reduction_array, j->arrays.count + 1);
     for (unsigned i = 0; i < j->arrays.count; i++) {
         arrays[i] = j->arrays.items[i].array;
@@ -92,7 +92,8 @@ static void finish_arrays(loop_analysis *j, loop_facts *facts) {
 }
 
 /* Of a refused loop: what irregular updates there are, as far as they can be told. */
-static void note_irregular_arrays(loop_analysis *j) {
+static array_list irregular_arrays(const loop_analysis *j) {
+    array_list arrays = {0};
     access_list list = {0};
     access_collect(j->an->effects, j->loop, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
@@ -103,8 +104,8 @@ static void note_irregular_arrays(loop_analysis *j) {
         location where = location_of(j->an->facts, a->lvalue, j->loop);
         const ir_node *base = where.base ? where.base : a->lvalue;
         bool is_known = false;
-        for (unsigned k = 0; k < j->arrays.count; k++)
-            is_known |= expression_same(j->arrays.items[k].array.base, base);
+        for (unsigned k = 0; k < arrays.count; k++)
+            is_known |= expression_same(arrays.items[k].array.base, base);
         if (is_known)
             continue;
         loop_array item = {.where = where};
@@ -112,11 +113,12 @@ static void note_irregular_arrays(loop_analysis *j) {
                                        .name = expression_text(j->an->memory, base),
                                        .element = a->lvalue->type,
                                        .op = a->form.op};
-        VECTOR_PUSH(j->an->memory, &j->arrays, item);
+        VECTOR_PUSH(j->an->memory, &arrays, item);
     }
+    return arrays;
 }
 
-static loop_facts *finish_facts(loop_analysis *j) {
+static loop_facts *finish_facts(const loop_analysis *j) {
     loop_facts *facts = ARENA_NEW(j->an->memory, loop_facts);
     assert(ir_is_loop(j->loop) && ir_contains(j->function->body, j->loop));
     facts->loop = j->loop;
@@ -141,9 +143,9 @@ static loop_facts *finish_facts(loop_analysis *j) {
     facts->captured = j->captured.items;
     facts->captured_count = j->captured.count;
     facts->in_slice = j->in_slice;
-    find_spans(j);
-    facts->spans = j->spans.items;
-    facts->span_count = j->spans.count;
+    const span_list spans = find_spans(j);
+    facts->spans = spans.items;
+    facts->span_count = spans.count;
     facts->slice_has_floating_work = j->slice_has_floating_work;
     facts->has_inspector = true;
     facts->is_verifiable = j->is_verifiable;
@@ -153,15 +155,97 @@ static loop_facts *finish_facts(loop_analysis *j) {
     return facts;
 }
 
-static bool check_header(loop_analysis *j) {
-    counted_result counted = counted_recognise_analysed(j->loop);
-    if (!counted.is_counted)
-        return analysis_refuse(j, counted.why, counted.node, counted.name);
-    j->counted = counted.loop;
-    const ir_variable *bound = j->counted.bound_variable;
+/* ---- the checks, and what becomes of their results ----------------------------------------------
+ * Each is given what is known so far, and leaves it as it is; only here is it added to. */
+
+/* The first reason found is the verdict's. */
+static bool goes_on(loop_analysis *j, reason why) {
+    j->why = why;
+    return why.id == REASON_NONE;
+}
+
+typedef struct header_result {
+    reason why;
+    counted_loop counted;
+} header_result;
+
+static header_result check_header(const loop_analysis *j) {
+    const counted_result found = counted_recognise_analysed(j->loop);
+    if (!found.is_counted)
+        return (header_result){.why = analysis_reason(j, found.why, found.node, found.name)};
+    header_result result = {.counted = found.loop};
+    const ir_variable *bound = found.loop.bound_variable;
     if (bound && variable_is_live_after(j->an->facts, j->loop, bound))
-        return analysis_refuse(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
-    return true;
+        result.why = analysis_reason(j, REASON_LAST_VALUE, j->loop->children[0], bound->name);
+    return result;
+}
+
+static bool add_header(loop_analysis *j) {
+    const header_result found = check_header(j);
+    j->counted = found.counted;
+    return goes_on(j, found.why);
+}
+
+static bool add_accesses(loop_analysis *j) {
+    const access_result result = check_accesses(j);
+    j->found = result.found;
+    j->access_count = result.count;
+    j->accesses = result.accesses;
+    return goes_on(j, result.why);
+}
+
+static bool add_header_steps(loop_analysis *j) {
+    const uint64_t before = analysis_fingerprint(j);
+    const step_result result = check_header_steps(j);
+    analysis_assert_unchanged(j, before);
+    j->privates = result.privates;
+    return goes_on(j, result.why);
+}
+
+static bool add_updates(loop_analysis *j) {
+    const uint64_t before = analysis_fingerprint(j);
+    const update_result result = check_updates(j);
+    analysis_assert_unchanged(j, before);
+    j->accesses = result.accesses;
+    j->arrays = result.arrays;
+    j->updates = result.updates;
+    j->scalars = result.scalars;
+    j->forwards = result.forwards;
+    j->privates = result.privates;
+    return goes_on(j, result.why);
+}
+
+static bool add_privates(loop_analysis *j) {
+    const uint64_t before = analysis_fingerprint(j);
+    const private_check result = check_privates(j);
+    analysis_assert_unchanged(j, before);
+    j->privates = result.privates;
+    j->captured = result.captured;
+    j->counter_is_live_after = result.counter_is_live_after;
+    return goes_on(j, result.why);
+}
+
+static bool add_sources(loop_analysis *j) {
+    const uint64_t before = analysis_fingerprint(j);
+    const source_result result = check_sources(j);
+    analysis_assert_unchanged(j, before);
+    j->accesses = result.accesses;
+    j->arrays = result.arrays;
+    return goes_on(j, result.why);
+}
+
+static bool add_slice(loop_analysis *j) {
+    const uint64_t before = analysis_fingerprint(j);
+    const slice_result result = check_slice(j);
+    analysis_assert_unchanged(j, before);
+    j->privates = result.privates;
+    j->sources = result.sources;
+    j->key = result.key;
+    j->in_slice = result.in_slice;
+    j->slice_has_floating_work = result.has_floating_work;
+    j->is_verifiable = result.is_verifiable;
+    j->unkept = result.unkept;
+    return goes_on(j, result.why);
 }
 
 /* With what holds of this loop alone, and what the user says of it. */
@@ -175,39 +259,32 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
 
 loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
     const analyser *an = analyser_for(whole, loop);
-    loop_analysis *j = ARENA_NEW(an->memory, loop_analysis);
-    j->an = an;
-    j->function = function;
-    j->loop = loop;
-    bool is_fine = check_text(j) && check_jumps(j) && check_header(j) && check_accesses(j) &&
-                   check_header_steps(j) && check_updates(j);
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
+                   add_accesses(&j) && add_header_steps(&j) && add_updates(&j);
     /* What looked like a shared array may be private to each iteration. */
-    if (is_fine && j->arrays.count == 0)
+    if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
-    is_fine =
-        is_fine && check_scalars(j) && check_privates(j) && check_sources(j) && check_slice(j);
-    if (!is_fine) {
-        j->arrays.count = 0;
-        note_irregular_arrays(j);
-    }
+    is_fine = is_fine && goes_on(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
+              add_slice(&j);
+    if (!is_fine)
+        j.arrays = irregular_arrays(&j);
     return (loop_verdict){.kind = is_fine ? VERDICT_TRANSFORM : VERDICT_REFUSE,
                           .loop = loop,
                           .function = function,
-                          .why = j->why,
-                          .facts = finish_facts(j)};
+                          .why = j.why,
+                          .facts = finish_facts(&j)};
 }
 
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma) {
-    loop_analysis *j = ARENA_NEW(an->memory, loop_analysis);
-    j->an = an;
-    j->function = function;
-    j->loop = loop;
-    analysis_refuse(j, REASON_IGNORED, loop, arena_format(an->memory, "redcc %s", pragma->text));
-    note_irregular_arrays(j);
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    j.why = analysis_reason(&j, REASON_IGNORED, loop,
+                            arena_format(an->memory, "redcc %s", pragma->text));
+    j.arrays = irregular_arrays(&j);
     return (loop_verdict){.kind = VERDICT_REFUSE,
                           .loop = loop,
                           .function = function,
-                          .why = j->why,
-                          .facts = finish_facts(j)};
+                          .why = j.why,
+                          .facts = finish_facts(&j)};
 }

@@ -317,7 +317,7 @@ static bool is_small(const loop_analysis *j) {
     return j->sources.count <= 64;
 }
 
-bool check_slice(loop_analysis *j) {
+static bool find_slice(loop_analysis *j) {
     touch_list touches = {0};
     for (unsigned i = 0; i < j->updates.count; i++) {
         const slice_touch item = {j->updates.items[i].row, 0, NULL, j->updates.items[i].statement};
@@ -353,4 +353,17 @@ bool check_slice(loop_analysis *j) {
     if (!is_small(j))
         return analysis_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
     return true;
+}
+
+slice_result check_slice(const loop_analysis *j) {
+    loop_analysis own = analysis_copy(j);
+    find_slice(&own);
+    return (slice_result){.why = own.why,
+                          .privates = own.privates,
+                          .sources = own.sources,
+                          .key = own.key,
+                          .in_slice = own.in_slice,
+                          .has_floating_work = own.slice_has_floating_work,
+                          .is_verifiable = own.is_verifiable,
+                          .unkept = own.unkept};
 }

@@ -5,7 +5,18 @@
 
 #include "analysis/loop/loop_analysis.h"
 
+typedef struct slice_result {
+    reason why;
+    private_list privates; /* with those whose values the inspector asks for */
+    source_list sources;   /* in the order in which the slice reads them */
+    key_list key;
+    bool *in_slice; /* [function->node_count] */
+    bool has_floating_work;
+    bool is_verifiable;
+    unkept_read unkept;
+} slice_result;
+
 /** What computes rows and touched sources, and whether a plan may be kept. */
-bool check_slice(loop_analysis *j);
+slice_result check_slice(const loop_analysis *j);
 
 #endif

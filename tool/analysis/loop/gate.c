@@ -49,11 +49,11 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
 
 /* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
  * and a compiler wants a loop after it. */
-static bool check_text_before(loop_analysis *j) {
+static reason check_text_before(const loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
     if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
-        return true;
+        return (reason){0};
     uint32_t from = block->range.begin;
     if (s->text[from] == '{') /* else a macro makes it, and who knows what behind it */
         from++;
@@ -63,27 +63,27 @@ static bool check_text_before(loop_analysis *j) {
     const uint32_t to = j->loop->range.begin;
     const uint32_t at = skip_to_text(j->an, from, to);
     if (at >= to)
-        return true;
+        return (reason){0};
     uint32_t end = at;
     while (end < to && s->text[end] != '\n' && end - at < 40)
         end++;
-    return analysis_refuse(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
+    return analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop,
                            arena_copy(j->an->memory, s->text + at, end - at));
 }
 
-static bool check_directives(loop_analysis *j) {
+static reason check_directives(const loop_analysis *j) {
     const ir_unit *unit = j->an->unit;
     const char *fenv_access = unit_text_fenv_access(j->an->text);
     if (fenv_access)
-        return analysis_refuse(j, REASON_FENV_ACCESS, j->loop, fenv_access);
+        return analysis_reason(j, REASON_FENV_ACCESS, j->loop, fenv_access);
     const unsigned first = unit_text_first_directive(j->an->text, j->loop->range.begin);
     const char *above = openmp_above(j, first);
     if (above)
-        return analysis_refuse(j, REASON_EXISTING_OPENMP, j->loop, above);
+        return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above);
     if (first == unit->directive_count || unit->directives[first].range.begin >= j->loop->range.end)
-        return true; /* others above the loop stay with the sequential copy */
+        return (reason){0}; /* others above the loop stay with the sequential copy */
     const char *inside = unit->directives[first].text ? unit->directives[first].text : "#";
-    return analysis_refuse(
+    return analysis_reason(
         j, is_openmp(inside) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE, j->loop, inside);
 }
 
@@ -99,28 +99,33 @@ static bool has_macro(const ir_node *node) {
     return false;
 }
 
-bool check_text(loop_analysis *j) {
+reason check_text(const loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *loop = j->loop;
     if (j->an->unit->refusing_option)
-        return analysis_refuse(j, REASON_OPTION, loop, j->an->unit->refusing_option);
+        return analysis_reason(j, REASON_OPTION, loop, j->an->unit->refusing_option);
     if (j->function->has_errors)
-        return analysis_refuse(j, REASON_ERRORS, loop, j->function->name);
+        return analysis_reason(j, REASON_ERRORS, loop, j->function->name);
     if (loop->flags & IR_FROM_MACRO)
-        return analysis_refuse(j, REASON_IN_MACRO, loop, "the loop");
+        return analysis_reason(j, REASON_IN_MACRO, loop, "the loop");
     if (loop->range.begin >= loop->range.end)
-        return analysis_refuse(j, REASON_NO_RANGE, loop, "the loop");
+        return analysis_reason(j, REASON_NO_RANGE, loop, "the loop");
     if (j->an->unit->includes_itself)
-        return analysis_refuse(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
-    if (!check_directives(j) || !check_text_before(j))
-        return false;
+        return analysis_reason(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
+    reason why = check_directives(j);
+    if (why.id == REASON_NONE)
+        why = check_text_before(j);
+    if (why.id != REASON_NONE)
+        return why;
     const ir_range everything = {0, s ? s->length : 0};
     if (unit_text_has_counter(j->an->text, has_macro(loop) ? everything : loop->range))
-        return analysis_refuse(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
+        return analysis_reason(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
     const char *name;
     bool is_setjmp;
     const ir_node *obstacle = unit_text_obstacle(j->an->text, j->function, &name, &is_setjmp);
-    return !obstacle || analysis_refuse(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
+    if (!obstacle)
+        return (reason){0};
+    return analysis_reason(j, is_setjmp ? REASON_SETJMP : REASON_NAME, obstacle, name);
 }
 
 /* ---- jumps ------------------------------------------------------------------------------------
@@ -128,21 +133,23 @@ bool check_text(loop_analysis *j) {
 
 /* How many loops and switches inside the analysed loop stand around the statement, and how many
  * switches: a case without one belongs to a switch around the loop, which leads into it. */
-static bool check_jump(loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
-                       unsigned switches) {
+static reason check_jump(const loop_analysis *j, const ir_node *node, unsigned loops_and_switches,
+                         unsigned switches) {
     const char *counter = j->counted.counter ? j->counted.counter->name : "its counter";
     switch (node->kind) {
     case IR_BREAK:
-        return loops_and_switches || analysis_refuse(j, REASON_BREAK, node, counter);
+        if (!loops_and_switches)
+            return analysis_reason(j, REASON_BREAK, node, counter);
+        break;
     case IR_RETURN:
-        return analysis_refuse(j, REASON_RETURN, node, counter);
+        return analysis_reason(j, REASON_RETURN, node, counter);
     case IR_GOTO:
     case IR_LABEL:
-        return analysis_refuse(j, REASON_GOTO, node, counter);
+        return analysis_reason(j, REASON_GOTO, node, counter);
     case IR_CASE:
     case IR_DEFAULT:
         if (!switches)
-            return analysis_refuse(j, REASON_GOTO, node, counter);
+            return analysis_reason(j, REASON_GOTO, node, counter);
         break;
     default:
         break;
@@ -151,17 +158,17 @@ static bool check_jump(loop_analysis *j, const ir_node *node, unsigned loops_and
         loops_and_switches++;
     if (node->kind == IR_SWITCH)
         switches++;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!check_jump(j, node->children[i], loops_and_switches, switches))
-            return false;
-    return true;
+    reason why = {0};
+    for (unsigned i = 0; i < node->child_count && why.id == REASON_NONE; i++)
+        why = check_jump(j, node->children[i], loops_and_switches, switches);
+    return why;
 }
 
-bool check_jumps(loop_analysis *j) {
-    for (unsigned i = 0; i < j->loop->child_count; i++)
-        if (!check_jump(j, j->loop->children[i], 0, 0))
-            return false;
-    return true;
+reason check_jumps(const loop_analysis *j) {
+    reason why = {0};
+    for (unsigned i = 0; i < j->loop->child_count && why.id == REASON_NONE; i++)
+        why = check_jump(j, j->loop->children[i], 0, 0);
+    return why;
 }
 
 /* ---- accesses ---------------------------------------------------------------------------------
@@ -186,86 +193,104 @@ static bool file_reads_errno(const ir_unit *unit) {
 }
 
 /* An update whose value is used: what is done with it hardly matters. */
-static bool check_values(loop_analysis *j) {
-    for (unsigned i = 0; i < j->found.items.count; i++) {
-        const access *a = &j->found.items.items[i];
+static reason check_values(const loop_analysis *j, const access_list *found) {
+    for (unsigned i = 0; i < found->items.count; i++) {
+        const access *a = &found->items.items[i];
         if (a->kind == ACCESS_UPDATE && !a->callee && a->form.has_operator &&
             ir_value_is_used(a->lvalue->parent) &&
             variation_is_irregular(j->an->facts, j->loop, a->lvalue))
-            return analysis_refuse(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
+            return analysis_reason(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
                                    analysis_name(j, a->lvalue));
     }
-    return true;
+    return (reason){0};
+}
+
+static reason first_problem(const loop_analysis *j, const access_list *list) {
+    if (!list->problems.count)
+        return (reason){0};
+    const access_problem *p = &list->problems.items[0];
+    return analysis_reason(j, p->why, p->node, p->name);
 }
 
 /* The counter's first value is computed once more by the original loop, if that is to run. */
-static bool check_lower(loop_analysis *j) {
+static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
         access_collect(j->an->effects, j->counted.lower, &list);
-    if (!list.problems.count)
-        return true;
-    const access_problem *p = &list.problems.items[0];
-    return analysis_refuse(j, p->why, p->node, p->name);
+    return first_problem(j, &list);
 }
 
 /* A bound is computed once, where the sequential loop computes it before each iteration: with
  * functions that only read, and of which no two calls could give other bits. That what they read
  * stays as it is, is shown as for all that the loop reads. */
-static bool check_bound(loop_analysis *j) {
+static reason check_bound(const loop_analysis *j) {
     access_list list = {0};
     access_collect(j->an->effects, j->counted.bound, &list);
     bool is_repeatable = expression_is_plain(j->counted.bound) ||
                          (!list.has_floating_work && !list.has_unrepeatable_work);
     for (unsigned i = 0; i < list.items.count && !list.problems.count; i++)
         is_repeatable &= list.items.items[i].kind == ACCESS_READ;
-    return is_repeatable ||
-           analysis_refuse(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
+    if (is_repeatable)
+        return (reason){0};
+    return analysis_reason(j, REASON_TRIP_COUNT, j->counted.bound, j->counted.counter->name);
 }
 
 /* A counter of which a pointer may be kept somewhere: no access of the loop may be by that. */
-static bool check_counter(loop_analysis *j) {
+static reason check_counter(const loop_analysis *j, const access_result *result) {
     const ir_variable *counter = j->counted.counter;
     const location where = {.object = counter, .type = counter->type};
-    for (unsigned i = 0; counter->address_taken && i < j->access_count; i++) {
-        const loop_access *a = &j->accesses[i];
+    for (unsigned i = 0; counter->address_taken && i < result->count; i++) {
+        const loop_access *a = &result->accesses[i];
         const bool is_by_name = a->access.kind == ACCESS_READ && !a->access.callee &&
                                 a->access.lvalue && a->access.lvalue->kind == IR_VARIABLE &&
                                 a->access.lvalue->variable == counter;
         if (!is_by_name && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-            return analysis_refuse(j, REASON_COUNTER_MODIFIED, a->access.node, counter->name);
+            return analysis_reason(j, REASON_COUNTER_MODIFIED, a->access.node, counter->name);
     }
-    return true;
+    return (reason){0};
 }
 
-bool check_accesses(loop_analysis *j) {
-    if (!check_lower(j) || !check_bound(j))
-        return false;
-    access_collect(j->an->effects, j->counted.bound, &j->found);
-    access_collect(j->an->effects, j->counted.body, &j->found);
-    if (!check_values(j))
-        return false;
-    if (j->found.problems.count) {
-        const access_problem *p = &j->found.problems.items[0];
-        return analysis_refuse(j, p->why, p->node, p->name);
-    }
-    if (j->found.has_floating_work && j->an->unit->inexact_option && !j->an->options->any_order)
-        return analysis_refuse(j, REASON_INEXACT_OPTION, j->loop, j->an->unit->inexact_option);
-    if (j->found.may_set_errno && j->an->unit->math_errno && file_reads_errno(j->an->unit))
-        return analysis_refuse(j, REASON_ERRNO, j->loop, j->found.errno_setter);
-    j->access_count = j->found.items.count;
-    j->accesses = ARENA_ARRAY(j->an->memory, loop_access, j->access_count + 1);
-    for (unsigned i = 0; i < j->access_count; i++) {
-        loop_access *a = &j->accesses[i];
-        a->access = j->found.items.items[i];
-        if (a->access.lvalue && !a->access.callee)
-            a->access.lvalue = lvalue_before_steps(j->an->memory, a->access.lvalue);
-        if (a->access.lvalue)
-            a->where = location_of(j->an->facts, a->access.lvalue, j->loop);
-        else
-            a->where = (location){.is_inexact = true};
-        if (!a->where.type || a->access.callee)
-            a->where.type = a->access.type;
-    }
-    return check_counter(j);
+/* What is in the way before single accesses are looked at. */
+static reason check_all(const loop_analysis *j, const access_list *found) {
+    const ir_unit *unit = j->an->unit;
+    reason why = check_values(j, found);
+    if (why.id == REASON_NONE)
+        why = first_problem(j, found);
+    if (why.id != REASON_NONE)
+        return why;
+    if (found->has_floating_work && unit->inexact_option && !j->an->options->any_order)
+        return analysis_reason(j, REASON_INEXACT_OPTION, j->loop, unit->inexact_option);
+    if (found->may_set_errno && unit->math_errno && file_reads_errno(unit))
+        return analysis_reason(j, REASON_ERRNO, j->loop, found->errno_setter);
+    return (reason){0};
+}
+
+static loop_access access_in_loop(const loop_analysis *j, const access *found) {
+    loop_access a = {.access = *found, .where = {.is_inexact = true}};
+    if (a.access.lvalue && !a.access.callee)
+        a.access.lvalue = lvalue_before_steps(j->an->memory, a.access.lvalue);
+    if (a.access.lvalue)
+        a.where = location_of(j->an->facts, a.access.lvalue, j->loop);
+    if (!a.where.type || a.access.callee)
+        a.where.type = a.access.type;
+    return a;
+}
+
+access_result check_accesses(const loop_analysis *j) {
+    access_result result = {.why = check_lower(j)};
+    if (result.why.id == REASON_NONE)
+        result.why = check_bound(j);
+    if (result.why.id != REASON_NONE)
+        return result;
+    access_collect(j->an->effects, j->counted.bound, &result.found);
+    access_collect(j->an->effects, j->counted.body, &result.found);
+    result.why = check_all(j, &result.found);
+    if (result.why.id != REASON_NONE)
+        return result;
+    result.count = result.found.items.count;
+    result.accesses = ARENA_ARRAY(j->an->memory, loop_access, result.count + 1);
+    for (unsigned i = 0; i < result.count; i++)
+        result.accesses[i] = access_in_loop(j, &result.found.items.items[i]);
+    result.why = check_counter(j, &result);
+    return result;
 }

@@ -6,10 +6,17 @@
 #include "analysis/loop/loop_analysis.h"
 
 /** May the loop's text be rewritten at all, and is it left only at its end? */
-bool check_text(loop_analysis *j);
-bool check_jumps(loop_analysis *j);
+reason check_text(const loop_analysis *j);
+reason check_jumps(const loop_analysis *j);
+
+typedef struct access_result {
+    reason why;
+    access_list found;     /* as the summaries give them */
+    unsigned count;        /* of the same, with where in memory they are: */
+    loop_access *accesses; /* all of CLASS_OPEN */
+} access_result;
 
 /** Lists all accesses of one iteration, header included; refuses what is not understood. */
-bool check_accesses(loop_analysis *j);
+access_result check_accesses(const loop_analysis *j);
 
 #endif

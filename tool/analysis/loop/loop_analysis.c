@@ -6,14 +6,86 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
 
-bool analysis_refuse(loop_analysis *j, reason_id why, const ir_node *node, const char *name) {
+/* vector_grow copies; without items there is no storage to be shared */
+#define OWN_LIST(a, list)                                                                          \
+    do {                                                                                           \
+        (list)->capacity = (list)->count;                                                          \
+        if ((list)->count > 0)                                                                     \
+            (list)->items =                                                                        \
+                vector_grow((a), (list)->items, sizeof *(list)->items, &(list)->capacity);         \
+    } while (0)
+
+loop_analysis analysis_copy(const loop_analysis *known) {
+    arena *a = known->an->memory;
+    loop_analysis own = *known;
+    own.accesses = ARENA_ARRAY(a, loop_access, known->access_count + 1);
+    for (unsigned i = 0; i < known->access_count; i++)
+        own.accesses[i] = known->accesses[i];
+    OWN_LIST(a, &own.arrays);
+    OWN_LIST(a, &own.updates);
+    OWN_LIST(a, &own.scalars);
+    OWN_LIST(a, &own.forwards);
+    OWN_LIST(a, &own.privates);
+    OWN_LIST(a, &own.captured);
+    OWN_LIST(a, &own.sources);
+    OWN_LIST(a, &own.key);
+    return own;
+}
+
+#ifdef NDEBUG
+
+uint64_t analysis_fingerprint(const loop_analysis *known) {
+    (void)known;
+    return 0;
+}
+
+void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
+    (void)known;
+    (void)before;
+}
+
+#else
+
+static uint64_t hash(uint64_t before, const void *bytes, size_t size) {
+    const unsigned char *at = bytes;
+    for (size_t i = 0; i < size; i++)
+        before = (before ^ at[i]) * 1099511628211u;
+    return before;
+}
+
+#define HASH_LIST(before, list) hash((before), (list).items, (list).count * sizeof *(list).items)
+
+uint64_t analysis_fingerprint(const loop_analysis *known) {
+    uint64_t all = hash(1, known, sizeof *known);
+    all = hash(all, known->accesses, known->access_count * sizeof *known->accesses);
+    all = HASH_LIST(all, known->arrays);
+    all = HASH_LIST(all, known->updates);
+    all = HASH_LIST(all, known->scalars);
+    all = HASH_LIST(all, known->forwards);
+    all = HASH_LIST(all, known->privates);
+    all = HASH_LIST(all, known->captured);
+    all = HASH_LIST(all, known->sources);
+    return HASH_LIST(all, known->key);
+}
+
+void analysis_assert_unchanged(const loop_analysis *known, uint64_t before) {
+    assert(analysis_fingerprint(known) == before);
+}
+
+#endif
+
+reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
+                       const char *name) {
     assert(why > REASON_NONE && why < REASON_COUNT);
-    if (j->why.id != REASON_NONE)
-        return false;
     ir_range range = node ? node->range : j->loop->range;
     if (range.begin >= range.end)
         range = j->loop->range;
-    j->why = reason_make(j->an->memory, why, name ? name : "?", range);
+    return reason_make(j->an->memory, why, name ? name : "?", range);
+}
+
+bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name) {
+    if (own->why.id == REASON_NONE)
+        own->why = analysis_reason(own, why, node, name);
     return false;
 }
 

@@ -48,8 +48,19 @@ typedef struct loop_array {
     bool is_irregular;
 } loop_array;
 
-/** One loop that is analysed. The steps (gate, arrays, privates, sources, slice) fill it in turn;
- *  the first that finds something in the way sets `why` and returns false. */
+typedef VECTOR(loop_array) array_list;
+typedef VECTOR(reduction_update) update_list;
+typedef VECTOR(scalar_update) scalar_list;
+typedef VECTOR(forwarded_store) forward_list;
+typedef VECTOR(private_variable) private_list;
+typedef VECTOR(ir_variable *) variable_list;
+typedef VECTOR(loop_source) source_list;
+typedef VECTOR(const ir_node *) key_list;
+
+/** What is known of the one loop that is analysed. A check is given it const, with what the checks
+ *  before have found, and returns its own result: with a `why` whose id is not REASON_NONE where it
+ *  found something in the way, the rest then being of no use. verdict.c puts the results together.
+ *  A check that adds to what is known in several steps does so in a copy. */
 typedef struct loop_analysis {
     const analyser *an;
     ir_function *function;
@@ -58,16 +69,15 @@ typedef struct loop_analysis {
     access_list found;
     unsigned access_count;
     loop_access *accesses;
-    VECTOR(loop_array) arrays;
-    VECTOR(reduction_update) updates;
-    VECTOR(scalar_update) scalars;
-    VECTOR(forwarded_store) forwards;
-    VECTOR(private_variable) privates;
-    VECTOR(ir_variable *) captured;
-    VECTOR(loop_source) sources;
-    VECTOR(const ir_node *) key;
+    array_list arrays;
+    update_list updates;
+    scalar_list scalars;
+    forward_list forwards;
+    private_list privates;
+    variable_list captured;
+    source_list sources;
+    key_list key;
     bool *in_slice; /* [function->node_count] */
-    VECTOR(loop_span) spans;
     bool slice_has_floating_work;
     bool is_verifiable;
     unkept_read unkept;
@@ -75,8 +85,23 @@ typedef struct loop_analysis {
     reason why;
 } loop_analysis;
 
-/** Sets the reason, if none is set yet. Returns false. */
-bool analysis_refuse(loop_analysis *j, reason_id why, const ir_node *node, const char *name);
+/** A copy whose accesses and lists may be changed, and added to, while `known` stays as it is. */
+loop_analysis analysis_copy(const loop_analysis *known);
+
+/** A number that is another one where an access, or an item of a list, of what is known of a loop
+ * is another. 0 where NDEBUG is defined. */
+uint64_t analysis_fingerprint(const loop_analysis *known);
+
+/** Stops the program where a check has changed what it was given: `before` is its fingerprint of
+ *  before the check. Nothing is looked at where NDEBUG is defined. */
+void analysis_assert_unchanged(const loop_analysis *known, uint64_t before);
+
+/** What keeps the loop from being transformed, at this node; NULL: the loop itself. */
+reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *node,
+                       const char *name);
+
+/** Sets the reason of a check's own copy, if none is set yet. Returns false. */
+bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name);
 
 /** Is an address in the array with this base used as a value below `node`, as in `h == p` or
  *  `&h[i] - q`? A function that gets it is analysed by what it reaches. */

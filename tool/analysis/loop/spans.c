@@ -54,17 +54,19 @@ static bool is_span(const loop_analysis *j, ir_node *node, counted_loop *loop) {
            is_left_out(j, loop->body) && tells_spans_only(j, loop);
 }
 
-static void find_below(loop_analysis *j, ir_node *node) {
+static void find_below(const loop_analysis *j, ir_node *node, span_list *spans) {
     loop_span span = {.loop = node};
     if (is_span(j, node, &span.counted)) {
-        VECTOR_PUSH(j->an->memory, &j->spans, span);
+        VECTOR_PUSH(j->an->memory, spans, span);
         return;
     }
     for (unsigned i = 0; i < node->child_count; i++)
-        find_below(j, node->children[i]);
+        find_below(j, node->children[i], spans);
 }
 
-void find_spans(loop_analysis *j) {
+span_list find_spans(const loop_analysis *j) {
+    span_list spans = {0};
     for (unsigned i = 0; i < j->loop->child_count; i++)
-        find_below(j, j->loop->children[i]);
+        find_below(j, j->loop->children[i], &spans);
+    return spans;
 }

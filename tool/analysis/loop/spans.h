@@ -5,7 +5,9 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Fills in j->spans. */
-void find_spans(loop_analysis *j);
+typedef VECTOR(loop_span) span_list;
+
+/** All of them, in source order. To be asked when the slice is known. */
+span_list find_spans(const loop_analysis *j);
 
 #endif

@@ -406,7 +406,7 @@ static bool is_of_same_table(const loop_analysis *j, const loop_access *read,
     return table && expression_same(table, array->array.base);
 }
 
-bool check_sources(loop_analysis *j) {
+static bool check_reads(loop_analysis *j) {
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
         if (read->access.kind != ACCESS_READ || read->class == CLASS_SELF ||
@@ -432,4 +432,10 @@ bool check_sources(loop_analysis *j) {
             return false;
     }
     return true;
+}
+
+source_result check_sources(const loop_analysis *j) {
+    loop_analysis own = analysis_copy(j);
+    check_reads(&own);
+    return (source_result){own.why, own.accesses, own.arrays};
 }

@@ -19,7 +19,13 @@ source_plan source_plan_of(const loop_analysis *j, const loop_access *read, bool
 bool source_plans_of_search(const loop_analysis *j, const loop_access *read, source_plan *first,
                             source_plan *last);
 
-/** Reads against arrays: apart, guarded, or refused; the sources of the loop. */
-bool check_sources(loop_analysis *j);
+typedef struct source_result {
+    reason why;
+    loop_access *accesses; /* each read with its class, and whether it needs the guard */
+    array_list arrays;     /* interleaved where another field is read through the same base */
+} source_result;
+
+/** Reads against arrays: apart, guarded, or refused. */
+source_result check_sources(const loop_analysis *j);
 
 #endif

@@ -161,10 +161,19 @@ static bool take_steps(loop_analysis *j, const ir_node *part) {
     return true;
 }
 
-bool check_header_steps(loop_analysis *j) {
-    for (unsigned i = 0; i < j->counted.start_count; i++)
-        if (!induction_take(j, j->counted.starts[i]->children[0]->variable))
-            return analysis_refuse(j, REASON_SCALAR_CARRIED, j->counted.starts[i],
-                                   j->counted.starts[i]->children[0]->variable->name);
-    return j->loop->kind != IR_FOR || take_steps(j, j->loop->children[2]);
+static bool take_starts(loop_analysis *own) {
+    for (unsigned i = 0; i < own->counted.start_count; i++) {
+        const ir_variable *variable = own->counted.starts[i]->children[0]->variable;
+        if (!induction_take(own, variable))
+            return analysis_refuse(own, REASON_SCALAR_CARRIED, own->counted.starts[i],
+                                   variable->name);
+    }
+    return true;
+}
+
+step_result check_header_steps(const loop_analysis *j) {
+    loop_analysis own = analysis_copy(j);
+    if (take_starts(&own) && own.loop->kind == IR_FOR)
+        take_steps(&own, own.loop->children[2]);
+    return (step_result){own.why, own.privates};
 }

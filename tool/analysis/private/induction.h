@@ -9,14 +9,19 @@
 /** Is the variable moved by one constant in each iteration: by `v++`, `v += c` and the like alone,
  *  each executed exactly once, in the body or in the header? Then it is added to the privates, with
  *  the value that it has when an iteration begins; false: not, and nothing is changed. */
-bool induction_take(loop_analysis *j, const ir_variable *variable);
+bool induction_take(loop_analysis *own, const ir_variable *variable);
 
 /** Is the step, `v++` within `statement`, executed once in each iteration, and v, a variable that
  * only the text reaches, not asked for from the statement on in the rest of it? Then the iteration
  * may as well leave the statement out. */
 bool induction_is_last_step(const loop_analysis *j, const ir_node *statement, const ir_node *step);
 
-/** Takes what the header steps beside the counter: for (...; i++, q += 3). False: refused. */
-bool check_header_steps(loop_analysis *j);
+typedef struct step_result {
+    reason why;
+    private_list privates;
+} step_result;
+
+/** The privates, with what the header steps beside the counter: for (...; i++, q += 3). */
+step_result check_header_steps(const loop_analysis *j);
 
 #endif

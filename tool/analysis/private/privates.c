@@ -102,14 +102,18 @@ static bool capture(ir_node *node, void *context) {
     return true;
 }
 
-bool check_privates(loop_analysis *j) {
-    for (unsigned i = 0; i < j->privates.count; i++)
-        if (!check_last_value(j, &j->privates.items[i]))
-            return false;
-    ir_walk((ir_node *)j->counted.body, capture, j);
-    ir_walk((ir_node *)j->counted.bound, capture, j);
-    j->counter_is_live_after = !j->counted.counter_is_declared_in_header &&
-                               (j->counted.counter->address_taken ||
-                                variable_is_live_after(j->an->facts, j->loop, j->counted.counter));
-    return j->why.id == REASON_NONE;
+static bool is_counter_live_after(const loop_analysis *j) {
+    return !j->counted.counter_is_declared_in_header &&
+           (j->counted.counter->address_taken ||
+            variable_is_live_after(j->an->facts, j->loop, j->counted.counter));
+}
+
+private_check check_privates(const loop_analysis *j) {
+    loop_analysis own = analysis_copy(j);
+    for (unsigned i = 0; i < own.privates.count; i++)
+        if (!check_last_value(&own, &own.privates.items[i]))
+            return (private_check){.why = own.why};
+    ir_walk((ir_node *)own.counted.body, capture, &own);
+    ir_walk((ir_node *)own.counted.bound, capture, &own);
+    return (private_check){own.why, own.privates, own.captured, is_counter_live_after(j)};
 }

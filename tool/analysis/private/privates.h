@@ -5,7 +5,14 @@
 
 #include "analysis/loop/loop_analysis.h"
 
-/** Proves what is left to the privates: not carried, last values. */
-bool check_privates(loop_analysis *j);
+typedef struct private_check {
+    reason why;
+    private_list privates;  /* with what is to become of their last values */
+    variable_list captured; /* declared outside, only read in the loop, in order of use */
+    bool counter_is_live_after;
+} private_check;
+
+/** What the privates leave behind, and what else the loop's text names. */
+private_check check_privates(const loop_analysis *j);
 
 #endif

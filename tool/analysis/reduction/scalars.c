@@ -172,31 +172,32 @@ static bool commute(ir_operator a, ir_operator b) {
 }
 
 /* What an iteration puts together must commute with all else that is done to the scalar. */
-static bool check_repeated(loop_analysis *j, const scalar_update *repeated) {
+static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
         if (other->variable == repeated->variable && !commute(other->op, repeated->op))
-            return analysis_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement,
                                    other->variable->name);
     }
-    return true;
+    return (reason){0};
 }
 
 /* A conditional extremum is all that happens to its scalar, or the value that stands for none could
  * be behind it. */
-static bool check_extremum(loop_analysis *j, const scalar_update *extremum) {
+static reason check_extremum(const loop_analysis *j, const scalar_update *extremum) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
         if (other->variable == extremum->variable &&
             (!other->is_extremum || other->is_negated || other->op != extremum->op))
-            return analysis_refuse(j, REASON_SCALAR_CARRIED, other->statement,
+            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement,
                                    other->variable->name);
     }
-    return true;
+    return (reason){0};
 }
 
-/* Is the variable touched by nothing else than updates of it, or the place by one? */
-static bool is_alone(loop_analysis *j, const scalar_update *update, ir_variable *variable) {
+/* The variable is touched by nothing else than updates of it, the place by one. */
+static reason check_alone(const loop_analysis *j, const scalar_update *update,
+                          ir_variable *variable) {
     const location where = {.object = variable, .type = variable->type};
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *a = &j->accesses[i];
@@ -204,19 +205,23 @@ static bool is_alone(loop_analysis *j, const scalar_update *update, ir_variable 
             is_own_access(a, variable) &&
             (variable != update->place || ir_contains(update->statement, a->access.node));
         if (!is_own && locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
-            return analysis_refuse(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
+            return analysis_reason(j, REASON_SCALAR_CARRIED, a->access.node, variable->name);
     }
-    return true;
+    return (reason){0};
 }
 
-bool check_scalars(loop_analysis *j) {
-    for (unsigned k = 0; k < j->scalars.count; k++) {
+reason check_scalars(const loop_analysis *j) {
+    reason why = {0};
+    for (unsigned k = 0; k < j->scalars.count && why.id == REASON_NONE; k++) {
         const scalar_update *update = &j->scalars.items[k];
-        if ((update->is_repeated && !check_repeated(j, update)) ||
-            (update->is_extremum && update->is_conditional && !check_extremum(j, update)) ||
-            !is_alone(j, update, update->variable) ||
-            (update->place && !is_alone(j, update, update->place)))
-            return false;
+        if (update->is_repeated)
+            why = check_repeated(j, update);
+        if (why.id == REASON_NONE && update->is_extremum && update->is_conditional)
+            why = check_extremum(j, update);
+        if (why.id == REASON_NONE)
+            why = check_alone(j, update, update->variable);
+        if (why.id == REASON_NONE && update->place)
+            why = check_alone(j, update, update->place);
     }
-    return true;
+    return why;
 }

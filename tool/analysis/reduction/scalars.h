@@ -11,6 +11,6 @@ bool scalar_take_update(loop_analysis *j, loop_access *write);
 
 /** To be asked when all writes are analysed: nothing else of the loop reads or writes the scalars.
  */
-bool check_scalars(loop_analysis *j);
+reason check_scalars(const loop_analysis *j);
 
 #endif

@@ -415,7 +415,7 @@ static bool check_plain_reads(loop_analysis *j) {
     return true;
 }
 
-bool check_updates(loop_analysis *j) {
+static bool check_writes(loop_analysis *j) {
     /* Updates first: what is wrong with them says more than a store beside them. */
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < j->access_count; i++) {
@@ -434,4 +434,16 @@ bool check_updates(loop_analysis *j) {
             return false;
     }
     return true;
+}
+
+update_result check_updates(const loop_analysis *j) {
+    loop_analysis own = analysis_copy(j);
+    check_writes(&own);
+    return (update_result){.why = own.why,
+                           .accesses = own.accesses,
+                           .arrays = own.arrays,
+                           .updates = own.updates,
+                           .scalars = own.scalars,
+                           .forwards = own.forwards,
+                           .privates = own.privates};
 }

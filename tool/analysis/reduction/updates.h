@@ -5,7 +5,17 @@
 
 #include "analysis/loop/loop_analysis.h"
 
+typedef struct update_result {
+    reason why;
+    loop_access *accesses; /* each write with its class, and reads that updates or stores explain */
+    array_list arrays;
+    update_list updates;
+    scalar_list scalars;
+    forward_list forwards;
+    private_list privates; /* all of them, what the header steps included */
+} update_result;
+
 /** Finds updates and their arrays, decides which writes are private, refuses all others. */
-bool check_updates(loop_analysis *j);
+update_result check_updates(const loop_analysis *j);
 
 #endif
