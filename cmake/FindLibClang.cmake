@@ -81,7 +81,8 @@ endif()
 set(libclang_wanted "install libclang-19-dev (${LibClang_LEAST} or later will do), or give -DLLVM_CONFIG=PROGRAM")
 if(libclang_too_old)
   list(JOIN libclang_too_old ", " libclang_too_old)
-  string(APPEND libclang_wanted " (too old: ${libclang_too_old})")
+  string(APPEND libclang_wanted
+    " (too old: ${libclang_too_old} - before ${LibClang_LEAST} libclang cannot say which operator an expression has)")
 endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(LibClang
