@@ -58,6 +58,13 @@ END
 { cmake -S . -B build -DCMAKE_BUILD_TYPE=Release && cmake --build build; } >log 2>&1 || fail "cmake: $(tail -n 5 log)"
 same_bits build/count
 
+# what a report links to is there, as it is named
+printf 'void f(int n, const int *s, int *h, int *out) {\n  for (int t = 0; t < n; t++) out[t] = h[s[t]]++;\n}\n' >used.c
+redcc --analyze --report=sarif used.c >sarif || fail "redcc --report=sarif"
+link=$(jq -r '.runs[0].tool.driver.rules[0].helpUri' sarif)
+page=${link%#*}
+[ -s "${page#file://}" ] || fail "no page behind '$link'"
+
 for page in redcc redcc-cc fabric fabric-serial; do
   man "$page" >page 2>messages || fail "man $page"
   expect_empty messages
