@@ -7,7 +7,7 @@
 enum { N = 9000, M = 400 };
 static int s[N], r[N];
 static double v[N], h[M], g[M];
-static double kept[16];
+static double kept[17];
 
 /* The last one to assign may touch no element, or be any. */
 static void under_conditions(int n, int bound) {
@@ -123,7 +123,18 @@ static void macros(int n) {
     kept[13] = t;
 }
 
+/* Compilers see that it never iterates, and that nothing is assigned. */
+static void never(void) {
+    double d = 3;
+    for (int i = 0 - 1; i >= 0; i--) { // EXPECT: transformed
+        h[s[i]] += 1;
+        d = v[i] * 2;
+    }
+    kept[16] = d;
+}
+
 int main(void) {
+    never();
     static const int trips[] = {N, 0, 3, N, 1, N - 1};
     case_values(v, N);
     for (int round = 0; round < 6; round++) {

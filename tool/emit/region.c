@@ -70,28 +70,33 @@ bool has_last_values(const loop_facts *facts) {
     return false;
 }
 
+/** A value to start with, for the compiler's flow analysis: that does not know that the loop has
+ *  iterations, and that each of them assigns one. */
+static const char *start_value(const ir_type *type) {
+    if (type->size < 0)
+        return "";
+    return type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}" : " = 0";
+}
+
 void declare_last_values(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
         const private_variable *item = &loop->facts->privates[i];
         if (item->is_live_after)
-            writer_line(out, "__typeof__(%s) redcc__last_%s;",
-                        origin_variable(loop->arena, item->variable), item->variable->name);
+            writer_line(out, "__typeof__(%s) redcc__last_%s%s;",
+                        origin_variable(loop->arena, item->variable), item->variable->name,
+                        start_value(item->variable->type));
     }
 }
 
-/** Private variables whose last value is wanted outlive the iterations of a chunk. A value to start
- *  with is for the compiler's flow analysis, which does not know that each iteration assigns it. */
+/** Private variables whose last value is wanted outlive the iterations of a chunk. */
 static void declare_live_privates(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->private_count; i++) {
         const private_variable *item = &loop->facts->privates[i];
         if (!item->is_live_after)
             continue;
-        const ir_type *type = item->variable->type;
-        const char *start = type->size < 0                                      ? ""
-                            : type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}"
-                                                                                : " = 0";
         writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
-                    origin_declarator(loop->arena, item->variable), start);
+                    origin_declarator(loop->arena, item->variable),
+                    start_value(item->variable->type));
     }
 }
 
