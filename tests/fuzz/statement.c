@@ -188,8 +188,23 @@ static void call_that_updates(kernel *k) {
 
 /* ---- updates and control --------------------------------------------------------------------- */
 
+/* Elements that lie side by side: members of a record, of the array's type or of another. */
+static void updates_of_a_row(kernel *k, const array *a) {
+    const char *index = subscript(k);
+    for (int left = 2 + below(k, 3); left > 0; left--)
+        if (a->shape == SHAPE_RECORDS && chance(k, 12))
+            put(k, &k->body, "%s[%s].other += %s;\n", a->base, index, integer(k, 1));
+        else
+            put(k, &k->body, "%s;\n",
+                update(k, a, place(k, a, chance(k, 12) ? subscript(k) : index)));
+}
+
 static void plain_update(kernel *k) {
     const array *a = any_reduction(k);
+    if (a->shape != SHAPE_FLAT && chance(k, 30)) {
+        updates_of_a_row(k, a);
+        return;
+    }
     const char *where = place(k, a, subscript(k));
     put(k, &k->body, "%s;\n", update(k, a, where));
 }

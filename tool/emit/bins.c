@@ -2,8 +2,8 @@
 /**
  * A form of the loop for in-order binning (redcc/bins.h), beside the others: an update becomes a
  * record, which holds what the update reads but for the element itself, and a function applies
- * records to the elements. Updates of several arrays at one subscript share a record
- * (bins_group.c); the rows of a stream are elements of its arrays.
+ * records to the elements. Updates of one row (bins_row.c), or of several arrays at one subscript,
+ * share a record (bins_group.c).
  *
  * The loop has no such form where an update cannot be taken apart so, or where its body may not be
  * executed before its reads are compared with what it writes (stale.c).
@@ -147,33 +147,44 @@ unsigned stream_value_count(const bins_stream *stream) {
 }
 
 typedef struct spelling {
-    const bins_stream *stream;
+    const loop_text *loop;
+    const struct bins_text *bins;
     const bins_record *record;
     const reduction_update *update;
 } spelling;
+
+/** The element that the update at hand goes to. */
+static const char *element_in_row(const spelling *its) {
+    static const char *const rows[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
+                                       "(*redcc__to_3)"};
+    const bins_stream *stream = &its->bins->streams[its->record->stream];
+    unsigned array = 0;
+    while (stream->arrays[array] != its->update->array)
+        array++;
+    return is_wide_row(its->loop, its->bins, its->update->array)
+               ? arena_format(its->loop->arena, "%s[%u]", rows[array],
+                              part_of_row(its->loop, its->bins, its->update))
+               : rows[array];
+}
 
 /** The printer's hook: the element, and what the record holds. */
 static const char *name_in_record(const ir_node *node, void *context) {
     static const char *const values[] = {"redcc__e.v0", "redcc__e.v1", "redcc__e.v2",
                                          "redcc__e.v3"};
-    static const char *const elements[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
-                                           "(*redcc__to_3)"};
     const spelling *its = context;
     if (!ir_is_expression(node))
         return NULL;
-    if (syntax_same(node, its->update->target)) {
-        unsigned part = 0;
-        while (its->stream->arrays[part] != its->update->array)
-            part++;
-        return elements[part];
-    }
+    if (syntax_same(node, its->update->target))
+        return element_in_row(its);
     const int number = operand_number(its->record, node);
-    return number < 0 ? NULL : stream_value_count(its->stream) == 1 ? "redcc__e" : values[number];
+    return number < 0                                                          ? NULL
+           : stream_value_count(&its->bins->streams[its->record->stream]) == 1 ? "redcc__e"
+                                                                               : values[number];
 }
 
 static bool spell_updates(loop_text *loop, const struct bins_text *bins, bins_record *record) {
     writer line = {.on_one_line = true};
-    spelling its = {.stream = &bins->streams[record->stream], .record = record};
+    spelling its = {.loop = loop, .bins = bins, .record = record};
     printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
     for (unsigned i = 0; i < record->update_count; i++) {
         its.update = record->updates[i];
@@ -207,23 +218,6 @@ static bool fits_stream(struct bins_text *bins, const bins_record *record) {
 
 /* ---- may it have the form? ----------------------------------------------------------------- */
 
-/** Has the element the array's type, and is it a multiple of its own size away from the base? One
- *  base may have elements of several types, in the members of its records. */
-static bool is_in_step(const loop_text *loop, const ir_node *target, unsigned array) {
-    const int64_t size = loop->facts->arrays[array].element->size;
-    if (!ir_type_equal(target->type, loop->facts->arrays[array].element))
-        return false;
-    for (; loop_array_of_base(loop, target) != (int)array; target = target->children[0]) {
-        const bool is_step = target->kind == IR_INDEX || target->kind == IR_MEMBER ||
-                             (target->kind == IR_UNARY && target->op == IR_OP_DEREFERENCE);
-        if (!is_step || target->type->size <= 0 || target->type->size % size != 0 ||
-            (target->kind == IR_MEMBER &&
-             (target->field->offset < 0 || target->field->offset % size != 0)))
-            return false;
-    }
-    return true;
-}
-
 static bool is_power_of_two(int64_t size) {
     return size > 0 && (size & (size - 1)) == 0;
 }
@@ -254,7 +248,7 @@ static bool take_apart(loop_text *loop, struct bins_text *bins, bins_record *rec
     for (unsigned i = 0; i < record->update_count; i++) {
         const reduction_update *update = record->updates[i];
         const ir_node *statement = update->statement;
-        if (update->last || !is_in_step(loop, update->target, update->array) ||
+        if (update->last || !is_in_step(loop, bins, update) ||
             (statement->kind != IR_EXPRESSION && statement->kind != IR_IF) ||
             !gather(loop, record, update->target, statement, true))
             return false;
@@ -285,8 +279,8 @@ static bool write_records(loop_text *loop, struct bins_text *bins) {
     return true;
 }
 
-static bool can_be_grouped(loop_text *loop, struct bins_text *bins, bool together) {
-    if (!group_updates(loop, bins, together))
+static bool can_be_grouped(loop_text *loop, struct bins_text *bins, bool wide, bool together) {
+    if (!group_updates(loop, bins, wide, together))
         return false;
     for (unsigned i = 0; i < bins->record_count; i++)
         if (!take_apart(loop, bins, &bins->records[i]))
@@ -299,6 +293,7 @@ void find_bins(loop_text *loop) {
     struct bins_text *bins = ARENA_ARRAY(loop->arena, struct bins_text, 1);
     bins->records = ARENA_ARRAY(loop->arena, bins_record, facts->update_count + 1);
     bins->streams = ARENA_ARRAY(loop->arena, bins_stream, facts->array_count + 1);
+    bins->row_bytes = ARENA_ARRAY(loop->arena, int64_t, facts->array_count + 1);
     if (facts->forward_count > 0 || facts->scalar_count > 0 ||
         is_read_elsewhere(loop, facts->counted.body) || !find_told_sources(loop, bins) ||
         !is_harmless_when_stale(loop))
@@ -306,6 +301,7 @@ void find_bins(loop_text *loop) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(loop, i))
             return;
-    if (can_be_grouped(loop, bins, true) || can_be_grouped(loop, bins, false))
+    if (can_be_grouped(loop, bins, true, true) || can_be_grouped(loop, bins, true, false) ||
+        can_be_grouped(loop, bins, false, true) || can_be_grouped(loop, bins, false, false))
         loop->bins = bins;
 }

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Which updates share a record. Statements that follow each other without anything between, and
- * update different arrays at one subscript, are a group; arrays of which each group has all or none
- * are one stream. Nothing that a group's operands read changes while it is executed, for what it
- * writes is written later; so all of them can be kept by its first statement.
+ * update one row of an array, or rows of different arrays at one subscript, are a group; arrays of
+ * which each group has all or none are one stream. Nothing that a group's operands read changes
+ * while it is executed, for what it writes is written later; so all of them can be kept by its
+ * first statement.
  */
 #include "emit/bins.h"
-#include "emit/syntax.h"
 
 typedef struct grouping {
     const loop_text *loop;
+    const struct bins_text *bins;
+    bool wide;             /* rows may be updated several times by one record */
     unsigned member_count; /* updates so far, as they follow in the text: */
     struct member {
         const reduction_update *update;
@@ -19,32 +21,6 @@ typedef struct grouping {
     unsigned begin; /* the first group of the statements at hand */
 } grouping;
 
-/** Has the element the same number, counted from its array's base in elements? Both have been found
- *  to be in step. */
-static bool same_place(const loop_text *loop, const reduction_update *a,
-                       const reduction_update *b) {
-    const int64_t size = loop->facts->arrays[a->array].element->size;
-    const int64_t other_size = loop->facts->arrays[b->array].element->size;
-    const ir_node *left = a->target, *right = b->target;
-    for (;; left = left->children[0], right = right->children[0]) {
-        const bool ends = loop_array_of_base(loop, left) == (int)a->array;
-        if (ends || loop_array_of_base(loop, right) == (int)b->array)
-            return ends && loop_array_of_base(loop, right) == (int)b->array;
-        if (left->kind != right->kind || left->child_count == 0 || right->child_count == 0)
-            return false;
-        if (left->kind == IR_INDEX && (left->type->size / size != right->type->size / other_size ||
-                                       !syntax_same(left->children[1], right->children[1])))
-            return false;
-        if (left->kind == IR_MEMBER &&
-            left->field->offset / size != right->field->offset / other_size)
-            return false;
-    }
-}
-
-static void add_member(grouping *g, const reduction_update *update, unsigned group) {
-    g->members[g->member_count++] = (struct member){update, group};
-}
-
 static bool has_array(const grouping *g, unsigned group, unsigned array) {
     for (unsigned i = 0; i < g->member_count; i++)
         if (g->members[i].group == group && g->members[i].update->array == array)
@@ -52,17 +28,35 @@ static bool has_array(const grouping *g, unsigned group, unsigned array) {
     return false;
 }
 
-/** The group of an update that follows: one behind those that update its array already, so that its
- *  updates keep their order. */
-static unsigned group_for(grouping *g, const reduction_update *update) {
+/** Has the group the update's row, and room for the update? */
+static bool may_join(const grouping *g, unsigned group, const reduction_update *update) {
+    unsigned count = 0;
+    bool has_row = false;
+    for (unsigned i = 0; i < g->member_count; i++)
+        if (g->members[i].group == group) {
+            count++;
+            has_row = has_row || is_same_row(g->loop, g->bins, g->members[i].update, update);
+        }
+    return has_row && count < MOST_RECORD_UPDATES;
+}
+
+/** The group of an update that follows: none before those that update its array already, so that
+ *  its updates keep their order. */
+static unsigned group_for(const grouping *g, const reduction_update *update) {
     unsigned from = g->begin;
     for (unsigned group = from; group < g->count; group++)
         if (has_array(g, group, update->array))
-            from = group + 1;
-    for (unsigned i = 0; i < g->member_count; i++)
-        if (g->members[i].group >= from && same_place(g->loop, g->members[i].update, update))
-            return g->members[i].group;
-    return g->count++;
+            from = g->wide ? group : group + 1;
+    while (from < g->count && !may_join(g, from, update))
+        from++;
+    return from;
+}
+
+/** The update, in the group that it is of. */
+static void add_update(grouping *g, const reduction_update *update) {
+    const unsigned group = group_for(g, update);
+    g->count += group == g->count;
+    g->members[g->member_count++] = (struct member){update, group};
 }
 
 static void find_groups(grouping *g, const ir_node *node) {
@@ -71,7 +65,7 @@ static void find_groups(grouping *g, const ir_node *node) {
         if (!update || node->kind != IR_BLOCK)
             g->begin = g->count;
         if (update)
-            add_member(g, update, group_for(g, update));
+            add_update(g, update);
         else
             find_groups(g, node->children[i]);
     }
@@ -120,13 +114,16 @@ static void add_record(const grouping *g, struct bins_text *bins, unsigned group
         bins->records[bins->record_count++] = record;
 }
 
-bool group_updates(loop_text *loop, struct bins_text *bins, bool together) {
+bool group_updates(loop_text *loop, struct bins_text *bins, bool wide, bool together) {
     const loop_facts *facts = loop->facts;
     grouping g = {.loop = loop,
+                  .bins = bins,
+                  .wide = wide,
                   .members = ARENA_ARRAY(loop->arena, struct member, facts->update_count + 1)};
+    find_rows(loop, bins, wide);
     const reduction_update *only = loop_update_at(facts, facts->counted.body);
     if (only)
-        add_member(&g, only, g.count++);
+        add_update(&g, only);
     else
         find_groups(&g, facts->counted.body);
     find_streams(&g, bins, together);

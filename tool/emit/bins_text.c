@@ -9,8 +9,11 @@ static bool is_floating(const char *type) {
     return strcmp(type, "float") == 0 || strcmp(type, "double") == 0;
 }
 
-static const char *element_of(const loop_text *loop, unsigned array) {
-    return origin_type(loop->arena, loop->facts->arrays[array].element);
+/** The type of an array's rows. */
+static const char *row_type(loop_text *loop, unsigned array) {
+    return is_wide_row(loop, loop->bins, array)
+               ? arena_format(loop->arena, "%s_%u", outlined_name(loop, "row"), array)
+               : origin_type(loop->arena, loop->facts->arrays[array].element);
 }
 
 static const char *record_name(loop_text *loop, unsigned stream) {
@@ -59,19 +62,29 @@ static const bins_record *record_of(const struct bins_text *bins, const reductio
                 return record;
 }
 
+/** Where the update goes; the macros' names say whether rows are wide. */
+static const char *place_text(loop_text *loop, const reduction_update *update,
+                              const char *address) {
+    const char *base = loop->arrays[update->array].local;
+    if (!is_wide_row(loop, loop->bins, update->array))
+        return arena_format(loop->arena, "%s, %s", base, address);
+    return arena_format(loop->arena, "%s, %s, %s, %u", base, address, row_type(loop, update->array),
+                        part_of_row(loop, loop->bins, update));
+}
+
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
     const bins_record *record = record_of(loop->bins, update);
     const bins_stream *stream = &loop->bins->streams[record->stream];
-    const unsigned array = update->array;
-    const char *base = loop->arrays[array].local;
+    const char *macro = is_wide_row(loop, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
+    const char *place = place_text(loop, update, address);
     if (record->updates[0] != update)
-        return arena_format(loop->arena, "REDCC_UPDATE_WITH(%u, %s, %s)", array, base, address);
+        return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
     if (stream_value_count(stream) == 0)
-        return arena_format(loop->arena, "REDCC_UPDATE_ALIKE(%u, %u, %u, %s, %s)", array,
-                            record->stream, record->tag, base, address);
-    return arena_format(loop->arena, "REDCC_UPDATE_BY(%u, %u, %u, %s, %s, %s, %s)", array,
-                        record->stream, record->tag, base, address,
-                        record_name(loop, record->stream), values_text(loop, record));
+        return arena_format(loop->arena, "REDCC_%s_ALIKE(%u, %u, %u, %s)", macro, update->array,
+                            record->stream, record->tag, place);
+    return arena_format(loop->arena, "REDCC_%s_BY(%u, %u, %u, %s, %s, %s)", macro, update->array,
+                        record->stream, record->tag, place, record_name(loop, record->stream),
+                        values_text(loop, record));
 }
 
 /* ---- in front of the function --------------------------------------------------------------- */
@@ -91,7 +104,7 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
     buffer out = {0};
     for (unsigned part = 1; part < its->array_count; part++)
         buffer_format(&out, "REDCC_APPLY_ALSO(%u, %s, %u) ", part,
-                      element_of(loop, its->arrays[part]), tag_bits(its));
+                      row_type(loop, its->arrays[part]), tag_bits(its));
     unsigned tag = 0;
     for (unsigned i = 0; i < bins->record_count; i++) {
         const bins_record *record = &bins->records[i];
@@ -106,6 +119,17 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
     const char *text = arena_copy(loop->arena, out.data ? out.data : "", out.length);
     buffer_free(&out);
     return text;
+}
+
+static void write_rows(loop_text *loop, writer *out, const bins_stream *stream) {
+    for (unsigned i = 0; i < stream->array_count; i++) {
+        const unsigned array = stream->arrays[i];
+        const ir_type *element = loop->facts->arrays[array].element;
+        if (is_wide_row(loop, loop->bins, array))
+            writer_line(out, "typedef %s %s[%lld];", origin_type(loop->arena, element),
+                        row_type(loop, array),
+                        (long long)(loop->bins->row_bytes[array] / element->size));
+    }
 }
 
 static void write_record(loop_text *loop, writer *out, unsigned stream) {
@@ -125,14 +149,15 @@ void write_bins(loop_text *loop, writer *out) {
     writer_fill(out, true);
     for (unsigned i = 0; i < bins->stream_count; i++) {
         const bins_stream *its = &bins->streams[i];
-        const char *element = element_of(loop, its->arrays[0]);
+        const char *row = row_type(loop, its->arrays[0]);
+        write_rows(loop, out, its);
         write_record(loop, out, i);
         if (stream_value_count(its) == 0)
             writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),
-                        i, element, tag_bits(its), updates_text(loop, i));
+                        i, row, tag_bits(its), updates_text(loop, i));
         else
             writer_line(out, "REDCC_APPLY(%s_%u, %s, %s, %u, %s)", outlined_name(loop, "apply"), i,
-                        element, record_name(loop, i), tag_bits(its), updates_text(loop, i));
+                        row, record_name(loop, i), tag_bits(its), updates_text(loop, i));
     }
     writer_fill(out, false);
 }
@@ -162,12 +187,12 @@ static const char *stream_text(loop_text *loop, unsigned stream) {
                                     tag_bits(its), is_exact(loop, its));
     if (its->array_count == 1)
         return arena_format(loop->arena, "REDCC_STREAM(%s, %u, %s, %s)", apply, its->arrays[0],
-                            element_of(loop, its->arrays[0]), rest);
+                            row_type(loop, its->arrays[0]), rest);
     buffer numbers = {0}, rows = {0};
     for (unsigned part = 0; part < its->array_count; part++) {
         const char *comma = part > 0 ? ", " : "";
         buffer_format(&numbers, "%s%u", comma, its->arrays[part]);
-        buffer_format(&rows, "%ssizeof(%s)", comma, element_of(loop, its->arrays[part]));
+        buffer_format(&rows, "%ssizeof(%s)", comma, row_type(loop, its->arrays[part]));
     }
     const char *text = arena_format(loop->arena, "{%s, %u, {%s}, {%s}, %s}", apply,
                                     its->array_count, numbers.data, rows.data, rest);

@@ -298,27 +298,54 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
 }
 
 /** Go before an update of array `redcc_i`, as REDCC_UPDATE. In bins its operands are kept, and
- * those of the updates of other arrays that follow and share the record of stream `redcc_s`; */
+ * those of the updates that follow and share the record of stream `redcc_s`; */
 #define REDCC_UPDATE_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_record,           \
                         redcc_values)                                                              \
     if (redcc__guarded == REDCC_IN_BINS) {                                                         \
         const redcc_record redcc__e = redcc_values;                                                \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, &redcc__e);                     \
-    } else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
+    } else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** of updates that have none, only that there is one; */
 #define REDCC_UPDATE_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at)                      \
     if (redcc__guarded == REDCC_IN_BINS)                                                           \
         redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
                    REDCC_ELEMENT(redcc_base, redcc_at), redcc_tag, 0);                             \
-    else if (REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
+    else if (REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
 /** of those that share the record of one before, nothing. */
 #define REDCC_UPDATE_WITH(redcc_i, redcc_base, redcc_at)                                           \
-    if (redcc__guarded != REDCC_IN_BINS && REDCC_IS_MADE(redcc_i, redcc_base, redcc_at))
-#define REDCC_IS_MADE(redcc_i, redcc_base, redcc_at)                                               \
+    if (redcc__guarded != REDCC_IN_BINS &&                                                         \
+        REDCC_IS_MADE(redcc_i, REDCC_ELEMENT(redcc_base, redcc_at), redcc_at))
+#define REDCC_IS_MADE(redcc_i, redcc_number, redcc_at)                                             \
     (redcc__guarded == REDCC_IN_COPIES                                                             \
-         ? redcc_is_copied(redcc__bins_##redcc_i, REDCC_ELEMENT(redcc_base, redcc_at))             \
+         ? redcc_is_copied(redcc__bins_##redcc_i, redcc_number)                                    \
          : !redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
+
+/** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
+#define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
+    ((redcc_int)((redcc_row *)(void *)((redcc_size)(redcc_at) -                                    \
+                                       (redcc_part) * sizeof *(redcc_at)) -                        \
+                 (redcc_row *)(void *)(redcc_base)))
+
+/** The same where the rows of the stream's array have several elements. */
+#define REDCC_UPDATE_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
+                            redcc_part, redcc_record, redcc_values)                                \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_record redcc__e = redcc_values;                                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
+    } else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),      \
+                             redcc_at))
+#define REDCC_UPDATE_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
+                               redcc_part)                                                         \
+    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);          \
+    else if (REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part),        \
+                           redcc_at))
+#define REDCC_UPDATE_ROW_WITH(redcc_i, redcc_base, redcc_at, redcc_row, redcc_part)                \
+    if (redcc__guarded != REDCC_IN_BINS &&                                                         \
+        REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
 /** A record of several values. */
 #define REDCC_VALUES_2(redcc_v0, redcc_v1)                                                         \

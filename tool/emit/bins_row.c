@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * What the rows of an array are in the form for in-order binning: its elements, or where several
+ * elements are updated that lie side by side at constant distances (`f[i].x`, `f[i].y`; `f[i][0]`,
+ * `f[i][1]`), the records or arrays that hold them. A row is binned as a whole: its elements need
+ * one place, and one record of all that is added to them.
+ */
+#include "emit/bins.h"
+#include "emit/syntax.h"
+
+/* Fewer rows than this fit the cache at a time, if they are larger. */
+enum { MOST_ROW_BYTES = 1024 };
+
+static int64_t element_size(const loop_text *loop, unsigned array) {
+    return loop->facts->arrays[array].element->size;
+}
+
+/** Is the node a part at a constant offset, to be added to *offset, of its first child? */
+static bool is_constant_part(const ir_node *node, int64_t *offset) {
+    const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
+    if (!whole || !whole->type || whole->type->size <= 0)
+        return false;
+    if (node->kind == IR_MEMBER && !(node->flags & IR_ARROW)) {
+        *offset += node->field->offset;
+        return !node->field->is_bit_field && node->field->offset >= 0;
+    }
+    if (node->kind != IR_INDEX || whole->type->kind != IR_ARRAY)
+        return false;
+    const ir_node *subscript = node->children[1];
+    *offset += (subscript->flags & IR_HAS_VALUE) ? subscript->value * node->type->size : 0;
+    return (subscript->flags & IR_HAS_VALUE) && subscript->value >= 0 &&
+           subscript->value < whole->type->count;
+}
+
+/** The largest part of the array that holds the element at a constant offset. */
+static const ir_node *outermost_row(const loop_text *loop, const reduction_update *update) {
+    const ir_node *row = update->target;
+    int64_t offset = 0;
+    while (loop_array_of_base(loop, row) < 0 &&
+           loop_array_of_base(loop, row->children[0]) != (int)update->array &&
+           is_constant_part(row, &offset))
+        row = row->children[0];
+    return row;
+}
+
+/** Are two different elements of the array updated in rows that say the same? */
+static bool has_neighbours(const loop_text *loop, unsigned array) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        for (unsigned j = 0; j < i && facts->updates[i].array == array; j++)
+            if (facts->updates[j].array == array &&
+                !syntax_same(facts->updates[i].target, facts->updates[j].target) &&
+                syntax_same(outermost_row(loop, &facts->updates[i]),
+                            outermost_row(loop, &facts->updates[j])))
+                return true;
+    return false;
+}
+
+/** Of all of the array's updates the same; otherwise, or where no row has several: an element's. */
+static int64_t wide_row(const loop_text *loop, unsigned array) {
+    const loop_facts *facts = loop->facts;
+    const int64_t size = element_size(loop, array);
+    int64_t bytes = 0;
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        if (facts->updates[i].array != array)
+            continue;
+        const int64_t its = outermost_row(loop, &facts->updates[i])->type->size;
+        if (bytes > 0 && its != bytes)
+            return size;
+        bytes = its;
+    }
+    return bytes > size && bytes <= MOST_ROW_BYTES && bytes % size == 0 &&
+                   has_neighbours(loop, array)
+               ? bytes
+               : size;
+}
+
+void find_rows(const loop_text *loop, struct bins_text *bins, bool wide) {
+    for (unsigned array = 0; array < loop->facts->array_count; array++)
+        bins->row_bytes[array] = wide ? wide_row(loop, array) : element_size(loop, array);
+}
+
+bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array) {
+    return bins->row_bytes[array] > element_size(loop, array);
+}
+
+/** The element's row, and its distance from the row's beginning in bytes. */
+static const ir_node *row_of(const loop_text *loop, const struct bins_text *bins,
+                             const reduction_update *update, int64_t *offset) {
+    *offset = 0;
+    const ir_node *row = update->target;
+    if (is_wide_row(loop, bins, update->array))
+        for (; row->type->size != bins->row_bytes[update->array]; row = row->children[0])
+            (void)is_constant_part(row, offset);
+    return row;
+}
+
+unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
+                     const reduction_update *update) {
+    int64_t offset;
+    (void)row_of(loop, bins, update, &offset);
+    return (unsigned)(offset / element_size(loop, update->array));
+}
+
+bool is_in_step(const loop_text *loop, const struct bins_text *bins,
+                const reduction_update *update) {
+    const int64_t size = bins->row_bytes[update->array];
+    int64_t offset;
+    const ir_node *node = row_of(loop, bins, update, &offset);
+    if (!ir_type_equal(update->target->type, loop->facts->arrays[update->array].element) ||
+        offset % element_size(loop, update->array) != 0)
+        return false;
+    for (; loop_array_of_base(loop, node) != (int)update->array; node = node->children[0]) {
+        const bool is_step = node->kind == IR_INDEX || node->kind == IR_MEMBER ||
+                             (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
+        if (!is_step || node->type->size <= 0 || node->type->size % size != 0 ||
+            (node->kind == IR_MEMBER &&
+             (node->field->offset < 0 || node->field->offset % size != 0)))
+            return false;
+    }
+    return true;
+}
+
+bool is_same_row(const loop_text *loop, const struct bins_text *bins, const reduction_update *a,
+                 const reduction_update *b) {
+    const int64_t size = bins->row_bytes[a->array], other_size = bins->row_bytes[b->array];
+    int64_t offset;
+    const ir_node *left = row_of(loop, bins, a, &offset);
+    const ir_node *right = row_of(loop, bins, b, &offset);
+    for (;; left = left->children[0], right = right->children[0]) {
+        const bool ends = loop_array_of_base(loop, left) == (int)a->array;
+        if (ends || loop_array_of_base(loop, right) == (int)b->array)
+            return ends && loop_array_of_base(loop, right) == (int)b->array;
+        if (left->kind != right->kind || left->child_count == 0 || right->child_count == 0)
+            return false;
+        if (left->kind == IR_INDEX && (left->type->size / size != right->type->size / other_size ||
+                                       !syntax_same(left->children[1], right->children[1])))
+            return false;
+        if (left->kind == IR_MEMBER &&
+            left->field->offset / size != right->field->offset / other_size)
+            return false;
+    }
+}
