@@ -8,6 +8,7 @@
  * The loop has no such form where an update cannot be taken apart so, or where its body may not be
  * executed before its reads are compared with what it writes (stale.c).
  */
+#include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
@@ -225,9 +226,9 @@ static bool is_power_of_two(int64_t size) {
 static bool can_be_stream(const loop_text *loop, unsigned number) {
     const reduction_array *array = &loop->facts->arrays[number];
     const ir_type *element = array->element;
-    for (unsigned other = 0; other < number; other++)
-        if (syntax_same(loop->facts->arrays[other].base, array->base))
-            return false; /* elements of two kinds side by side */
+    for (unsigned other = 0; other < number; other++) /* one base is one array */
+        assert(array->is_scattered || loop->facts->arrays[other].is_scattered ||
+               !syntax_same(loop->facts->arrays[other].base, array->base));
     return !array->is_scattered && element->spelling && is_power_of_two(element->size) &&
            element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
 }

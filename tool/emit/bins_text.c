@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** What is written of the form for in-order binning (bins.c): macros of redcc/bins.h. */
+#include <assert.h>
 #include <string.h>
 
 #include "emit/bins.h"
@@ -168,12 +169,11 @@ void write_bins(loop_text *loop, writer *out) {
 static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     for (unsigned part = 0; part < stream->array_count; part++) {
         const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
-        if (array->order_is_kept || array->is_interleaved || array->element->kind != IR_INTEGER)
+        if (!may_be_copied(array) || array->element->kind != IR_INTEGER)
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)
-        if (is_floating(stream->types[i]))
-            return false;
+        assert(!is_floating(stream->types[i])); /* added to integers, they keep the order */
     return true;
 }
 

@@ -46,11 +46,12 @@ static const char *element_name(const ir_type *type) {
     return "REDCC_OTHER_TYPE";
 }
 
-/** Private copies hold elements side by side. Where other things lie between them, or where updates
- *  of copies could not be brought together, the runtime is told of a type that it cannot copy. */
+bool may_be_copied(const reduction_array *array) {
+    return !array->is_interleaved && !array->order_is_kept;
+}
+
 static const char *runtime_type(const reduction_array *array) {
-    return array->is_interleaved || array->order_is_kept ? "REDCC_OTHER_TYPE"
-                                                         : element_name(array->element);
+    return may_be_copied(array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
 }
 
 /** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
