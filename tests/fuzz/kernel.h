@@ -197,5 +197,7 @@ void put_runner(kernel *k, buffer *b);
 int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count);
 /** Odd but equal formatting: blanks, comments and line ends between words. */
 void put_with_noise(buffer *b, random_source *r, const char *text);
+/** Of some lines, in a branch of a conditional directive, beside others that are not compiled. */
+void put_with_branches(buffer *b, random_source *r, const char *text);
 
 #endif

@@ -271,8 +271,11 @@ static void put_all(kernel *k, buffer *b) {
         seed % 4 == 3 ? "__attribute__((aligned(32))) " : "", seed, parameters(k));
     put(k, b, "    (void)n, (void)c, (void)v, (void)live;\n%s%s",
         k->pointers.length ? k->pointers.data : "", k->locals.length ? k->locals.data : "");
+    random_source branches = {k->seed * 0x9e3779b97f4a7c15u + 5}; /* the rest is as without */
     if (chance(k, 15))
         put_with_noise(b, &k->random, k->body.data);
+    else if (random_chance(&branches, 30))
+        put_with_branches(b, &branches, k->body.data);
     else
         put(k, b, "%s", k->body.data);
     put(k, b, strstr(k->body.data, "goto done") ? "done:;\n%s}\n" : "%s}\n",

@@ -349,8 +349,8 @@ static bool read_function(ir_reader *r, const sexp *s) {
 /* ---- the unit ------------------------------------------------------------------------------ */
 
 static bool is_directive(const sexp *s, ir_directive_kind *kind) {
-    static const char *const words[] = {"conditional", "pragma", "directive"};
-    for (unsigned i = 0; i < 3; i++)
+    static const char *const words[] = {"if", "else", "endif", "pragma", "directive"};
+    for (unsigned i = 0; i < sizeof words / sizeof *words; i++)
         if (has_word(s, words[i])) {
             *kind = (ir_directive_kind)i;
             return true;

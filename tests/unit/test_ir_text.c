@@ -107,7 +107,7 @@ static const char canonical[] =
     "              (number 1)\n"
     "              (number 2ul)))))))\n"
     "  (function g void :function(void) !header)\n"
-    "  (conditional \"#if X\" @0-5)\n"
+    "  (if \"#if X\" @0-5)\n"
     "  (directive \"#include <a.h>\" @6-20)\n"
     "  (pragma \"#pragma omp \\\\\\n for\" @25-30))\n";
 

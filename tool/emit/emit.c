@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "analysis/invariants.h"
+#include "emit/as_compiled.h"
 #include "emit/contract.h"
 #include "emit/loop.h"
 #include "ir/ir_position.h"
@@ -301,6 +302,7 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
         .text = unit->source->text, .length = unit->source->length, .obstacles = obstacles};
     loop_list loops = {0};
     bool *is_unfused = ARENA_ARRAY(a, bool, analysis->verdict_count + 1);
+    const ir_unit *seen = unit_as_compiled(a, unit, analysis);
     const contraction where = contraction_of(a, unit, analysis, options, is_unfused);
     const char *obstacle = options->obstacle ? options->obstacle : obstacle_of_file(a, unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
@@ -312,7 +314,8 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
             obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
         else {
             const loop_text start = {.arena = a,
-                                     .unit = unit,
+                                     .whole = unit,
+                                     .unit = seen,
                                      .facts = verdict->facts,
                                      .options = options,
                                      .is_unfused = is_unfused[i]};

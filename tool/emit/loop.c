@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/base/loop_text.h"
 #include "emit/syntax.h"
 #include "ir/ir_position.h"
 
@@ -151,18 +152,33 @@ static const char *heading(loop_text *loop) {
 
 /** What of the text is there only where the loop may run in parallel. */
 const char *loop_condition(const loop_text *loop) {
-    return loop->facts->slice_has_floating_work ? "#if defined(_OPENMP) && REDCC_ROUNDS_ALIKE\n"
-                                                : "#ifdef _OPENMP\n";
+    const bool has_branch = has_branches(loop), rounds = loop->facts->slice_has_floating_work;
+    if (!has_branch && !rounds)
+        return "#ifdef _OPENMP\n";
+    return arena_format(loop->arena, "#if defined(_OPENMP)%s%s\n",
+                        has_branch ? " && defined(redcc__as_compiled)" : "",
+                        rounds ? " && REDCC_ROUNDS_ALIKE" : "");
 }
 
-static void write_parallel_form(loop_text *loop, writer *out) {
+/** The block's first brace, where this compilation is the one that it is written for. */
+static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
     _Static_assert(sizeof promises / sizeof *promises == EMIT_ORDER_ANY + 1, "all orders");
     assert(loop->options->order <= EMIT_ORDER_ANY);
+    if (has_branches(loop)) {
+        buffer_byte(&out->out, '\n');
+        begin_as_compiled(loop, &out->out);
+        buffer_text(&out->out, "#ifdef redcc__as_compiled\n");
+    }
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
+    buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
+}
+
+static void write_parallel_form(loop_text *loop, writer *out) {
+    open_block(loop, out);
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     const char *unfused = loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "";
@@ -192,24 +208,8 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, "#endif\n");
 }
 
-/** Where the loop's text begins: before the pragmas that stand directly above it and belong to it.
- */
-static uint32_t begin_with_pragmas(const ir_unit *unit, const ir_node *loop) {
-    uint32_t begin = loop->range.begin;
-    for (unsigned i = unit->directive_count; i-- > 0;) {
-        const ir_directive *directive = &unit->directives[i];
-        if (directive->range.end > begin)
-            continue;
-        if (directive->kind != IR_DIRECTIVE_PRAGMA ||
-            !syntax_is_blank(unit->source, directive->range.end, begin))
-            break;
-        begin = directive->range.begin;
-    }
-    return begin;
-}
-
 static void write_sequential_form(loop_text *loop, writer *out, ir_range range) {
-    const char *text = loop->unit->source->text;
+    const char *text = loop->whole->source->text;
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
                   loop_column_blanks(loop, range.begin));
     origin_copy(&out->out, text, range.begin, range.end);
@@ -217,15 +217,27 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
 
 /** After the loop: how long it took is of use the next time. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    if (!loop->facts->slice_has_floating_work) { /* else there may be nothing above to be timed */
+    const bool may_be_alone = loop->facts->slice_has_floating_work; /* with nothing to be timed */
+    if (!may_be_alone && !has_branches(loop)) {
         buffer_text(&out->out, " REDCC_SEQUENTIAL_DONE }");
         return;
     }
-    buffer_text(&out->out, "\n");
-    buffer_text(&out->out, loop_condition(loop));
-    writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
-    buffer_format(&out->out, "#endif\n%s\n%s}", loop_line_directive(loop, range.end - 1),
-                  loop_column_blanks(loop, range.end - 1));
+    buffer_byte(&out->out, '\n');
+    if (may_be_alone) {
+        buffer_text(&out->out, loop_condition(loop));
+        writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
+        buffer_text(&out->out, "#endif\n");
+    }
+    if (has_branches(loop)) {
+        buffer_format(&out->out, "#ifdef redcc__as_compiled\n%s }\n#endif\n",
+                      may_be_alone ? "" : "REDCC_SEQUENTIAL_DONE");
+        end_as_compiled(loop, &out->out);
+        buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.end),
+                      loop_column_blanks(loop, range.end));
+    } else {
+        buffer_format(&out->out, "%s\n%s}", loop_line_directive(loop, range.end - 1),
+                      loop_column_blanks(loop, range.end - 1));
+    }
 }
 
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block,
@@ -246,7 +258,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
             break;
         loop.obstacle = NULL; /* perhaps there is none in the next form */
     }
-    block->replaced = (ir_range){begin_with_pragmas(loop.unit, whole),
+    block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
                                  syntax_statement_end(loop.unit->source, whole)};
     assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);
     write_parallel_form(&loop, &out);

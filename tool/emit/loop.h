@@ -41,7 +41,8 @@ typedef struct lanes_text {
 
 typedef struct loop_text {
     arena *arena;
-    const ir_unit *unit;
+    const ir_unit *whole; /* with all that the file holds; */
+    const ir_unit *unit;  /* without what its loops leave out (as_compiled.h) */
     const loop_facts *facts;
     const emit_options *options;
     const char *obstacle; /* the first; NULL: none so far */
@@ -158,8 +159,14 @@ const char *outlined_declaration(loop_text *loop, const ir_variable *variable);
 bool can_be_pointer(const loop_text *loop, const ir_variable *variable);
 /** Is a macro used in the body? */
 bool has_macro(const loop_text *loop);
-/** loop.c: the #if around what is there only where the loop may run in parallel. */
+/** loop.c: the #if around what is there only where the loop may run in parallel; behind what
+ *  begin_as_compiled writes. */
 const char *loop_condition(const loop_text *loop);
+/** as_compiled.c: before text that is made of the branches in the loop that this compilation takes,
+ *  and after it: they define a word where it takes the same. Nothing, of loops without branches. */
+void begin_as_compiled(const loop_text *loop, buffer *out);
+void end_as_compiled(const loop_text *loop, buffer *out);
+bool has_branches(const loop_text *loop);
 
 /** bins.c: sets loop->bins, where updates can be taken apart and be made later; */
 void find_bins(loop_text *loop);

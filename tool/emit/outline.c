@@ -325,6 +325,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     buffer_text(&out.out, is_in_line ? "\n" : "");
     loop->is_outlined = true;
     loop->prefetches = can_prefetch(loop);
+    begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));
     writer_fill(&out, true);
     writer_line(&out, "/* redcc: what an iteration of line %u's loop touches, and what it does */",
@@ -339,6 +340,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     loop->is_outlined = loop->is_outlinable && !loop->obstacle;
     loop->prefetches &= loop->is_outlined;
     buffer_text(&out.out, "#endif\n");
+    end_as_compiled(loop, &out.out);
     if (!loop->is_unfused) /* else the function's own piece says it */
         buffer_format(&out.out, "%s\n%s", loop_line_directive(loop, facts->function->range.begin),
                       is_in_line ? loop_column_blanks(loop, *place) : "");

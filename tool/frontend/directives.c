@@ -127,12 +127,20 @@ static void read_name(scanner *s, char name[16]) {
 }
 
 static ir_directive_kind kind_of(const char *name) {
-    static const char *const conditionals[] = {"if",   "ifdef", "ifndef",  "elif",
-                                               "else", "endif", "elifdef", "elifndef"};
-    for (unsigned i = 0; i < sizeof conditionals / sizeof conditionals[0]; i++)
-        if (strcmp(name, conditionals[i]) == 0)
-            return IR_DIRECTIVE_CONDITIONAL;
-    return strcmp(name, "pragma") == 0 ? IR_DIRECTIVE_PRAGMA : IR_DIRECTIVE_OTHER;
+    static const struct {
+        const char *name;
+        ir_directive_kind kind;
+    } known[] = {
+        {"if", IR_DIRECTIVE_IF},         {"ifdef", IR_DIRECTIVE_IF},
+        {"ifndef", IR_DIRECTIVE_IF},     {"elif", IR_DIRECTIVE_ELSE},
+        {"elifdef", IR_DIRECTIVE_ELSE},  {"elifndef", IR_DIRECTIVE_ELSE},
+        {"else", IR_DIRECTIVE_ELSE},     {"endif", IR_DIRECTIVE_ENDIF},
+        {"pragma", IR_DIRECTIVE_PRAGMA},
+    };
+    for (unsigned i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(name, known[i].name) == 0)
+            return known[i].kind;
+    return IR_DIRECTIVE_OTHER;
 }
 
 /* `hash`: how long the "#" is. */

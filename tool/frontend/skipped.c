@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Which directives stand in a branch of #if that is not compiled. */
+/* Behind which directives a branch of #if stands that is not compiled. */
 #include "frontend/convert.h"
 
 static unsigned offset_of(CXSourceLocation location) {
@@ -13,16 +13,15 @@ void mark_skipped_directives(converter *c) {
     CXSourceRangeList *ranges = clang_getSkippedRanges(c->clang, c->main_file);
     if (ranges == NULL)
         return;
-    unsigned next = 0; /* both are in order; ranges do not overlap */
+    unsigned next = 0; /* both are in order; ranges do not overlap, but may share a directive */
     for (unsigned i = 0; i < ranges->count; i++) {
         const unsigned begin = offset_of(clang_getRangeStart(ranges->ranges[i]));
         const unsigned end = offset_of(clang_getRangeEnd(ranges->ranges[i]));
         for (; next < c->unit->directive_count; next++) {
             ir_directive *directive = &c->unit->directives[next];
-            if (directive->range.begin >= end)
+            if (directive->range.end >= end)
                 break;
-            directive->is_skipped =
-                directive->range.begin > begin && directive->kind == IR_DIRECTIVE_PRAGMA;
+            directive->is_skipped = directive->range.end > begin;
         }
     }
     clang_disposeSourceRangeList(ranges);

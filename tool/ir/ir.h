@@ -261,16 +261,19 @@ struct ir_node {
 /* ---- the unit ------------------------------------------------------------------------------ */
 
 typedef enum ir_directive_kind {
-    IR_DIRECTIVE_CONDITIONAL, /* #if ... #endif: each of its lines */
-    IR_DIRECTIVE_PRAGMA,      /* also _Pragma */
-    IR_DIRECTIVE_OTHER        /* #define, #include, #line, ... */
+    IR_DIRECTIVE_IF,   /* also #ifdef, #ifndef */
+    IR_DIRECTIVE_ELSE, /* also #elif, #elifdef, #elifndef */
+    IR_DIRECTIVE_ENDIF,
+    IR_DIRECTIVE_PRAGMA, /* also _Pragma */
+    IR_DIRECTIVE_OTHER   /* #define, #include, #line, ... */
 } ir_directive_kind;
 
 typedef struct ir_directive {
     ir_directive_kind kind;
     ir_range range; /* the logical line */
     const char *text;
-    bool is_skipped; /* of pragmas: it stands in a branch that is not compiled */
+    bool is_skipped; /* what stands behind it is not compiled: a pragma of such a branch is not, and
+                        neither is the branch that an #if or #else begins */
 } ir_directive;
 
 typedef struct ir_unit {

@@ -266,7 +266,9 @@ static void print_function(const ir_printer *p, const ir_function *f, ir_variabl
 }
 
 static void print_directive(const ir_printer *p, const ir_directive *directive) {
-    static const char *const words[] = {[IR_DIRECTIVE_CONDITIONAL] = "conditional",
+    static const char *const words[] = {[IR_DIRECTIVE_IF] = "if",
+                                        [IR_DIRECTIVE_ELSE] = "else",
+                                        [IR_DIRECTIVE_ENDIF] = "endif",
                                         [IR_DIRECTIVE_PRAGMA] = "pragma",
                                         [IR_DIRECTIVE_OTHER] = "directive"};
     ir_print_line(p, 1);

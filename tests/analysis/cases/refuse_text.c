@@ -13,6 +13,10 @@ void macro_loop(int n, const int *s, double *h) {
 
 void directive(int n, const int *s, double *h) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse directive-in-range
+#define TWO 2.0
+        h[s[i]] += TWO;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+)
 #if 1
         h[s[i]] += 1.0;
 #else

@@ -86,18 +86,6 @@ const char *unit_text_fenv_access(const unit_text *text) {
     return text->fenv_access;
 }
 
-unsigned unit_text_first_directive(const unit_text *text, uint32_t offset) {
-    unsigned low = 0, high = text->unit->directive_count;
-    while (low < high) {
-        const unsigned middle = low + (high - low) / 2;
-        if (text->unit->directives[middle].range.begin < offset)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 bool unit_text_has_counter(const unit_text *text, ir_range range) {
     for (unsigned i = 0; i < text->counters.count; i++) {
         const uint32_t at = text->counters.items[i];

@@ -17,9 +17,6 @@ const char *unit_text_fenv_access(const unit_text *text);
 /** May pieces of the file be compiled otherwise than the macros of its beginning say? */
 bool unit_text_has_own_options(const unit_text *text);
 
-/** Index of the first directive that begins at `offset` or behind it. */
-unsigned unit_text_first_directive(const unit_text *text, uint32_t offset);
-
 /** Is __COUNTER__ written in this range of the file? */
 bool unit_text_has_counter(const unit_text *text, ir_range range);
 

@@ -7,25 +7,30 @@
 #include <string.h>
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_text.h"
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/variation.h"
 
 /* ---- the source text --------------------------------------------------------------------------
  */
 
+/* #pragma omp, or #ifdef _OPENMP. */
 static bool is_openmp(const char *directive) {
-    return strstr(directive, "omp") != NULL && strstr(directive, "pragma") != NULL;
+    return (strstr(directive, "omp") && strstr(directive, "pragma")) ||
+           strstr(directive, "_OPENMP");
 }
 
-/* Has the loop an OpenMP directive? There may be others between the two, conditionals too. */
-static const char *openmp_above(const loop_analysis *j, unsigned first) {
+/* Has the loop an OpenMP directive that is compiled, or one above it that another compilation may
+ * have and that is no part of the loop's text? There may be others between the two. */
+static const char *openmp_above(const loop_analysis *j, uint32_t text_begin) {
     const ir_unit *unit = j->an->unit;
     uint32_t to = j->loop->range.begin;
-    for (unsigned i = first; i-- > 0;) {
+    for (unsigned i = loop_text_first_directive(unit, to); i-- > 0;) {
         const ir_directive *d = &unit->directives[i];
-        if (source_skip_blanks(unit->source, d->range.end, to) < to)
+        if (!d->is_skipped && source_skip_blanks(unit->source, d->range.end, to) < to)
             return NULL;
-        if (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_openmp(d->text))
+        const bool is_compiled = !d->is_skipped || d->range.begin < text_begin;
+        if (d->kind == IR_DIRECTIVE_PRAGMA && is_compiled && d->text && is_openmp(d->text))
             return d->text;
         to = d->range.begin;
     }
@@ -36,7 +41,7 @@ static const char *openmp_above(const loop_analysis *j, unsigned first) {
 static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     const ir_unit *unit = an->unit;
     while ((from = source_skip_blanks(unit->source, from, to)) < to) {
-        const unsigned next = unit_text_first_directive(an->text, from);
+        const unsigned next = loop_text_first_directive(unit, from);
         if (next < unit->directive_count && unit->directives[next].range.begin == from)
             from = unit->directives[next].range.end;
         else if (unit->source->text[from] == ';')
@@ -49,7 +54,7 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
 
 /* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
  * and a compiler wants a loop after it. */
-static reason check_text_before(const loop_analysis *j) {
+static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
     if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
@@ -60,7 +65,7 @@ static reason check_text_before(const loop_analysis *j) {
     for (unsigned i = 0; i < block->child_count && block->children[i] != j->loop; i++)
         if (block->children[i]->range.end > from)
             from = block->children[i]->range.end;
-    const uint32_t to = j->loop->range.begin;
+    const uint32_t to = text_begin;
     const uint32_t at = skip_to_text(j->an, from, to);
     if (at >= to)
         return (reason){0};
@@ -76,15 +81,16 @@ static reason check_directives(const loop_analysis *j) {
     const char *fenv_access = unit_text_fenv_access(j->an->text);
     if (fenv_access)
         return analysis_reason(j, REASON_FENV_ACCESS, j->loop, fenv_access);
-    const unsigned first = unit_text_first_directive(j->an->text, j->loop->range.begin);
-    const char *above = openmp_above(j, first);
+    const uint32_t begin = loop_text_begin(unit, j->loop);
+    const char *above = openmp_above(j, begin);
     if (above)
         return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above);
-    if (first == unit->directive_count || unit->directives[first].range.begin >= j->loop->range.end)
-        return (reason){0}; /* others above the loop stay with the sequential copy */
-    const char *inside = unit->directives[first].text ? unit->directives[first].text : "#";
-    return analysis_reason(
-        j, is_openmp(inside) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE, j->loop, inside);
+    const ir_directive *obstacle = loop_text_obstacle(unit, j->loop);
+    if (!obstacle)
+        return check_text_before(j, begin);
+    const char *text = obstacle->text ? obstacle->text : "#";
+    return analysis_reason(j, is_openmp(text) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE,
+                           j->loop, text);
 }
 
 /* ---- names ------------------------------------------------------------------------------------
@@ -112,13 +118,12 @@ reason check_text(const loop_analysis *j) {
         return analysis_reason(j, REASON_NO_RANGE, loop, "the loop");
     if (j->an->unit->includes_itself)
         return analysis_reason(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
-    reason why = check_directives(j);
-    if (why.id == REASON_NONE)
-        why = check_text_before(j);
+    const reason why = check_directives(j);
     if (why.id != REASON_NONE)
         return why;
     const ir_range everything = {0, s ? s->length : 0};
-    if (unit_text_has_counter(j->an->text, has_macro(loop) ? everything : loop->range))
+    const bool is_anywhere = has_macro(loop) || loop_text_has_branches(j->an->unit, loop);
+    if (unit_text_has_counter(j->an->text, is_anywhere ? everything : loop->range))
         return analysis_reason(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
     const char *name;
     bool is_setjmp;

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "analysis/base/loop_text.h"
+
+#include <string.h>
+
+unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset) {
+    unsigned low = 0, high = unit->directive_count;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (unit->directives[middle].range.begin < offset)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* ---- above the loop ------------------------------------------------------------------------ */
+
+static bool is_blank(const ir_unit *unit, uint32_t begin, uint32_t end) {
+    return source_skip_blanks(unit->source, begin, end) >= end;
+}
+
+/* The #if of the group that this #endif ends; `last`, where it has none. */
+static unsigned first_of_group(const ir_unit *unit, unsigned last) {
+    unsigned depth = 0;
+    for (unsigned i = last;; i--) {
+        depth += unit->directives[i].kind == IR_DIRECTIVE_ENDIF;
+        if (unit->directives[i].kind == IR_DIRECTIVE_IF && --depth == 0)
+            return i;
+        if (i == 0)
+            return last;
+    }
+}
+
+/* Is nothing of the group compiled but pragmas? */
+static bool has_pragmas_at_most(const ir_unit *unit, unsigned first, unsigned last) {
+    for (unsigned i = first; i <= last; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->kind == IR_DIRECTIVE_OTHER)
+            return false;
+        if (i < last && !d->is_skipped && !is_blank(unit, d->range.end, d[1].range.begin))
+            return false;
+    }
+    return first < last;
+}
+
+uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop) {
+    uint32_t begin = loop->range.begin;
+    unsigned next = unit->source ? loop_text_first_directive(unit, begin) : 0;
+    while (next > 0) {
+        unsigned first = next - 1;
+        const ir_directive *d = &unit->directives[first];
+        if (!is_blank(unit, d->range.end, begin))
+            break;
+        if (d->kind == IR_DIRECTIVE_ENDIF) {
+            first = first_of_group(unit, next - 1);
+            if (!has_pragmas_at_most(unit, first, next - 1))
+                break;
+        } else if (d->kind != IR_DIRECTIVE_PRAGMA) {
+            break;
+        }
+        next = first;
+        begin = unit->directives[first].range.begin;
+    }
+    return begin;
+}
+
+/* ---- in it --------------------------------------------------------------------------------- */
+
+/* Past a word of the pragma, and the blanks behind it; NULL: another word stands there. */
+static const char *after_word(const char *text, const char *word) {
+    const size_t length = strlen(word);
+    if (strncmp(text, word, length) != 0 || source_is_name_byte(text[length]))
+        return NULL;
+    text += length;
+    return text + strspn(text, " \t");
+}
+
+static bool is_about_speed(const char *pragma) {
+    static const char *const words[] = {"ivdep", "unroll", "nounroll", "loop"};
+    if (pragma[0] != '#')
+        return false;
+    const char *at = after_word(pragma + 1 + strspn(pragma + 1, " \t"), "pragma");
+    const char *rest = at ? after_word(at, "GCC") : NULL;
+    rest = rest || !at ? rest : after_word(at, "clang");
+    at = rest ? rest : at;
+    for (size_t i = 0; at && i < sizeof words / sizeof *words; i++)
+        if (after_word(at, words[i]))
+            return true;
+    return false;
+}
+
+bool directive_can_be_left_out(const ir_directive *d) {
+    return directive_is_conditional(d) || d->is_skipped ||
+           (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
+}
+
+/* The compilation of what is written has OpenMP where this one has not. */
+static bool asks_for_openmp(const ir_directive *d) {
+    return d->text && strstr(d->text, "_OPENMP");
+}
+
+/* Does a directive stand between the loop's last expression and its semicolon? NULL: none does. */
+static const ir_directive *directive_before_semicolon(const ir_unit *unit, const ir_node *loop) {
+    const ir_node *last = loop;
+    while (last->child_count > 0 && (ir_is_loop(last) || last->kind == IR_IF ||
+                                     last->kind == IR_SWITCH || last->kind == IR_LABEL))
+        last = last->children[last->child_count - 1];
+    if (!unit->source || last->kind == IR_BLOCK || last->flags & IR_FROM_MACRO)
+        return NULL;
+    const uint32_t end = source_skip_blanks(unit->source, loop->range.end, unit->source->length);
+    const unsigned next = loop_text_first_directive(unit, end);
+    const bool is_there = next < unit->directive_count && unit->directives[next].range.begin == end;
+    return is_there && unit->source->text[loop->range.end - 1] != ';' ? &unit->directives[next]
+                                                                      : NULL;
+}
+
+const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop) {
+    const ir_directive *d = NULL;
+    unsigned depth = 0;
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
+         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++) {
+        d = &unit->directives[i];
+        const bool is_above = d->range.end <= loop->range.begin;
+        if (d->kind == IR_DIRECTIVE_OTHER ||
+            (d->kind == IR_DIRECTIVE_PRAGMA && !is_above && !directive_can_be_left_out(d)) ||
+            (d->kind == IR_DIRECTIVE_ELSE && depth == 0) ||
+            (d->kind == IR_DIRECTIVE_ENDIF && depth == 0) ||
+            (directive_is_conditional(d) && asks_for_openmp(d)))
+            return d;
+        depth += d->kind == IR_DIRECTIVE_IF;
+        depth -= d->kind == IR_DIRECTIVE_ENDIF;
+    }
+    return depth > 0 ? d : directive_before_semicolon(unit, loop);
+}
+
+bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
+    for (unsigned i = loop_text_first_directive(unit, loop_text_begin(unit, loop));
+         i < unit->directive_count && unit->directives[i].range.begin < loop->range.end; i++)
+        if (directive_is_conditional(&unit->directives[i]))
+            return true;
+    return false;
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Which bytes of the file are a loop's, and the preprocessing directives among them. */
+#ifndef ANALYSIS_LOOP_TEXT_H
+#define ANALYSIS_LOOP_TEXT_H
+
+#include "ir/ir.h"
+
+/**
+ * Where the loop's text begins: with the pragmas that stand directly above it, and with groups of
+ * conditional directives (#if to #endif) there of which nothing is compiled but pragmas. They are
+ * meant for the loop, in this compilation or in another. What macros stand for is not among them.
+ */
+uint32_t loop_text_begin(const ir_unit *unit, const ir_node *loop);
+
+/** Index of the unit's first directive that begins at `offset` or behind it. */
+unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
+
+/**
+ * A directive in the loop's text by which it is no statement of its own in each compilation of the
+ * file, or which only one copy of the text can have; or NULL. Conditional directives are none as
+ * long as their groups are complete, and neither are pragmas that are not compiled, stand above the
+ * loop, or are about the speed of loops inside.
+ */
+const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop);
+
+/** Are there conditional directives in the loop's text? */
+bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
+
+/** May a copy of the text it stands in do without it, and without what it leaves out? So it is with
+ *  conditional directives once they are decided, and with pragmas that are not compiled or by which
+ *  a loop is only faster. */
+bool directive_can_be_left_out(const ir_directive *d);
+
+static inline bool directive_is_conditional(const ir_directive *d) {
+    return d->kind == IR_DIRECTIVE_IF || d->kind == IR_DIRECTIVE_ELSE ||
+           d->kind == IR_DIRECTIVE_ENDIF;
+}
+
+#endif

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/as_compiled.h"
+
+#include <string.h>
+
+#include "analysis/base/loop_text.h"
+#include "emit/origin.h"
+
+/* ---- the text without what is left out ------------------------------------------------------- */
+
+static bool is_in_loop(const ir_unit *unit, const analysis_result *analysis, uint32_t place) {
+    for (unsigned i = 0; i < analysis->verdict_count; i++) {
+        const ir_node *loop = analysis->verdicts[i].loop;
+        if (analysis->verdicts[i].kind == VERDICT_TRANSFORM && place < loop->range.end &&
+            place >= loop_text_begin(unit, loop))
+            return true;
+    }
+    return false;
+}
+
+/** Line ends stay. */
+static void blank(char *text, uint32_t begin, uint32_t end) {
+    for (uint32_t i = begin; i < end; i++)
+        if (text[i] != '\n' && text[i] != '\r')
+            text[i] = ' ';
+}
+
+/** Where what the directive leaves out ends. */
+static uint32_t end_of_branch(const ir_unit *unit, unsigned number) {
+    const ir_directive *d = &unit->directives[number];
+    return d->is_skipped && number + 1 < unit->directive_count ? d[1].range.begin : d->range.end;
+}
+
+const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis) {
+    bool *is_left_out = ARENA_ARRAY(a, bool, unit->directive_count + 1);
+    unsigned count = 0;
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        const ir_directive *d = &unit->directives[i];
+        is_left_out[i] = directive_can_be_left_out(d) && is_in_loop(unit, analysis, d->range.begin);
+        count += is_left_out[i];
+    }
+    if (count == 0)
+        return unit;
+    char *text = arena_copy(a, unit->source->text, unit->source->length);
+    ir_directive *kept = ARENA_ARRAY(a, ir_directive, unit->directive_count);
+    ir_unit *seen = ARENA_NEW(a, ir_unit);
+    *seen = *unit;
+    seen->directives = kept;
+    seen->directive_count = 0;
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (is_left_out[i])
+            blank(text, unit->directives[i].range.begin, end_of_branch(unit, i));
+        else
+            kept[seen->directive_count++] = unit->directives[i];
+    source *file = ARENA_NEW(a, source);
+    *file = *unit->source;
+    file->text = text;
+    seen->source = file;
+    return seen;
+}
+
+/* ---- the conditions -------------------------------------------------------------------------- */
+
+static void copy_directive(buffer *out, const ir_unit *unit, const ir_directive *d) {
+    origin_copy(out, unit->source->text, d->range.begin, d->range.end);
+    buffer_byte(out, '\n');
+}
+
+bool has_branches(const loop_text *loop) {
+    return loop->whole != loop->unit && loop_text_has_branches(loop->whole, loop->facts->loop);
+}
+
+/** Of each group of directives those up to the branch that is compiled, one within the other; what
+ *  is defined stands in the innermost. */
+void begin_as_compiled(const loop_text *loop, buffer *out) {
+    if (!has_branches(loop))
+        return;
+    const ir_unit *whole = loop->whole;
+    const ir_range text = {loop_text_begin(whole, loop->facts->loop), loop->facts->loop->range.end};
+    unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
+    bool is_decided = true;           /* of the group that is looked at, a branch is compiled */
+    for (unsigned i = loop_text_first_directive(whole, text.begin);
+         i < whole->directive_count && whole->directives[i].range.begin < text.end; i++) {
+        const ir_directive *d = &whole->directives[i];
+        const bool is_end = d->kind == IR_DIRECTIVE_ENDIF;
+        if (!directive_is_conditional(d))
+            continue;
+        if (left_out > 0 || (d->kind == IR_DIRECTIVE_IF && i > 0 && d[-1].is_skipped)) {
+            left_out += d->kind == IR_DIRECTIVE_IF;
+            left_out -= is_end;
+        } else if (is_end) {
+            buffer_text(out, is_decided ? "" : "#else\n");
+            is_decided = true; /* that of the group around, or it would not have been come to */
+        } else if (d->kind == IR_DIRECTIVE_IF || !is_decided) {
+            depth += d->kind == IR_DIRECTIVE_IF;
+            copy_directive(out, whole, d);
+            is_decided = !d->is_skipped;
+        }
+    }
+    buffer_text(out, "#define redcc__as_compiled\n");
+    for (; depth > 0; depth--)
+        buffer_text(out, "#endif\n");
+}
+
+void end_as_compiled(const loop_text *loop, buffer *out) {
+    buffer_text(out, has_branches(loop) ? "#undef redcc__as_compiled\n" : "");
+}
