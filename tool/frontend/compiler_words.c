@@ -69,13 +69,19 @@ static bool names_optimize(file_text file) {
     return false;
 }
 
+/* Each copy of a text that makes it has another number. Headers of the system may define a macro of
+ * it for programs to use. */
+static const char counter[] = "__COUNTER__";
+
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
     converter *c = data;
+    const file_text text = text_of_file(c, file);
+    if (text.length > 0 && memmem(text.text, text.length, counter, sizeof counter - 1) != NULL)
+        c->unit->names_counter = true;
     if (clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
         return;
-    const file_text text = text_of_file(c, file);
     if (c->unit->compiler_word == NULL)
         c->unit->compiler_word = word_in(text);
     c->unit->names_optimize |= names_optimize(text);

@@ -321,6 +321,8 @@ static void run(void *data) {
                              says_may_alias(t->source->text);
         unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
         apply_flags(unit, &chosen);
+        for (unsigned i = 0; i < t->flag_count; i++)
+            unit->names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
         assert(ir_check_parsed(t->arena, unit) == NULL);
         t->result.unit = unit;
         clang_disposeTranslationUnit(clang);

@@ -300,6 +300,8 @@ typedef struct ir_unit {
                                     not what that compiles. NULL: none. Not in the text form */
     bool names_optimize; /* the attribute, somewhere in the program's own text: no declaration in
                             the tree says it. Not in the text form */
+    bool names_counter;  /* __COUNTER__ stands in some file of the program or an option: macros
+                            may make it. Not in the text form */
     unsigned header_pragma_count; /* of the program's own headers, as text; not in the text form */
     const char **header_pragmas;
     map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only

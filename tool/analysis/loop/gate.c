@@ -123,7 +123,8 @@ reason check_text(const loop_analysis *j) {
         return why;
     const ir_range everything = {0, s ? s->length : 0};
     const bool is_anywhere = has_macro(loop) || loop_text_has_branches(j->an->unit, loop);
-    if (unit_text_has_counter(j->an->text, is_anywhere ? everything : loop->range))
+    if ((is_anywhere && j->an->unit->names_counter) ||
+        unit_text_has_counter(j->an->text, is_anywhere ? everything : loop->range))
         return analysis_reason(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
     const char *name;
     bool is_setjmp;
