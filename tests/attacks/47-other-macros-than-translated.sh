@@ -12,6 +12,25 @@ cat >x.c <<'END'
 enum { N = 5000, ROWS = 60 };
 static int s[N + 1];
 static long h[ROWS], g[ROWS];
+#ifndef LIMIT
+#define LIMIT 0
+#endif
+#define HERE __LINE__
+static void lines(int n) {
+    for (int t = 0; t < n; t++) {
+#if HERE > LIMIT
+        h[s[t]] += 1;
+#elif HERE > LIMIT - 1 /*
+        over two lines */
+        h[s[t]] += 2;
+#else
+        h[s[t]] += 3;
+#endif
+#if HERE == LIMIT
+        g[s[t]] += 1;
+#endif
+    }
+}
 static void sums(int n) {
     int done = 0;
     for (int t = 0; t < n; t++) {
@@ -57,6 +76,7 @@ int main(void) {
     for (int t = 0; t <= N; t++)
         s[t] = t * 37 % ROWS;
     sums(N);
+    lines(N);
     long hash = 0;
     for (int i = 0; i < ROWS; i++)
         hash = hash * 1000003 + h[i] * 31 + g[i];
@@ -75,15 +95,21 @@ for with in "" -DA -DB "-DA -DB"; do
         expected[$with $openmp]=$(expected "$with $openmp")
     done
 done
-for of in "" -DB; do
+line=$(grep -n '#if HERE >' x.c | cut -d : -f 1)
+for more in -1 0 2 3 4 8; do
+    with="-DLIMIT=$((line + more)) -fopenmp"
+    expected[$with]=$(expected "$with")
+done
+for of in "" -DB "-DLIMIT=$line" "-DLIMIT=$((line + 4))"; do
     # shellcheck disable=SC2086
     "$ATTACK_REDCC" x.c -o y.c --report=json --report-file=report.json -- $of
     transformed=$(jq '[.loops[] | select(.verdict == "transformed")] | length' report.json)
-    [ "$of" != "" ] || [ "$transformed" -eq 3 ] || {
+    [ "$of" != "" ] || [ "$transformed" -eq 4 ] || {
         echo "$transformed loops are transformed" >&2
         exit 1
     }
     for with in "${!expected[@]}"; do
+        [[ $of$with != -D*LIMIT*-DA* && $of$with != -D*LIMIT*-DB* && $of$with != -DB*LIMIT* ]] || continue
         # shellcheck disable=SC2086
         gcc -O1 -w $with -I"$ATTACK_INCLUDE" y.c "$ATTACK_LIBRARY" -o y -lm
         found=$(REDCC_METHOD=localwrite OMP_NUM_THREADS=3 ./y)

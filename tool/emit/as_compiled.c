@@ -61,8 +61,24 @@ const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_re
 
 /* ---- the conditions -------------------------------------------------------------------------- */
 
-static void copy_directive(buffer *out, const ir_unit *unit, const ir_directive *d) {
-    origin_copy(out, unit->source->text, d->range.begin, d->range.end);
+/** But for one, which the text before has. */
+static void copy_line_ends(buffer *out, const char *text, uint32_t begin, uint32_t end) {
+    const char *at = memchr(text + begin, '\n', end - begin);
+    for (at = at ? at + 1 : text + end; at < text + end; at++)
+        buffer_text(out, *at == '\n' ? "\n" : "");
+}
+
+/** A condition may ask for __LINE__, by a macro perhaps: the copy has the line of the original. A
+ *  #line in a branch that is left out says nothing, so that what follows in its group keeps its
+ *  distance from what was copied `before`. */
+static void copy_directive(loop_text *loop, buffer *out, const ir_directive *d,
+                           const ir_directive *before) {
+    const char *text = loop->whole->source->text;
+    if (d->kind == IR_DIRECTIVE_IF)
+        buffer_format(out, "%s\n", loop_line_directive(loop, d->range.begin));
+    else
+        copy_line_ends(out, text, before->range.end, d->range.begin);
+    origin_copy(out, text, d->range.begin, d->range.end);
     buffer_byte(out, '\n');
 }
 
@@ -72,13 +88,14 @@ bool has_branches(const loop_text *loop) {
 
 /** Of each group of directives those up to the branch that is compiled, one within the other; what
  *  is defined stands in the innermost. */
-void begin_as_compiled(const loop_text *loop, buffer *out) {
+void begin_as_compiled(loop_text *loop, buffer *out) {
     if (!has_branches(loop))
         return;
     const ir_unit *whole = loop->whole;
     const ir_range text = {loop_text_begin(whole, loop->facts->loop), loop->facts->loop->range.end};
     unsigned depth = 0, left_out = 0; /* groups that are open; in branches not compiled */
     bool is_decided = true;           /* of the group that is looked at, a branch is compiled */
+    const ir_directive *before = NULL;
     for (unsigned i = loop_text_first_directive(whole, text.begin);
          i < whole->directive_count && whole->directives[i].range.begin < text.end; i++) {
         const ir_directive *d = &whole->directives[i];
@@ -93,7 +110,8 @@ void begin_as_compiled(const loop_text *loop, buffer *out) {
             is_decided = true; /* that of the group around, or it would not have been come to */
         } else if (d->kind == IR_DIRECTIVE_IF || !is_decided) {
             depth += d->kind == IR_DIRECTIVE_IF;
-            copy_directive(out, whole, d);
+            copy_directive(loop, out, d, before);
+            before = d;
             is_decided = !d->is_skipped;
         }
     }

@@ -164,7 +164,7 @@ bool has_macro(const loop_text *loop);
 const char *loop_condition(const loop_text *loop);
 /** as_compiled.c: before text that is made of the branches in the loop that this compilation takes,
  *  and after it: they define a word where it takes the same. Nothing, of loops without branches. */
-void begin_as_compiled(const loop_text *loop, buffer *out);
+void begin_as_compiled(loop_text *loop, buffer *out);
 void end_as_compiled(const loop_text *loop, buffer *out);
 bool has_branches(const loop_text *loop);
 
