@@ -180,7 +180,15 @@ static void many_arrays(int n) {
         p4[i1[t]] += w[t] - u[t];
         p5[i1[t]] += w[t] * 2;
     }
-} // BINNED: 175
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        p0[i2[t]] += w[t];
+        p1[i2[t]] -= w[t];
+        p2[i2[t]] += w[t];
+        p3[i2[t]] -= w[t];
+        p4[i2[t]] += w[t];
+        p5[i2[t]] -= w[t];
+    }
+} // BINNED: 175 183
 
 static void many_operands(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -188,7 +196,7 @@ static void many_operands(int n) {
         p1[i1[t]] = p1[i1[t]] * (w[t] - 1) + (u[t] - 1);
         p2[i1[t]] = p2[i1[t]] * (w[t] - 2) + (u[t] - 2);
     }
-} // BINNED: 186
+} // BINNED: 194
 
 static void operands_of_two_types(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -205,7 +213,7 @@ static void operands_of_two_types(int n) {
         fx[i2[t]] += w[t];
         sums[i2[t]] += w[t];
     }
-} // BINNED: 194 202
+} // BINNED: 202 210
 
 static void operands_that_fit_nowhere(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
@@ -214,7 +222,7 @@ static void operands_that_fit_nowhere(int n) {
         fx[i2[t]] += part[t];
         sums[i2[t]] += w[t];
     }
-} // NOT-BINNED: 211
+} // NOT-BINNED: 219
 
 #define ADD(at, a, b)                                                                              \
     do {                                                                                           \
@@ -226,7 +234,7 @@ static void by_macro(int n, double *restrict x, double *restrict y) {
         ADD(i1[t], w[t], u[t] * 2);
         ADD(i2[t], -w[t], -u[t]);
     }
-} // BINNED: 225
+} // BINNED: 233
 
 static void by_case(int n) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
@@ -240,14 +248,14 @@ static void by_case(int n) {
         case 2:
             fy[i1[t]] -= u[t];
         }
-} // BINNED: 232
+} // BINNED: 240
 
 static void that_overlap(int n, double *a, double *b) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         a[i1[t]] += w[t];
         b[i1[t]] = b[i1[t]] * 0.5 + u[t];
     }
-} // BINNED: 246
+} // BINNED: 254
 
 static void show_all(void) {
 #define SHOW(array) case_print(#array, array, sizeof array)
