@@ -221,6 +221,8 @@ static const char *flags_text(const loop_text *loop) {
     return text ? text : "0";
 }
 
+/** The file is what the #line directives around it say, as the compiler's options map it: packages
+ *  built in different folders are the same. */
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};
@@ -228,8 +230,7 @@ static void write_loop_object(loop_text *loop, writer *out) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
     writer_line(out, "static redcc_%s redcc__loop =", loop->bins ? "binned" : "loop");
-    writer_line(out, "    %s{%s, %u, %s, %s, %s,", loop->bins ? "{" : "",
-                text_quoted(loop->arena, place.file), place.line,
+    writer_line(out, "    %s{__FILE__, %u, %s, %s, %s,", loop->bins ? "{" : "", place.line,
                 text_quoted(loop->arena, loop->facts->function->name), orders[loop->options->order],
                 flags_text(loop));
     const char *streams =
