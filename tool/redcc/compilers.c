@@ -29,9 +29,21 @@ static void drop_attributes(char *text) {
     *to = 0;
 }
 
+/** Which branches a compiler takes is no difference by itself: what it has of them is compared. */
+static ir_unit without_branches(arena *a, const ir_unit *unit) {
+    ir_unit shown = *unit;
+    shown.directives = ARENA_ARRAY(a, ir_directive, unit->directive_count + 1);
+    for (unsigned i = 0; i < unit->directive_count; i++) {
+        shown.directives[i] = unit->directives[i];
+        shown.directives[i].is_skipped &= unit->directives[i].kind == IR_DIRECTIVE_PRAGMA;
+    }
+    return shown;
+}
+
 static const char *text_of(arena *a, const ir_unit *unit) {
+    const ir_unit shown = without_branches(a, unit);
     buffer text = {0};
-    ir_print(&text, unit);
+    ir_print(&text, &shown);
     char *copy = arena_copy(a, text.data ? text.data : "", text.length);
     buffer_free(&text);
     drop_attributes(copy);
