@@ -5,7 +5,7 @@
 
 #include "case.h"
 
-enum { N = 1500, M = 100 };
+enum { N = 1500, M = 100, BACK = -1 };
 static int k[N], few[N];
 static long values[N], table[N];
 
@@ -49,7 +49,7 @@ static void divided(int n, const int *at, const long *w, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += w[t] / 3;
     for (int t = 0; t < n; t++) // EXPECT: transformed
-        to[at[t]] += w[t] / -1;
+        to[at[t]] += w[t] / BACK;
     for (int t = 0; t < n; t++) // EXPECT: transformed
         to[at[t]] += 100 % (w[t] | 1);
 } // BINNED: 49
