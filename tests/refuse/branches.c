@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Directives in a loop's text that no second copy can have, or by which it is no statement of its
-// own in each compilation.
+// Directives in a loop's text that must not be repeated in a second copy, or that start or end the
+// loop in the middle of a conditional group.
 // covers: row 3
 #define TABLE_OF(t) k[t]
 #define UNIQUE __COUNTER__

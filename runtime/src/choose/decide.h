@@ -69,7 +69,8 @@ struct decision {
 };
 
 /** What came of a call. An inspection or a reuse that fails is followed by a sequential execution,
- *  which is another outcome. A trial and the sequential rest of its execution are one. */
+ *  which is reported as a separate result. A trial and the sequential rest of its execution are
+ *  reported as one result. */
 enum result {
     RESULT_SEQUENTIAL,
     RESULT_PARALLEL,     /**< after a set-up, where set_up > 0 */
