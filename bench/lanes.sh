@@ -51,6 +51,6 @@ lanes-O2 8
 lanes-O2 2
 RUNS
 done
-sed -n 's/.*redcc: one iteration at a time: \(.*\) \*\/.*/not for vectors: \1/p;s/^void \([a-z_]*\)(.*/\1/p' "$work/translated.c" |
-  awk '/^not for/ {why = $0; next} why {print $0 ": " why; why = ""}'
+awk '/^void / {name = $2; sub(/\(.*/, "", name)}
+  sub(/.*redcc: one iteration at a time: /, "") {sub(/ \*\/$/, ""); print name ": not for vectors: " $0}' "$work/translated.c"
 echo "kept: $csv"

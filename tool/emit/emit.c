@@ -298,8 +298,12 @@ static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
                       const emit_options *options) {
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
-    emit_result result = {
-        .text = unit->source->text, .length = unit->source->length, .obstacles = obstacles};
+    lanes_outcome *lanes =
+        options->lanes ? ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1) : NULL;
+    emit_result result = {.text = unit->source->text,
+                          .length = unit->source->length,
+                          .obstacles = obstacles,
+                          .lanes = lanes};
     loop_list loops = {0};
     bool *is_unfused = ARENA_ARRAY(a, bool, analysis->verdict_count + 1);
     const ir_unit *seen = unit_as_compiled(a, unit, analysis);
@@ -318,7 +322,8 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
                                      .unit = seen,
                                      .facts = verdict->facts,
                                      .options = options,
-                                     .is_unfused = is_unfused[i]};
+                                     .is_unfused = is_unfused[i],
+                                     .lanes.outcome = lanes ? &lanes[i] : NULL};
             add_loop(&start, verdict, i, &loops, &obstacles[i]);
         }
     }

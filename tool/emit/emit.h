@@ -7,6 +7,7 @@
 #define EMIT_EMIT_H
 
 #include "analysis/analysis.h"
+#include "emit/lane_reason.h"
 #include "emit/origin.h"
 
 /** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
@@ -41,6 +42,8 @@ typedef struct emit_result {
     /* For each verdict: why the text cannot say what was found (a reason without an id, message
      * and range filled in), message NULL where it can. Such a loop is left as it is. */
     const reason *obstacles;
+    /* For each verdict: has it a form for several iterations at once? NULL: none was asked for. */
+    const lanes_outcome *lanes;
 } emit_result;
 
 /** Writes all loops whose verdict is VERDICT_TRANSFORM. Everything returned lives in the arena (or

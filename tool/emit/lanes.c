@@ -10,9 +10,19 @@
 #include "emit/origin.h"
 #include "emit/print.h"
 
-void lane_problem(lifter *l, const char *problem) {
-    if (!*l->problem)
-        *l->problem = problem;
+static bool has_place(ir_range range) {
+    return range.begin < range.end;
+}
+
+void lane_note_place(lifter *l, const ir_node *node) {
+    if (has_place(node->range))
+        l->place = node->range;
+}
+
+void lane_problem(const lifter *l, lane_reason why, const ir_node *node) {
+    lanes_outcome *outcome = l->loop->lanes.outcome;
+    if (outcome->why == LANES_WRITTEN)
+        *outcome = (lanes_outcome){why, node && has_place(node->range) ? node->range : l->place};
 }
 
 /* ---- what updates ---------------------------------------------------------------------------- */
@@ -87,7 +97,7 @@ static void check_update(lifter *l, const ir_node *statement) {
         is_plain =
             lane_is_plain(value->children[i]) && !lane_has_whole_lifted(l, value->children[i]);
     if (!is_plain)
-        lane_problem(l, "an update has no form for vectors");
+        lane_problem(l, NO_LANES_UPDATE, statement);
 }
 
 /** Around and beside updates: nothing but counters is assigned, nothing jumps. */
@@ -102,16 +112,16 @@ static bool check_update_node(ir_node *node, void *context) {
     if (lane_is_double(node->type) && lane_lifted_root(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
-        lane_problem(l, "an array of the iteration is used as a pointer");
+        lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
     const ir_variable *variable = assigned_by(node, &other);
     if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
         node->kind == IR_BREAK || node->kind == IR_GOTO || node->kind == IR_LABEL ||
         node->kind == IR_SWITCH || node->kind == IR_WHILE || node->kind == IR_DO ||
         node->kind == IR_RETURN)
-        lane_problem(l, "a statement beside an update has no form for vectors");
+        lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
     if (variable && (l->class_of[variable->id] != LANE_UNIFORM || !lane_is_own(l, variable) ||
                      !lane_is_counter_only(check->body, variable)))
-        lane_problem(l, "a variable is assigned beside an update");
+        lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
     return true;
 }
 
@@ -127,7 +137,7 @@ static void check_order(lifter *l, const ir_node *body) {
             if (has_update(l->loop->facts, statement))
                 is_read |= mentions(statement, variable);
             else if (is_read && mentions(statement, variable))
-                lane_problem(l, "a variable is used again below an update");
+                lane_problem(l, NO_LANES_USED_BELOW, statement);
         }
     }
 }
@@ -145,7 +155,7 @@ static bool print_update(printer *p, const ir_node *statement) {
     const char *target = text_operand(p->arena, update->target, lane_rename, l);
     const char *text = text_expression(p->arena, statement->children[0], lane_rename, l);
     if (!target || !text) {
-        lane_problem(l, "an update cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, statement);
         return true;
     }
     writer_line(p->out, "{ REDCC_UPDATE(%u, %s) %s; }", update->array,
@@ -155,6 +165,7 @@ static bool print_update(printer *p, const ir_node *statement) {
 
 static void write_update(lifter *l, const ir_node *statement, writer *out) {
     update_check check = {l, l->scope};
+    lane_note_place(l, statement);
     ir_walk((ir_node *)statement, check_update_node, &check);
     update_printer self = {.printer = {.arena = l->loop->arena, .out = out, .before = print_update},
                            .l = l};
@@ -162,25 +173,38 @@ static void write_update(lifter *l, const ir_node *statement, writer *out) {
     self.printer.context = l;
     print_statement(&self.printer, statement);
     if (self.printer.problem)
-        lane_problem(l, self.printer.problem);
+        lane_problem(l, NO_LANES_SPELLING, statement);
 }
 
 /* ---- the function ---------------------------------------------------------------------------- */
 
-static bool is_liftable(const loop_text *loop) {
+/** Is an array updated that the lanes cannot name? */
+static bool has_unnamed_array(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    if (!loop->is_outlined || !loop->is_outlinable || facts->scalar_count > 0 ||
-        facts->forward_count > 0 || has_sought_values(facts) || has_last_values(facts) ||
-        loop->options->order == EMIT_ORDER_ANY || facts->counted.body->kind != IR_BLOCK ||
-        facts->counted.counter->type->kind == IR_POINTER)
-        return false;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (facts->arrays[i].is_scattered || !loop->arrays[i].local)
-            return false;
+            return true;
+    return false;
+}
+
+static bool has_other_values(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->private_count; i++)
         if (facts->privates[i].is_stepped)
-            return false;
-    return true;
+            return true;
+    return facts->scalar_count > 0 || facts->forward_count > 0 || has_sought_values(facts) ||
+           has_last_values(facts);
+}
+
+bool may_have_lanes(const loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    const lane_reason why = has_other_values(facts)                  ? NO_LANES_OTHER_VALUES
+                            : loop->options->order == EMIT_ORDER_ANY ? NO_LANES_ANY_ORDER
+                            : facts->counted.counter->type->kind == IR_POINTER ? NO_LANES_COUNTER
+                            : facts->counted.body->kind != IR_BLOCK            ? NO_LANES_BODY
+                            : has_unnamed_array(loop)                          ? NO_LANES_SCATTERED
+                                                                               : LANES_WRITTEN;
+    *loop->lanes.outcome = (lanes_outcome){why, facts->loop->range};
+    return why == LANES_WRITTEN;
 }
 
 static void declare_outer(lifter *l) {
@@ -314,7 +338,6 @@ void write_lanes(loop_text *loop, writer *out) {
     arena *a = loop->arena;
     lane_clone_list clones = {0};
     writer front = {0}, text = {.depth = 1};
-    const char *problem = NULL;
     unsigned mask_count = 0;
     lifter l = {.loop = loop,
                 .scope = facts->counted.body,
@@ -322,21 +345,15 @@ void write_lanes(loop_text *loop, writer *out) {
                 .clones = &clones,
                 .front = &front,
                 .out = &text,
-                .problem = &problem,
-                .mask_count = &mask_count};
-    if (!loop->lanes.is_wanted)
+                .mask_count = &mask_count,
+                .place = facts->loop->range};
+    if (!loop->lanes.is_wanted || !loop->is_outlinable)
         return;
-    if (is_liftable(loop)) {
-        lane_classify(&l);
-        declare_outer(&l);
-        write_block(&l, l.scope);
-    } else {
-        lane_problem(&l, "the loop leaves more than its updates");
-    }
-    if (problem) {
-        writer_line(out, "/* redcc: one iteration at a time: %s */", problem);
+    lane_classify(&l);
+    declare_outer(&l);
+    write_block(&l, l.scope);
+    if (loop->lanes.outcome->why != LANES_WRITTEN)
         return;
-    }
     loop->lanes.name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
     loop->lanes.arguments =
         arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",

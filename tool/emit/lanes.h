@@ -37,12 +37,12 @@ typedef struct lifter {
     lane_clone_list *clones;
     writer *front; /* functions that must stand in front */
     writer *out;
-    const char **problem;  /* the first one; NULL: none */
     unsigned depth;        /* of calls */
     const char *mask;      /* of the lanes that do what is being written; NULL: all do */
     const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
     bool may_be_none;      /* perhaps there is no such lane */
     unsigned *mask_count;
+    ir_range place; /* of the last statement that stands in the file itself */
 } lifter;
 
 /** An expression of doubles: its text, a primary expression; a vector, or a scalar that is the same
@@ -52,8 +52,11 @@ typedef struct lifted {
     bool is_vector;
 } lifted;
 
-/** Records why the body cannot be written for vectors, unless there is a reason already. */
-void lane_problem(lifter *l, const char *problem);
+/** Records why the body cannot be written for vectors, unless there is a reason already; `node`:
+ * what stands in the way; NULL: the place kept. */
+void lane_problem(const lifter *l, lane_reason why, const ir_node *node);
+/** Keeps the place of what is being written. */
+void lane_note_place(lifter *l, const ir_node *node);
 
 /** lanes_class.c: gives each variable of the scope its class. */
 void lane_classify(lifter *l);
@@ -77,6 +80,8 @@ const char *lane_vector(lifter *l, const ir_node *node);
 bool lane_is_safe(const lifter *l, const ir_node *node);
 /** Is it one of the arithmetic operators of vectors, + - * and /? */
 bool lane_has_operator(ir_operator op);
+/** Why an operand that is not plain is none. */
+lane_reason lane_effect_of(const ir_node *node);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */

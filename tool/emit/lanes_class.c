@@ -87,17 +87,16 @@ bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
 }
 
 /** What becomes of a variable of that type, at first. */
-static lane_class first_class(lifter *l, const ir_variable *variable) {
+static lane_class first_class(lifter *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
     const ir_type *innermost = ir_type_innermost(type);
     if (type->is_volatile || type->is_atomic || innermost->is_volatile || innermost->is_atomic ||
         variable->storage == IR_STATIC_LOCAL || variable->storage == IR_THREAD_LOCAL)
-        lane_problem(l, "a variable is volatile, atomic or static");
+        lane_problem(l, NO_LANES_STORAGE, node);
     if (lane_is_double(innermost) && type->size > 0)
         return LANE_LIFTED;
     if (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN && type->kind != IR_POINTER)
-        lane_problem(l,
-                     "a variable is neither an integer, a pointer, a double nor an array of them");
+        lane_problem(l, NO_LANES_VARIABLE_TYPE, node);
     return LANE_UNIFORM;
 }
 
@@ -126,11 +125,11 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
     if (!lane_is_own(l, variable) || l->class_of[variable->id] != LANE_UNIFORM)
         return;
     if (variable->type->kind == IR_POINTER && lane_mentions_lifted(l, value))
-        lane_problem(l, "a pointer leads to a variable of the iteration");
+        lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
     if (lane_is_uniform(l, value))
         return;
     if (variable->storage == IR_PARAMETER && l->function)
-        lane_problem(l, "a parameter that is the same for all iterations gets another value");
+        lane_problem(l, NO_LANES_PARAMETER, value);
     l->class_of[variable->id] = LANE_VARYING;
     s->has_changed = true;
 }
@@ -155,7 +154,7 @@ static void spread_below_conditions(spreading *s, const ir_node *node) {
         !is_of_some_lanes(l, node, target->variable))
         return;
     if (target->variable->storage == IR_PARAMETER && l->function)
-        lane_problem(l, "a parameter that is the same for all iterations gets another value");
+        lane_problem(l, NO_LANES_PARAMETER, node);
     l->class_of[target->variable->id] = LANE_VARYING;
     s->has_changed = true;
 }
@@ -185,7 +184,7 @@ static bool list_node(ir_node *node, void *context) {
     it->l->class_of[variable->id] =
         variable == it->l->loop->facts->counted.counter && !it->l->function
             ? LANE_VARYING
-            : first_class(it->l, variable);
+            : first_class(it->l, variable, node);
     return true;
 }
 

@@ -12,8 +12,8 @@
 
 static const lifted nothing = {"0.0", false};
 
-static lifted refuse(lifter *l, const char *problem) {
-    lane_problem(l, problem);
+static lifted refuse(const lifter *l, lane_reason why, const ir_node *node) {
+    lane_problem(l, why, node);
     return nothing;
 }
 
@@ -22,7 +22,7 @@ static lifted refuse(lifter *l, const char *problem) {
 static const char *lifted_place(lifter *l, const ir_node *node) {
     const char *text = text_operand(l->loop->arena, node, NULL, NULL);
     if (!text)
-        lane_problem(l, "an expression cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, node);
     return text ? text : "0";
 }
 
@@ -43,27 +43,36 @@ const char *lane_rename(const ir_node *node, void *context) {
 
 const char *lane_scalar(lifter *l, const ir_node *node) {
     if (lane_has_whole_lifted(l, node))
-        lane_problem(l, "an array of the iteration is used as a pointer");
+        lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
     const char *text = text_operand(l->loop->arena, node, lane_rename, l);
     if (!text)
-        lane_problem(l, "an expression cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, node);
     return text ? text : "0";
 }
 
 const char *lane_condition(lifter *l, const ir_node *node) {
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
-        lane_problem(l, "an expression cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, node);
     return text ? text : "0";
+}
+
+lane_reason lane_effect_of(const ir_node *node) {
+    if (node->kind == IR_CALL)
+        return NO_LANES_CALL;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_effect_of(node->children[i]) == NO_LANES_CALL)
+            return NO_LANES_CALL;
+    return NO_LANES_OPERAND_EFFECT;
 }
 
 /** An operand that is read from memory, or an integer, as a double. */
 static lifted leaf(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
-        return refuse(l, "an operand has an effect of its own");
+        return refuse(l, lane_effect_of(node), node);
     if (lane_mentions_lifted(l, node))
-        return refuse(l, "a subscript or an integer depends on a double of the iteration");
+        return refuse(l, NO_LANES_FROM_DOUBLE, node);
     const char *text = lane_scalar(l, node);
     if (!lane_is_double(node->type))
         text = arena_format(a, "(double)%s", text);
@@ -89,7 +98,7 @@ bool lane_has_operator(ir_operator op) {
 
 static lifted arithmetic(lifter *l, const ir_node *node) {
     if (!lane_has_operator(node->op))
-        return refuse(l, "an operator has no form for vectors");
+        return refuse(l, NO_LANES_OPERAND_EFFECT, node);
     const lifted left = lane_expression(l, node->children[0]);
     const lifted right = lane_expression(l, node->children[1]);
     return (lifted){arena_format(l->loop->arena, "(%s %s %s)", left.text,
@@ -118,7 +127,7 @@ static lifted conditional(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
     if (l->may_be_none && !lane_is_safe(l, node))
-        return refuse(l, "a part of a conditional expression may not be evaluated in each lane");
+        return refuse(l, NO_LANES_CHOICE, node);
     if (lane_is_uniform(l, condition)) {
         const lifted yes = lane_expression(l, node->children[1]);
         const lifted no = lane_expression(l, node->children[2]);
@@ -132,7 +141,7 @@ static lifted conditional(lifter *l, const ir_node *node) {
     }
     if (!lane_is_safe(l, condition) || !lane_is_safe(l, node->children[1]) ||
         !lane_is_safe(l, node->children[2]))
-        return refuse(l, "a part of a conditional expression may not be evaluated in each lane");
+        return refuse(l, NO_LANES_CHOICE, node);
     return (lifted){arena_format(a, "redcc_select(%s, %s, %s)", lane_mask(l, condition),
                                  lane_vector(l, node->children[1]),
                                  lane_vector(l, node->children[2])),
@@ -146,7 +155,7 @@ static lifted call(lifter *l, const ir_node *node) {
     const ir_function *callee =
         node->children[0]->kind == IR_FUNCTION ? node->children[0]->function : NULL;
     if (!callee || !lane_is_double(node->type))
-        return refuse(l, "a call gives no double");
+        return refuse(l, NO_LANES_CALL, node);
     if (callee->body)
         return (lifted){lane_call(l, node), true};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -159,7 +168,7 @@ static lifted call(lifter *l, const ir_node *node) {
                                          known[i], l->mask ? l->mask : "",
                                          lane_vector(l, node->children[1])),
                             true};
-    return refuse(l, "a function has no form for vectors");
+    return refuse(l, NO_LANES_CALL, node);
 }
 
 /* ---- all ------------------------------------------------------------------------------------ */
@@ -168,7 +177,7 @@ lifted lane_expression(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
     if (!node->type || (!lane_is_double(node->type) && node->type->kind != IR_INTEGER &&
                         node->type->kind != IR_BOOLEAN))
-        return refuse(l, "an operand is neither a double nor an integer");
+        return refuse(l, NO_LANES_OPERAND_TYPE, node);
     if (!lane_is_double(node->type))
         return leaf(l, node);
     if (lane_lifted_root(l, node))

@@ -38,7 +38,7 @@ static const char *both(lifter *l, const ir_node *node) {
     const bool outer_may_be_none = l->may_be_none;
     if (!lane_is_safe(l, node->children[1])) {
         if (!lane_is_plain(node->children[1]))
-            lane_problem(l, "a call right of && or || has no form for vectors");
+            lane_problem(l, NO_LANES_CONDITION, node->children[1]);
         l->mask = lane_new_mask(l, is_and ? left : arena_format(a, "~%s", left));
         l->may_be_none = true;
     }
@@ -65,7 +65,7 @@ const char *lane_mask(lifter *l, const ir_node *node) {
                             ir_operator_spelling(node->op), lane_vector(l, node->children[1]));
     if (lane_is_plain(node) && !lane_mentions_lifted(l, node))
         return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
-    lane_problem(l, "a condition of the iteration is no comparison of doubles");
+    lane_problem(l, NO_LANES_CONDITION, node);
     return "0";
 }
 

@@ -21,10 +21,11 @@ const char *lane_type(lifter *l, const ir_type *type) {
     plain->is_const = plain->is_restrict = false;
     const char *spelling = ir_type_default_spelling(a, plain);
     if (!spelling) {
-        lane_problem(l, "a type cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, NULL);
         return "int";
     }
-    return arena_format(a, "__typeof__(%s)", origin_spelling(a, type, spelling));
+    const char *marked = origin_spelling(a, type, spelling);
+    return strpbrk(spelling, "*([") ? arena_format(a, "__typeof__(%s)", marked) : marked;
 }
 
 /** "[3][3]". */
@@ -32,7 +33,7 @@ static const char *extents(lifter *l, const ir_type *type) {
     const char *text = "";
     for (; type->kind == IR_ARRAY; type = type->target) {
         if (type->count <= 0)
-            lane_problem(l, "an array has no constant length");
+            lane_problem(l, NO_LANES_VARIABLE_TYPE, NULL);
         text = arena_format(l->loop->arena, "%s[%lld]", text, (long long)type->count);
     }
     return text;
@@ -65,7 +66,7 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
         return zeros(l, type);
     if (value->kind != IR_INITIALIZERS || value->flags & IR_DESIGNATED ||
         (int64_t)value->child_count != type->count || type->target->kind == IR_ARRAY) {
-        lane_problem(l, "an array is initialised in a way that has no form for vectors");
+        lane_problem(l, NO_LANES_INITIALISER, value);
         return "{{0}}";
     }
     const char *text = NULL;
@@ -90,9 +91,9 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
 /** What becomes an integer or a pointer of each lane. */
 static void check_operand(lifter *l, const ir_node *value) {
     if (!lane_is_plain(value))
-        lane_problem(l, "an operand has an effect of its own");
+        lane_problem(l, lane_effect_of(value), value);
     if (lane_mentions_lifted(l, value))
-        lane_problem(l, "a subscript or an integer depends on a double of the iteration");
+        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
 }
 
 /** A value of each lane, the user's own with the lane's variables. */
@@ -137,17 +138,18 @@ void lane_declare(lifter *l, const ir_variable *variable) {
 static lane_class parameter_class(lifter *l, const ir_variable *parameter, const ir_node *value) {
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
-        lane_problem(l, "a parameter is volatile or atomic");
+        lane_problem(l, NO_LANES_STORAGE, value);
     if (lane_is_double(type))
         return LANE_LIFTED;
     if (type->kind == IR_POINTER && lane_lifted_root(l, value)) {
         if (!lane_is_double(ir_type_innermost(type->target)))
-            lane_problem(l, "a variable of the iteration is passed as something else");
+            lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
         return LANE_LIFTED;
     }
-    if ((type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN) ||
-        lane_mentions_lifted(l, value))
-        lane_problem(l, "an argument has no form for vectors");
+    if (type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN)
+        lane_problem(l, NO_LANES_OPERAND_TYPE, value);
+    if (lane_mentions_lifted(l, value))
+        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
     return lane_is_uniform(l, value) ? LANE_UNIFORM : LANE_VARYING;
 }
 
@@ -161,7 +163,8 @@ static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_
         return arena_format(a, "%s %s", lane_type(l, type), name);
     if (type->kind != IR_POINTER)
         return arena_format(a, "redcc_vector %s", name);
-    return arena_format(a, "redcc_vector (*%s)%s", name, extents(l, type->target));
+    const char *of = extents(l, type->target);
+    return arena_format(a, *of ? "redcc_vector (*%s)%s" : "redcc_vector *%s%s", name, of);
 }
 
 static const char *argument_text(lifter *l, const ir_variable *parameter, lane_class class,
@@ -176,7 +179,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
         return lane_vector(l, value);
     const char *text = text_operand(a, value, NULL, NULL);
     if (!text)
-        lane_problem(l, "an argument cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, value);
     return text ? text : "0";
 }
 
@@ -257,7 +260,7 @@ const char *lane_call(lifter *l, const ir_node *call) {
     arena *a = l->loop->arena;
     const ir_function *function = call->children[0]->function;
     if (!can_be_cloned(l, function, call)) {
-        lane_problem(l, "a function that is called has no form for vectors");
+        lane_problem(l, NO_LANES_CALL, call);
         return "redcc_same(0.0)";
     }
     lane_class *classes = ARENA_ARRAY(a, lane_class, function->parameter_count + 1);
@@ -277,7 +280,7 @@ const char *lane_call(lifter *l, const ir_node *call) {
 static void assign_lifted(lifter *l, const ir_node *node) {
     const lifted target = lane_expression(l, node->children[0]);
     if (node->op != IR_OP_NONE && !lane_has_operator(node->op))
-        lane_problem(l, "an operator has no form for vectors");
+        lane_problem(l, NO_LANES_OPERAND_EFFECT, node);
     else if (lane_needs_select(l, lane_lifted_root(l, node->children[0])))
         writer_line(l->out, "%s = redcc_select(%s, %s, %s);", target.text, l->mask,
                     node->op == IR_OP_NONE
@@ -299,14 +302,14 @@ static const char *assignment_of(lifter *l, const ir_node *node) {
     if (target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
         l->class_of[target->variable->id] == LANE_LIFTED ||
         (!ir_is_increment(node) && node->kind != IR_ASSIGN)) {
-        lane_problem(l, "a statement has no form for vectors");
+        lane_problem(l, NO_LANES_STATEMENT, node);
         return "(void)0";
     }
     if (node->kind == IR_ASSIGN)
         check_operand(l, node->children[1]);
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
-        lane_problem(l, "an expression cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, node);
     return text ? text : "(void)0";
 }
 
@@ -363,7 +366,7 @@ static void write_for(lifter *l, const ir_node *node) {
     for (unsigned i = 0; declares && i < first->child_count; i++)
         is_uniform &= l->class_of[first->children[i]->variable->id] == LANE_UNIFORM;
     if (!is_uniform || condition->kind == IR_EMPTY) {
-        lane_problem(l, "a loop inside is not the same for all iterations");
+        lane_problem(l, NO_LANES_LOOP_INSIDE, node);
         return;
     }
     writer_line(l->out, "{");
@@ -373,7 +376,7 @@ static void write_for(lifter *l, const ir_node *node) {
     const char *begin = declares || first->kind == IR_EMPTY ? "" : lane_scalar(l, first);
     const char *next = step->kind == IR_EMPTY ? "" : text_expression(a, step, lane_rename, l);
     if (!next)
-        lane_problem(l, "an expression cannot be spelled");
+        lane_problem(l, NO_LANES_SPELLING, node);
     writer_line(l->out, "for (%s; %s; %s) {", begin, lane_condition(l, condition),
                 next ? next : "");
     lane_part(l, node->children[3]);
@@ -395,6 +398,7 @@ static void write_if(lifter *l, const ir_node *node) {
 }
 
 void lane_statement(lifter *l, const ir_node *statement) {
+    lane_note_place(l, statement);
     switch (statement->kind) {
     case IR_EMPTY:
         break;
@@ -406,7 +410,7 @@ void lane_statement(lifter *l, const ir_node *statement) {
         for (unsigned i = 0; i < statement->child_count; i++) {
             const ir_node *declarator = statement->children[i];
             if (!lane_is_own(l, declarator->variable))
-                lane_problem(l, "a declaration has no form for vectors");
+                lane_problem(l, NO_LANES_STORAGE, declarator);
             else
                 declare_own(l, declarator->variable, ir_child(declarator, 0));
         }
@@ -420,8 +424,11 @@ void lane_statement(lifter *l, const ir_node *statement) {
     case IR_IF:
         write_if(l, statement);
         break;
+    case IR_RETURN:
+        lane_problem(l, NO_LANES_RETURN, statement);
+        break;
     default:
-        lane_problem(l, "a statement has no form for vectors");
+        lane_problem(l, NO_LANES_STATEMENT, statement);
         break;
     }
 }

@@ -160,6 +160,15 @@ const char *loop_condition(const loop_text *loop) {
                         rounds ? " && REDCC_ROUNDS_ALIKE" : "");
 }
 
+/** Why iterations are executed one at a time, where they were not to be. */
+static void write_no_lanes(const loop_text *loop, writer *out) {
+    const lanes_outcome *outcome = loop->lanes.outcome;
+    if (outcome && outcome->why != LANES_WRITTEN)
+        writer_line(out, "/* redcc: one iteration at a time: line %u: %s (%s) */",
+                    ir_position_of(loop->unit, outcome->range.begin).line,
+                    lane_reason_message(outcome->why), lane_reason_slug(outcome->why));
+}
+
 /** The block's first brace, where this compilation is the one that it is written for. */
 static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
@@ -175,6 +184,7 @@ static void open_block(loop_text *loop, writer *out) {
     writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
                 heading(loop));
     buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
+    write_no_lanes(loop, out);
 }
 
 static void write_parallel_form(loop_text *loop, writer *out) {
@@ -240,24 +250,37 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
     }
 }
 
+/** What goes in front of the function, in the first form from *form on that is possible. */
+static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
+    for (; !loop->obstacle && *form != FORM_IN_PLACE; (*form)++) {
+        loop->lanes =
+            (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
+        loop->bins = NULL;
+        loop->is_outlined = false;
+        if (*form == FORM_LANES && !may_have_lanes(loop))
+            continue;
+        if (*form == FORM_BINNED)
+            find_bins(loop);
+        if (*form == FORM_BINNED && !loop->bins)
+            continue;
+        front->text = write_outlined(loop, &front->replaced.begin);
+        front->replaced.end = front->replaced.begin;
+        if (front->text && (*form != FORM_LANES || loop->lanes.name))
+            break;
+        front->text = NULL;
+        loop->obstacle = NULL; /* perhaps there is none in the next form */
+    }
+    lanes_outcome *outcome = loop->lanes.outcome;
+    if (outcome && *form != FORM_LANES && outcome->why == LANES_WRITTEN)
+        *outcome = (lanes_outcome){NO_LANES_PLACE, loop->facts->loop->range};
+}
+
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block,
                 reason *why) {
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
     prepare_loop(&loop);
-    for (; !loop.obstacle && *form != FORM_IN_PLACE; (*form)++) {
-        loop.lanes = (lanes_text){.is_wanted = *form == FORM_LANES};
-        loop.bins = NULL;
-        if (*form == FORM_BINNED)
-            find_bins(&loop);
-        if (*form == FORM_BINNED && !loop.bins)
-            continue;
-        front->text = write_outlined(&loop, &front->replaced.begin);
-        front->replaced.end = front->replaced.begin;
-        if (front->text)
-            break;
-        loop.obstacle = NULL; /* perhaps there is none in the next form */
-    }
+    write_front(&loop, form, front);
     block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
                                  syntax_statement_end(loop.unit->source, whole)};
     assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);

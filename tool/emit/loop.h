@@ -37,6 +37,7 @@ typedef struct lanes_text {
     bool is_wanted;
     const char *name; /* NULL: there is none */
     const char *arguments;
+    lanes_outcome *outcome; /* of the loop, whatever form it gets; NULL: not asked for */
 } lanes_text;
 
 typedef struct loop_text {
@@ -189,8 +190,11 @@ bool can_prefetch(const loop_text *loop);
  *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
 void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);
 
-/** lanes.c: the function that executes several iterations at once, where it is asked for and the
- *  body can be written so; sets loop->lanes, or says in a comment why not. */
+/** lanes.c: may the loop have a form for several iterations at once, as far as it is known before
+ *  its body is written? Sets the outcome. */
+bool may_have_lanes(const loop_text *loop);
+/** The function that executes several iterations at once, where it is asked for and the body can be
+ *  written so; sets loop->lanes and the outcome. */
 void write_lanes(loop_text *loop, writer *out);
 /** outline.c: is it the iteration's own, or declared in the body? */
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable);

@@ -159,10 +159,24 @@ static analysis_result after_writing(arena *a, const ir_unit *unit, const analys
     return (analysis_result){analysis->verdict_count, verdicts};
 }
 
+/** What became of each loop where lanes were asked for; NULL: they were not. */
+static const lanes_remark *lanes_remarks(arena *a, const emit_result *written, unsigned count) {
+    if (!written->lanes)
+        return NULL;
+    lanes_remark *remarks = ARENA_ARRAY(a, lanes_remark, count + 1);
+    for (unsigned i = 0; i < count; i++) {
+        const lanes_outcome *outcome = &written->lanes[i];
+        remarks[i] = (lanes_remark){lane_reason_slug(outcome->why),
+                                    lane_reason_message(outcome->why), outcome->range};
+    }
+    return remarks;
+}
+
 static report_input report_on(const options *o, const ir_unit *unit,
-                              const analysis_result *analysis) {
+                              const analysis_result *analysis, const lanes_remark *lanes) {
     return (report_input){.unit = unit,
                           .analysis = analysis,
+                          .lanes = lanes,
                           .version = REDCC_VERSION,
                           .order = options_order_word(o->order),
                           .all = o->all,
@@ -260,7 +274,8 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     const emit_result written =
         write_checked(a, unit, flags, &how, o->output || o->verify, &analysed);
     const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);
-    const report_input input = report_on(o, unit, &final);
+    const report_input input =
+        report_on(o, unit, &final, lanes_remarks(a, &written, final.verdict_count));
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->verify) {
         wrong = verify_output(a, file, flags, written.text, written.length);
@@ -287,7 +302,7 @@ static file_outcome leave_translated(arena *a, const options *o, const source *f
     fprintf(stderr, "%s: note: already translated by redcc: left as it is\n", file->path);
     const ir_unit unit = {.arena = a, .source = file};
     const analysis_result nothing = {0};
-    const report_input input = report_on(o, &unit, &nothing);
+    const report_input input = report_on(o, &unit, &nothing, NULL);
     const char *wrong = show_report(a, o, &input);
     if (!wrong && o->output)
         wrong = output_write(a, o->output, file->text, file->length);

@@ -92,6 +92,16 @@ ir_position reason_position(const report_input *input, const loop_verdict *verdi
     return ir_position_of(input->unit, range.begin);
 }
 
+const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict *verdict) {
+    if (!input->lanes || verdict->kind != VERDICT_TRANSFORM)
+        return NULL;
+    return &input->lanes[verdict - input->analysis->verdicts];
+}
+
+ir_position lanes_position(const report_input *input, const lanes_remark *lanes) {
+    return ir_position_of(input->unit, lanes->range.begin);
+}
+
 void report_write(arena *a, buffer *out, report_form form, const report_input *input) {
     switch (form) {
     case REPORT_TEXT:

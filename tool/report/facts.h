@@ -24,6 +24,11 @@ uint32_t verdict_offset(const loop_verdict *verdict);
 ir_position verdict_position(const report_input *input, const loop_verdict *verdict);
 ir_position reason_position(const report_input *input, const loop_verdict *verdict);
 
+/** Of a transformed loop where forms for several iterations at once were asked for, else NULL. */
+const lanes_remark *verdict_lanes(const report_input *input, const loop_verdict *verdict);
+/** Where what stands in the way of such a form is. */
+ir_position lanes_position(const report_input *input, const lanes_remark *lanes);
+
 void report_text(arena *a, buffer *out, const report_input *input);
 void report_json(arena *a, buffer *out, const report_input *input);
 void report_sarif(arena *a, buffer *out, const report_input *input);

@@ -63,6 +63,19 @@ static json_t *reason_of(const report_input *input, const loop_verdict *verdict)
     return why;
 }
 
+static json_t *lanes_of(const report_input *input, const lanes_remark *lanes) {
+    json_t *object = json_object();
+    json_object_set_new(object, "written", json_boolean(!lanes->slug));
+    if (!lanes->slug)
+        return object;
+    const ir_position at = lanes_position(input, lanes);
+    json_object_set_new(object, "slug", json_text(lanes->slug));
+    json_object_set_new(object, "message", json_text(lanes->message));
+    json_object_set_new(object, "line", json_integer(at.line));
+    json_object_set_new(object, "column", json_integer(at.column));
+    return object;
+}
+
 static json_t *loop_object(arena *a, const report_input *input, const loop_verdict *verdict) {
     const ir_position at = verdict_position(input, verdict);
     json_t *loop = json_object();
@@ -77,6 +90,9 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
         json_object_set_new(loop, "from_other_files", foreign_of(verdict));
     if (verdict->pragma_count > 0)
         json_object_set_new(loop, "pragmas", pragmas_of(verdict));
+    const lanes_remark *lanes = verdict_lanes(input, verdict);
+    if (lanes)
+        json_object_set_new(loop, "lanes", lanes_of(input, lanes));
     json_object_set_new(loop, "multiversioned", json_boolean(verdict->kind == VERDICT_TRANSFORM));
     return loop;
 }

@@ -8,12 +8,20 @@
 
 typedef enum report_form { REPORT_TEXT, REPORT_JSON, REPORT_SARIF, REPORT_YAML } report_form;
 
+/** Why a loop that runs in parallel has no form for several iterations at once. */
+typedef struct lanes_remark {
+    const char *slug; /* NULL: it has one */
+    const char *message;
+    ir_range range; /* of what stands in the way */
+} lanes_remark;
+
 typedef struct report_input {
     const ir_unit *unit;
     const analysis_result *analysis;
-    const char *version; /* of redcc */
-    const char *order;   /* as --order takes it */
-    bool all;            /* also what needs no review: SARIF's results of kind `pass` */
+    const char *version;       /* of redcc */
+    const char *order;         /* as --order takes it */
+    const lanes_remark *lanes; /* of each verdict; NULL: no such form was asked for */
+    bool all;                  /* also what needs no review: SARIF's results of kind `pass` */
     /** What docs/reasons.md says of a reason, in the arena; NULL for none. SARIF's rules have it.
      */
     const char *(*explain)(arena *a, const char *reason);

@@ -51,6 +51,15 @@ static json_t *properties_of(const loop_verdict *verdict) {
     return bag;
 }
 
+/** What stands in the way, of the loop or of a form of it. */
+static void add_related(json_t *result, ir_position at, const char *text) {
+    json_t *where = location(at);
+    json_object_set_new(where, "message", message(text));
+    json_t *related = json_array();
+    json_array_append_new(related, where);
+    json_object_set_new(result, "relatedLocations", related);
+}
+
 static json_t *result_of(arena *a, const report_input *input, const loop_verdict *verdict) {
     const bool is_refused = verdict->kind == VERDICT_REFUSE;
     json_t *result = json_object();
@@ -66,13 +75,13 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     json_object_set_new(result, "locations", locations);
     if (verdict->pragma_count > 0)
         json_object_set_new(result, "properties", properties_of(verdict));
-    if (is_refused) {
-        json_t *where = location(reason_position(input, verdict));
-        json_object_set_new(where, "message", message(verdict->why.message));
-        json_t *related = json_array();
-        json_array_append_new(related, where);
-        json_object_set_new(result, "relatedLocations", related);
-    }
+    const lanes_remark *lanes = verdict_lanes(input, verdict);
+    if (is_refused)
+        add_related(result, reason_position(input, verdict), verdict->why.message);
+    else if (lanes && lanes->slug)
+        add_related(
+            result, lanes_position(input, lanes),
+            arena_format(a, "one iteration at a time: %s (%s)", lanes->message, lanes->slug));
     return result;
 }
 

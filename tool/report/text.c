@@ -86,6 +86,11 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                              "decides which elements are updated, and cannot be compared",
                              facts->unkept.name),
                 "");
+    const lanes_remark *lanes = verdict_lanes(input, verdict);
+    if (lanes && lanes->slug)
+        message(out, input, lanes->range.begin, "note",
+                arena_format(a, "one iteration at a time: %s (%s)", lanes->message, lanes->slug),
+                "");
     by_other_files(a, out, input, verdict);
     by_pragma(a, out, input, verdict);
 }

@@ -33,6 +33,15 @@ static void record(arena *a, buffer *out, const report_input *input, const loop_
         buffer_text(out, "\n  - Pragma:          ");
         scalar(out, verdict->pragmas[i].text);
     }
+    const lanes_remark *lanes = verdict_lanes(input, verdict);
+    if (lanes && lanes->slug) {
+        const ir_position why = lanes_position(input, lanes);
+        buffer_text(out, "\n  - NoLanes:         ");
+        scalar(out, lanes->slug);
+        buffer_text(out, "\n    DebugLoc:        { File: ");
+        scalar(out, why.file);
+        buffer_format(out, ", Line: %u, Column: %u }", why.line, why.column);
+    }
     if (is_refused) {
         const ir_position why = reason_position(input, verdict);
         buffer_text(out, "\n  - Reason:          ");

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/lane_reason.h"
+
+#include <stddef.h>
+
+static const struct {
+    const char *slug, *message;
+} reasons[LANE_REASON_COUNT] = {
+    {NULL, NULL},
+#define X(NAME, slug, message) {slug, message},
+#include "emit/lane_reasons.def"
+#undef X
+};
+
+const char *lane_reason_slug(lane_reason why) {
+    return reasons[why].slug;
+}
+
+const char *lane_reason_message(lane_reason why) {
+    return reasons[why].message;
+}

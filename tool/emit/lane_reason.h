@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Why a loop has no form for several iterations at once (docs/lanes.md). */
+#ifndef EMIT_LANE_REASON_H
+#define EMIT_LANE_REASON_H
+
+#include "ir/ir.h"
+
+typedef enum lane_reason {
+    LANES_WRITTEN, /* it has one */
+#define X(NAME, slug, message) NO_LANES_##NAME,
+#include "emit/lane_reasons.def"
+#undef X
+    LANE_REASON_COUNT
+} lane_reason;
+
+/** What became of one loop where lanes were asked for. */
+typedef struct lanes_outcome {
+    lane_reason why;
+    ir_range range; /* of what stands in the way, or of the loop, in the main file */
+} lanes_outcome;
+
+/** "used-below"; NULL of LANES_WRITTEN. */
+const char *lane_reason_slug(lane_reason why);
+/** A sentence without a stop; NULL of LANES_WRITTEN. */
+const char *lane_reason_message(lane_reason why);
+
+#endif
