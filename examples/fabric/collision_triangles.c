@@ -114,6 +114,6 @@ void collisions_check_triangles(collisions *c, const movable *of, double time, d
         /* Half of the way from there to the middle is not through yet. */
         if (meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
             c->met.left += found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
-                           impulse_is_possible(of, &point, found.normal);
+                           impulse_is_possible(of, &point, v, found.normal);
     }
 }

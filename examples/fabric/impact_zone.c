@@ -107,8 +107,8 @@ static double move_together(const self_collision *s, const movable *of, int *par
         const double before = vector_dot(v[i], v[i]);
         for (int a = 0; a < 3; a++)
             change[a] += around[a] - v[i][a];
-        movable_part(of, i, change, change);
-        vector_add_scaled(v[i], 1, change, v[i]);
+        movable_part(of, i, v[i], change, change);
+        movable_move(of, i, change, v[i]);
         work += of->mass[i] * (vector_dot(v[i], v[i]) - before) / 2;
     }
     return work;

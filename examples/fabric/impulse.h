@@ -16,9 +16,14 @@ typedef struct movable {
 /** Is the vertex pinned, or does it lie on a body? */
 int movable_is_held(const movable *of, int vertex);
 
-/** What of an impulse or velocity d moves vertex i: none of it if that is pinned, nothing into a
- * body that it lies on. */
-void movable_part(const movable *of, int i, const double d[3], double part[3]);
+/** What of an impulse or velocity d moves vertex i, which has velocity v [3] m/s: none of it if
+ * that is pinned, nothing into a body that it lies on. What moves away from its body is free: else
+ * impulses could lift it and never slow it down, and rounds of them would not come to an end. */
+void movable_part(const movable *of, int i, const double v[3], const double d[3], double part[3]);
+
+/** Moves vertex i by `change` m/s, as movable_part gives it, but never into a body that it lies
+ *  on. */
+void movable_move(const movable *of, int i, const double change[3], double v[3]);
 
 /** A weighted sum of vertices, whose velocity is to be changed. */
 typedef struct feature {
@@ -32,7 +37,8 @@ void feature_velocity(const feature *f, const double (*v)[3], double speed[3]);
 
 /** Can it be moved along the unit normal? Not by its vertices that are not held alone if the point
  *  is far from them: they would have to be many times as fast. */
-int impulse_is_possible(const movable *of, const feature *f, const double normal[3]);
+int impulse_is_possible(const movable *of, const feature *f, const double (*v)[3],
+                        const double normal[3]);
 
 /** Changes the feature's velocity along the unit normal by `change` m/s, with Coulomb's friction
  *  against what moves with `base` m/s (NULL: 0): equal and opposite where weights have two signs.

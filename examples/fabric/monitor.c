@@ -105,6 +105,17 @@ static int tolerates(monitor *m, const monitored_step *step, monitor_verdict ver
     return m->tolerated[verdict];
 }
 
+/* Neither the step nor all steps together may gain more than this part of what there was and was
+ * put in: little in each step comes to much, the more so where steps are short. */
+static int keeps_energy(monitor *m, double part) {
+    const double given = m->reference + fabs(m->work), most = part * given + m->noise;
+    const double in_step = m->next_energy - m->energy - m->work, in_all = m->next_energy - given;
+    if (in_step <= most && in_all <= most)
+        return 1;
+    complain(m, STEP_ENERGY, in_step <= most ? in_all : in_step, most);
+    return 0;
+}
+
 /* Whether the step keeps to the scene's limits. */
 static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
     const monitor_limits *limits = &m->scene->limits;
@@ -114,10 +125,8 @@ static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
     m->next_energy = kinetic_energy(step->collisions->vertex_count, step->mass, step->v_next) +
                      elastic_energy(step, step->x_next);
     m->work = outside_work(step, m->scene);
-    const double gain = m->next_energy - m->energy - m->work;
-    const double most = limits->energy * (m->reference + fabs(m->work)) + m->noise;
-    if (!(gain <= most))
-        return complain(m, STEP_ENERGY, gain, most);
+    if (!keeps_energy(m, limits->energy))
+        return STEP_ENERGY;
     m->next_depth = collisions_depth(step->collisions, step->time + step->h, step->x_next);
     if (m->next_depth > limits->penetration && m->next_depth > m->depth &&
         !tolerates(m, step, STEP_PENETRATION))

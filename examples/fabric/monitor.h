@@ -4,7 +4,8 @@
  *  - ends in an infinity or not-a-number, or has no converged solution;
  *  - stretches a triangle by more than a limit, unless the cloth stays below a harmless strain;
  *  - has gained more energy than gravity, wind, pins and colliders put in: with E kinetic and
- *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|);
+ *    elastic energy and W their work, E' - E - W > limit (E_0 + sum |W|); or ends with more than
+ *    all steps were given, E' > (1 + limit) (E_0 + sum |W|);
  *  - ends with a vertex deeper in a collider than a limit, and deeper than it was;
  *  - lets cloth pass through itself or through a collider.
  * Nothing here changes the state, so a step that is accepted has the bits it has without.

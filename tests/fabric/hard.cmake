@@ -31,6 +31,8 @@ set_tests_properties(fabric.hard.piles fabric.hard.random_scenes_driven fabric.h
                      fabric.hard.shape fabric.hard.random_scenes PROPERTIES COST 100)
 # A stiff sheet in steps of 29 s: a plane at rest seemed to have put in what the solution gained.
 add_test(NAME fabric.hard.random_scenes_230 COMMAND random_scenes 3 229)
+# Impulses between two bodies that grew from round to round, to 1e8 J in a step.
+add_test(NAME fabric.hard.random_scenes_driven_158 COMMAND random_scenes 1 158 driven)
 
 if(TARGET fabric_app)
   set(files_folder ${CMAKE_CURRENT_BINARY_DIR}/hard)

@@ -155,6 +155,16 @@ static void test_impulses(void **state) {
     const double down[3] = {0, 0, -1};
     assert_true(impulse_give(&of, &both, down, 0.5, 0, NULL, v, &work));
     assert_true(v[7][2] > 0.01);
+    /* And then be slowed down as what is free, */
+    const double lifted = v[7][2], together = mass[2] * v[2][2] + mass[7] * v[7][2];
+    assert_true(impulse_give(&of, &both, up, lifted / 4, 0, NULL, v, &work));
+    assert_true(v[7][2] > 0 && v[7][2] < lifted);
+    assert_near(mass[2] * v[2][2] + mass[7] * v[7][2], together, 1e-16);
+    /* until it moves as its body does. */
+    on.sim->collisions.now[7].list[0].speed = 0.25;
+    v[7][2] = 0.5;
+    assert_true(impulse_give(&of, &both, up, 100, 0, NULL, v, &work));
+    assert_near(v[7][2], 0.25, 1e-15);
     free(v);
     stage_end(&on);
 }
@@ -319,6 +329,41 @@ static void test_monitor(void **state) {
     assert_int_equal(verdict_on(&on, 1, 1), STEP_GOOD);
     monitor_accept(&on.sim->monitor);
     assert_int_equal(simulation_faults(on.sim).passing, 1);
+    stage_end(&on);
+}
+
+/* Little gained in each step is not much, but in all steps it is: none may end with more than all
+ * of them were given. */
+static void test_gains_add_up(void **state) {
+    (void)state;
+    collider below = plane;
+    below.position[2] = -1;
+    stage on = sheet_with(&below);
+    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    on.s.drag = 0;
+    on.s.limits.energy = 0.1;
+    stage_begin(&on);
+    simulation *sim = on.sim;
+    memcpy(sim->x_next, on.m.position, sizeof *sim->x_next * (size_t)on.m.vertex_count);
+    for (int i = 0; i < on.m.vertex_count; i++)
+        sim->v[i][0] = 1;
+    stage_changed(&on);
+    const double parts[3] = {1.05, 0.5, 0.59}; /* of the first energy, one after the other */
+    for (int n = 0; n < 3; n++) {
+        for (int i = 0; i < on.m.vertex_count; i++)
+            sim->v_next[i][0] = sqrt(parts[n]);
+        assert_int_equal(verdict_on(&on, 0, 1), STEP_GOOD);
+        monitor_accept(&sim->monitor);
+    }
+    for (double part = 0.6; part < 1.15; part += 0.09) {
+        for (int i = 0; i < on.m.vertex_count; i++)
+            sim->v_next[i][0] = sqrt(part);
+        const monitor_verdict verdict = verdict_on(&on, 0, 1);
+        assert_int_equal(verdict, part < 1.1 ? STEP_GOOD : STEP_ENERGY);
+        if (verdict == STEP_GOOD)
+            monitor_accept(&sim->monitor);
+    }
+    assert_near(sim->monitor.value, 0.14 * sim->monitor.reference, 1e-12);
     stage_end(&on);
 }
 
@@ -575,6 +620,7 @@ int main(void) {
         cmocka_unit_test(test_drawing_apart),
         cmocka_unit_test(test_vertex_through_moving_triangle),
         cmocka_unit_test(test_monitor),
+        cmocka_unit_test(test_gains_add_up),
         cmocka_unit_test(test_futile_halving),
         cmocka_unit_test(test_midpoint_does_not_bounce),
         cmocka_unit_test(test_bdf2_of_unequal_steps),
