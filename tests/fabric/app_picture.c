@@ -9,8 +9,12 @@
 #include <math.h>
 #include <string.h>
 
+#include <stdlib.h>
+
 #include "output/camera.h"
+#include "output/patch.h"
 #include "output/picture.h"
+#include "output/stage.h"
 
 static void test_halve(void **unused) {
     picture p, half;
@@ -86,11 +90,129 @@ static void test_camera(void **unused) {
     assert_true(widest > 0.85);
 }
 
+/* A cap of a ball of 1 m in n by n squares of two triangles, or flat (height 0). */
+static void cap(int n, double height, double *position, float *material, int *triangle) {
+    int t = 0;
+    for (int r = 0; r <= n; r++)
+        for (int c = 0; c <= n; c++) {
+            const int i = r * (n + 1) + c;
+            const double x = (double)c / n - 0.5, y = (double)r / n - 0.5;
+            position[3 * i] = x;
+            position[3 * i + 1] = y;
+            position[3 * i + 2] = height * sqrt(1 - x * x - y * y);
+            material[2 * i] = (float)x;
+            material[2 * i + 1] = (float)y;
+        }
+    for (int r = 0; r < n; r++)
+        for (int c = 0; c < n; c++) {
+            const int i = r * (n + 1) + c;
+            const int corners[6] = {i, i + 1, i + n + 2, i, i + n + 2, i + n + 1};
+            memcpy(&triangle[3 * (2 * t++)], corners, sizeof corners);
+        }
+}
+
+/* Patches lie on the ball where triangles cut it, neighbours meet in the same points, the pattern
+ * is where it was, and what is flat stays so. */
+static void test_patches(void **unused) {
+    enum { n = 8, parts = 4 };
+    double position[3 * (n + 1) * (n + 1)];
+    float material[2 * (n + 1) * (n + 1)];
+    int triangle[6 * n * n], inner = 0;
+    patches p;
+    (void)unused;
+    for (int round = 0; round < 2; round++) {
+        double worst = 0.0;
+        cap(n, round == 0 ? 1.0 : 0.0, position, material, triangle);
+        assert_int_equal(
+            patches_make(&p, (n + 1) * (n + 1), 2 * n * n, position, material, triangle, parts), 0);
+        assert_int_equal(p.triangle_count, 2 * n * n * parts * parts);
+        for (int i = 0; i < p.vertex_count; i++) {
+            const double *x = &p.position[3 * (size_t)i];
+            const int is_inner = fabs(x[0]) < 0.37 && fabs(x[1]) < 0.37;
+            const double off =
+                round == 0 ? sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 1.0 : x[2];
+            worst = is_inner ? fmax(worst, fabs(off)) : worst;
+            inner += is_inner;
+            assert_true(fabs((double)p.material[2 * (size_t)i] - x[0]) < 2e-3);
+        }
+        assert_true(worst < (round == 0 ? 3e-4 : 1e-15)); /* a triangle: 2.6e-3 */
+        for (int a = 0; a < p.vertex_count; a++)          /* no two points all but the same */
+            for (int b = 0; b < a; b++) {
+                double square = 0.0;
+                for (int k = 0; k < 3; k++)
+                    square += pow(p.position[3 * (size_t)a + (size_t)k] -
+                                      p.position[3 * (size_t)b + (size_t)k],
+                                  2);
+                assert_true(square < 1e-28 || square > 1e-4);
+            }
+        patches_free(&p);
+    }
+    assert_true(inner > 1000);
+}
+
+/* How bright the pixel is that shows x. */
+static double brightness(const picture *p, const camera *from, const double x[3]) {
+    double seen[3] = {0.0};
+    for (int k = 0; k < 3; k++) {
+        seen[0] += (x[k] - from->eye[k]) * from->right[k];
+        seen[1] += (x[k] - from->eye[k]) * from->up[k];
+        seen[2] -= (x[k] - from->eye[k]) * from->back[k];
+    }
+    const int column = (int)((seen[0] / seen[2] / from->slope[0] + 1.0) / 2.0 * p->width);
+    const int row = (int)((1.0 - seen[1] / seen[2] / from->slope[1]) / 2.0 * p->height);
+    const unsigned char *rgb = p->rgb + 3 * (row * p->width + column);
+    return rgb[0] + rgb[1] + rgb[2];
+}
+
+/* A small sheet over a large one, both of one cloth and of one colour: the large one is darker in
+ * the small one's shadow, and nowhere else. */
+static void test_shadow_on_itself(void **unused) {
+    static const double position[24] = {-1, -1, 0, 1,   -1, 0, 1,   1,   0, -1, 1,   0,
+                                        0,  0,  1, 0.3, 0,  1, 0.3, 0.3, 1, 0,  0.3, 1};
+    static const float material[16] = {0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f,
+                                       0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f, 0.02f};
+    static const int triangle[12] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    const stage_cloth cloth = {8, 4, position, triangle, material};
+    /* From above: the light comes from (-0.45, -0.8, 1.1), so that the shadow is at + 0.41, 0.73.
+     */
+    const camera from = {.eye = {0, 0, 6},
+                         .right = {1, 0, 0},
+                         .up = {0, 1, 0},
+                         .back = {0, 0, 1},
+                         .slope = {0.25, 0.25},
+                         .depth = {5, 6}};
+    const scene empty = {0};
+    picture p;
+    (void)unused;
+    stage *st = stage_new(&empty, 256, 256);
+    assert_non_null(st);
+    assert_int_equal(stage_draw(st, &from, &cloth, 0.0, &p), 0);
+    int dark = 0, lit = 0;
+    for (double x = -0.9; x < 0.95; x += 0.1)
+        for (double y = -0.9; y < 0.95; y += 0.1) {
+            const double at[3] = {x, y, 0};
+            const int is_hidden = x > -0.05 && x < 0.4 && y > -0.05 && y < 0.4;
+            const double over[2] = {x - 0.45 / 1.1, y - 0.8 / 1.1};
+            const double edge = fmax(fabs(over[0] - 0.15), fabs(over[1] - 0.15)) - 0.15;
+            if (is_hidden || fabs(edge) < 0.03)
+                continue;
+            const double bright = brightness(&p, &from, at);
+            assert_true(edge < 0 ? bright < 170 : bright > 230);
+            dark += edge < 0;
+            lit += edge > 0;
+        }
+    assert_true(dark > 3 && lit > 200);
+    picture_free(&p);
+    stage_free(st);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_halve),
         cmocka_unit_test(test_paste_and_text),
         cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_patches),
+        cmocka_unit_test(test_shadow_on_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,5 +23,5 @@ expect() {
 many=(--set mesh.vertices=6000 --set mesh.boundary=300)
 expect patch
 expect ball "${many[@]}" --set self_collision.gap=0.003
-expect flag "${many[@]}" --set material.bend=0 --set material.bend_damping=0
+expect flag "${many[@]}" --set self_collision.gap=0 --set material.bend=0 --set material.bend_damping=0
 expect hanging "${many[@]}" --set monitor.watch=off

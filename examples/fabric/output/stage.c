@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output/patch.h"
+#include "output/shadow.h"
 #include "output/solids.h"
 
 struct stage {
@@ -16,12 +18,15 @@ struct stage {
     OSMesaContext context;
     unsigned char *pixels; /* [height][width][4] */
     GLuint weave;
+    shadow shadow; /* of cloth and solids on themselves and each other */
 };
 
 static const GLfloat BACKGROUND[3] = {0.93f, 0.945f, 0.96f};
 static const GLfloat LIGHT[4] = {-0.45f, -0.8f, 1.1f, 0.0f}; /* towards it; 0: infinitely far */
 static const double REPEAT = 0.16; /* m, of the pattern woven into the cloth */
 enum { WEAVE = 64 };
+/* Small triangles in a picture: more of them are not seen. */
+enum { MOST_PIECES = 300000, MOST_PARTS = 5 };
 
 /** A checked cloth: two stripes cross. */
 static GLuint make_weave(void) {
@@ -46,20 +51,24 @@ static GLuint make_weave(void) {
 }
 
 static void set_light(void) {
-    static const GLfloat ambient[4] = {0.39f, 0.40f, 0.43f, 1.0f};
     static const GLfloat key[4] = {0.66f, 0.64f, 0.60f, 1.0f};
     static const GLfloat fill[4] = {0.16f, 0.17f, 0.20f, 1.0f};
     static const GLfloat fill_from[4] = {0.9f, -0.5f, 0.25f, 0.0f};
-    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
     glLightfv(GL_LIGHT0, GL_DIFFUSE, key);
     glLightfv(GL_LIGHT0, GL_POSITION, LIGHT);
     glLightfv(GL_LIGHT1, GL_DIFFUSE, fill);
     glLightfv(GL_LIGHT1, GL_POSITION, fill_from);
     glEnable(GL_LIGHTING);
-    glEnable(GL_LIGHT0);
-    glEnable(GL_LIGHT1);
     glEnable(GL_NORMALIZE);
+}
+
+/** Which lights shine: the key light, and what comes from everywhere. */
+static void switch_lights(int key, int others) {
+    static const GLfloat ambient[4] = {0.39f, 0.40f, 0.43f, 1.0f}, none[4] = {0, 0, 0, 1.0f};
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, others ? ambient : none);
+    (key ? glEnable : glDisable)(GL_LIGHT0);
+    (others ? glEnable : glDisable)(GL_LIGHT1);
 }
 
 static void set_material(GLenum side, float red, float green, float blue) {
@@ -86,12 +95,18 @@ stage *stage_new(const scene *s, int width, int height) {
     }
     OSMesaPixelStore(OSMESA_Y_UP, 0);
     st->weave = make_weave();
+    if (shadow_new(&st->shadow) != 0) {
+        fprintf(stderr, "render: out of memory\n");
+        stage_free(st);
+        return NULL;
+    }
     return st;
 }
 
 void stage_free(stage *st) {
     if (!st)
         return;
+    shadow_free(&st->shadow);
     if (st->context)
         OSMesaDestroyContext(st->context);
     free(st->pixels);
@@ -116,29 +131,7 @@ static void look(const camera *from) {
     glTranslated(-from->eye[0], -from->eye[1], -from->eye[2]);
 }
 
-/** The sum of the normals of the triangles around each vertex, weighted by their areas. */
-static void sum_normals(const stage_cloth *cloth, float *normal) {
-    memset(normal, 0, 3 * (size_t)cloth->vertex_count * sizeof *normal);
-    for (int t = 0; t < cloth->triangle_count; t++) {
-        const int *corner = &cloth->triangle[3 * (size_t)t];
-        const double *a = &cloth->position[3 * (size_t)corner[0]];
-        const double *b = &cloth->position[3 * (size_t)corner[1]];
-        const double *c = &cloth->position[3 * (size_t)corner[2]];
-        for (int k = 0; k < 3; k++) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            const float n = (float)((b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]));
-            normal[3 * (size_t)corner[0] + (size_t)k] += n;
-            normal[3 * (size_t)corner[1] + (size_t)k] += n;
-            normal[3 * (size_t)corner[2] + (size_t)k] += n;
-        }
-    }
-}
-
-static int draw_cloth(const stage *st, const stage_cloth *cloth) {
-    float *normal = malloc(3 * (size_t)cloth->vertex_count * sizeof *normal);
-    if (!normal)
-        return -1;
-    sum_normals(cloth, normal);
+static void draw_cloth(const stage *st, const patches *cloth) {
     glEnable(GL_TEXTURE_2D);
     glBindTexture(GL_TEXTURE_2D, st->weave);
     glMatrixMode(GL_TEXTURE);
@@ -151,19 +144,16 @@ static int draw_cloth(const stage *st, const stage_cloth *cloth) {
     glEnableClientState(GL_NORMAL_ARRAY);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
     glVertexPointer(3, GL_DOUBLE, 0, cloth->position);
-    glNormalPointer(GL_FLOAT, 0, normal);
+    glNormalPointer(GL_FLOAT, 0, cloth->normal);
     glTexCoordPointer(2, GL_FLOAT, 0, cloth->material);
     glDrawElements(GL_TRIANGLES, 3 * cloth->triangle_count, GL_UNSIGNED_INT, cloth->triangle);
-    glFinish(); /* the normals are freed next */
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
     glDisableClientState(GL_NORMAL_ARRAY);
     glDisableClientState(GL_VERTEX_ARRAY);
     glDisable(GL_TEXTURE_2D);
-    free(normal);
-    return 0;
 }
 
-static void draw_bare_cloth(const stage_cloth *cloth) {
+static void draw_bare_cloth(const patches *cloth) {
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_DOUBLE, 0, cloth->position);
     glDrawElements(GL_TRIANGLES, 3 * cloth->triangle_count, GL_UNSIGNED_INT, cloth->triangle);
@@ -197,7 +187,7 @@ static void flatten(const double normal[3], double offset) {
 }
 
 /** Darkens the plane where cloth or solids stand in its light; each pixel once (the stencil). */
-static void draw_shadows(const stage *st, const collider *plane, const stage_cloth *cloth,
+static void draw_shadows(const stage *st, const collider *plane, const patches *cloth,
                          double time) {
     double offset = 0.001; /* m above the plane, so as not to be hidden by it */
     double towards_light = 0.0, point[3], normal[3];
@@ -226,24 +216,54 @@ static void draw_shadows(const stage *st, const collider *plane, const stage_clo
 }
 
 static void take_picture(const stage *st, picture *p) {
-    glFinish();
     for (size_t k = 0; k < (size_t)st->width * (size_t)st->height; k++)
         memcpy(p->rgb + 3 * k, st->pixels + 4 * k, 3);
 }
 
-int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p) {
+/** What the light sees of cloth and solids: all that may cast a shadow onto the cloth. */
+static int look_from_light(stage *st, const patches *cloth, double time) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double center[3], square = 0.0;
+    for (int i = 0; i < cloth->vertex_count; i++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], cloth->position[3 * (size_t)i + (size_t)k]);
+            high[k] = fmax(high[k], cloth->position[3 * (size_t)i + (size_t)k]);
+        }
+    for (int k = 0; k < 3; k++) {
+        center[k] = (low[k] + high[k]) / 2.0;
+        square += (high[k] - low[k]) * (high[k] - low[k]) / 4.0;
+    }
+    if (shadow_begin(&st->shadow, st->context, LIGHT, center, 1.1 * sqrt(square)) != 0)
+        return -1;
+    glDisable(GL_LIGHTING);
+    draw_bare_cloth(cloth);
+    draw_solids(st, time);
+    shadow_end(&st->shadow);
+    return OSMesaMakeCurrent(st->context, st->pixels, GL_UNSIGNED_BYTE, st->width, st->height) ? 0
+                                                                                               : -1;
+}
+
+/** Cloth and solids: as they are without the key light, and then that added where it shines. */
+static void draw_lit(const stage *st, const patches *cloth, double time) {
+    switch_lights(0, 1);
+    draw_solids(st, time);
+    draw_cloth(st, cloth);
+    switch_lights(1, 0);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDepthFunc(GL_LEQUAL);
+    shadow_heed(&st->shadow);
+    draw_solids(st, time);
+    draw_cloth(st, cloth);
+    shadow_ignore();
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+}
+
+static void draw_planes(const stage *st, const camera *from, const patches *cloth, double time) {
     const double middle[3] = {from->eye[0] - from->back[0] * from->depth[1],
                               from->eye[1] - from->back[1] * from->depth[1], 0.0};
-    if (picture_new(p, st->width, st->height) != 0) {
-        fprintf(stderr, "render: out of memory\n");
-        return -1;
-    }
-    glViewport(0, 0, st->width, st->height);
-    glClearColor(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glEnable(GL_DEPTH_TEST);
-    look(from);
-    set_light();
+    switch_lights(1, 1);
     for (int k = 0; k < st->of->collider_count; k++) {
         const collider *c = &st->of->colliders[k];
         if (c->kind != COLLIDER_PLANE)
@@ -251,12 +271,46 @@ int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double t
         solids_draw_plane(c, time, middle, 2.0 * from->depth[1], BACKGROUND);
         draw_shadows(st, c, cloth, time);
     }
-    draw_solids(st, time);
-    if (draw_cloth(st, cloth) != 0) {
-        fprintf(stderr, "render: out of memory\n");
-        picture_free(p);
+}
+
+/** Draws into the stage's pixels. 0, or -1: the library does not. */
+static int draw_all(stage *st, const camera *from, const patches *cloth, double time) {
+    if (look_from_light(st, cloth, time) != 0)
         return -1;
-    }
-    take_picture(st, p);
+    glViewport(0, 0, st->width, st->height);
+    glClearColor(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    look(from);
+    set_light();
+    draw_planes(st, from, cloth, time);
+    draw_lit(st, cloth, time);
+    glFinish();
     return 0;
+}
+
+/** How many parts a side of a triangle is drawn in. */
+static int parts_of(int triangle_count) {
+    int parts = MOST_PARTS;
+    while (parts > 1 && (long)triangle_count * parts * parts > MOST_PIECES)
+        parts--;
+    return parts;
+}
+
+int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p) {
+    patches smooth;
+    int status = patches_make(&smooth, cloth->vertex_count, cloth->triangle_count, cloth->position,
+                              cloth->material, cloth->triangle, parts_of(cloth->triangle_count));
+    if (status == 0)
+        status = picture_new(p, st->width, st->height);
+    if (status != 0) {
+        fprintf(stderr, "render: out of memory\n");
+    } else if (draw_all(st, from, &smooth, time) != 0) {
+        fprintf(stderr, "render: OSMesa cannot draw shadows\n");
+        picture_free(p);
+        status = -1;
+    } else {
+        take_picture(st, p);
+    }
+    patches_free(&smooth);
+    return status;
 }
