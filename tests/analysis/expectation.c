@@ -39,7 +39,7 @@ static void describe_sources(buffer *out, const loop_facts *facts) {
         sometimes += facts->sources[i].is_sometimes;
     }
     buffer_format(out, " subscripts=%u told=%u checked=%u sometimes=%u spans=%u", subscripts, told,
-                  checked, sometimes, facts->span_count);
+                  checked, sometimes, facts->inspector.span_count);
 }
 
 static void describe_scalars(buffer *out, const loop_facts *facts) {
@@ -66,22 +66,22 @@ const char *expectation_describe(arena *a, const loop_verdict *verdict) {
             describe_array(&out, &facts->arrays[i]);
         for (unsigned i = 0; i < facts->source_count; i++)
             guards += facts->sources[i].needs_guard;
-        for (unsigned i = 0; i < facts->private_count; i++)
-            outside += !facts->privates[i].is_declared_inside;
+        for (unsigned i = 0; i < facts->variables.private_count; i++)
+            outside += !facts->variables.privates[i].is_declared_inside;
         buffer_format(&out, " guards=%u %s privates=%u", guards,
-                      facts->is_verifiable ? "verifiable" : "not-verifiable", outside);
-        for (unsigned i = 0; i < facts->private_count; i++)
-            if (facts->privates[i].is_live_after)
-                buffer_format(&out, " last=%s", facts->privates[i].variable->name);
-        buffer_format(&out, " keys=%u", facts->key_count);
+                      facts->slice.is_verifiable ? "verifiable" : "not-verifiable", outside);
+        for (unsigned i = 0; i < facts->variables.private_count; i++)
+            if (facts->variables.privates[i].is_live_after)
+                buffer_format(&out, " last=%s", facts->variables.privates[i].variable->name);
+        buffer_format(&out, " keys=%u", facts->inspector.key_count);
         if (facts->counter_is_live_after)
             buffer_text(&out, " counter-live");
         for (unsigned i = 0; i < facts->array_count; i++)
             if (facts->arrays[i].is_interleaved)
                 buffer_format(&out, " interleaved=%s", facts->arrays[i].name);
         describe_subscripts(&out, facts);
-        if (facts->unkept.name)
-            buffer_format(&out, " unkept=%s", facts->unkept.name);
+        if (facts->slice.unkept.name)
+            buffer_format(&out, " unkept=%s", facts->slice.unkept.name);
         describe_sources(&out, facts);
         describe_scalars(&out, facts);
         if (facts->sets_errno)

@@ -101,7 +101,7 @@ static void a_touched_source_without_a_place(changed *c) {
     c->sources[0].place = NULL;
 }
 static void no_slice(changed *c) {
-    c->facts.in_slice = NULL;
+    c->facts.slice.holds = NULL;
 }
 static void another_function(changed *c) {
     c->facts.function = NULL;

@@ -118,10 +118,10 @@ static void slice_has_what_subscripts_need(void **state) {
     assert_int_equal(result.verdicts[0].kind, VERDICT_TRANSFORM);
     const loop_facts *facts = result.verdicts[0].facts;
     const ir_node *body = facts->counted.body;
-    assert_true(facts->in_slice[body->id]);
-    assert_true(facts->in_slice[body->children[0]->children[0]->id]);
-    assert_false(facts->in_slice[body->children[1]->children[0]->id]);
-    assert_false(facts->in_slice[body->children[2]->id]);
+    assert_true(facts->slice.holds[body->id]);
+    assert_true(facts->slice.holds[body->children[0]->children[0]->id]);
+    assert_false(facts->slice.holds[body->children[1]->children[0]->id]);
+    assert_false(facts->slice.holds[body->children[2]->id]);
     /* the subscript array is the one source; h restrict: e needs no guard */
     assert_int_equal(facts->source_count, 1);
     assert_string_equal(facts->sources[0].name, "s");
@@ -212,7 +212,7 @@ static void library_finds_all_of_its_kind(void **state) {
 /* Whose name it is depends on the standard, and on who declares it. */
 static void library_names_are_reserved(void **state) {
     (void)state;
-    const ir_unit old = {.is_c89 = true}, new = {0};
+    const ir_unit old = {.dialect.is_c89 = true}, new = {0};
     ir_node body = {.kind = IR_BLOCK};
     assert_non_null(library_find(&old, &(ir_function){.name = "sqrt"}));
     assert_null(library_find(&old, &(ir_function){.name = "round"}));
@@ -220,7 +220,7 @@ static void library_names_are_reserved(void **state) {
     assert_non_null(library_find(&new, &(ir_function){.name = "round"}));
     assert_non_null(library_find(&new, &(ir_function){.name = "exp10", .is_from_system = true}));
     assert_null(library_find(&new, &(ir_function){.name = "parity", .is_from_system = true}));
-    assert_null(library_find(&new, &(ir_function){.name = "sqrt", .is_renamed = true}));
+    assert_null(library_find(&new, &(ir_function){.name = "sqrt", .linkage.is_renamed = true}));
     assert_null(library_find(&new, &(ir_function){.name = "sqrt", .body = &body}));
 }
 

@@ -232,14 +232,10 @@ static bool read_function_flag(ir_reader *r, const sexp *item, ir_function *f) {
     const struct {
         const char *word;
         bool *flag;
-    } flags[] = {{"!static", &f->is_static},
-                 {"!variadic", &f->is_variadic},
-                 {"!noreturn", &f->is_noreturn},
-                 {"!pure", &f->is_attribute_pure},
-                 {"!const", &f->is_attribute_const},
-                 {"!attributes", &f->has_other_attributes},
-                 {"!weak", &f->is_weak},
-                 {"!renamed", &f->is_renamed},
+    } flags[] = {{"!static", &f->linkage.is_static}, {"!variadic", &f->is_variadic},
+                 {"!noreturn", &f->is_noreturn},     {"!pure", &f->is_attribute_pure},
+                 {"!const", &f->is_attribute_const}, {"!attributes", &f->has_other_attributes},
+                 {"!weak", &f->linkage.is_weak},     {"!renamed", &f->linkage.is_renamed},
                  {"!errors", &f->has_errors}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (is_word(item, flags[i].word)) {
@@ -454,7 +450,7 @@ static bool read_unit(ir_reader *r, const sexp *s) {
     unit->arena = r->arena;
     unit->source = source_from_text(r->arena, s->items[1]->text, "", 0);
     unit->functions = ARENA_ARRAY(r->arena, ir_function *, s->count);
-    unit->strict_aliasing = s->count < 3 || !is_word(s->items[2], "!no-strict-aliasing");
+    unit->dialect.strict_aliasing = s->count < 3 || !is_word(s->items[2], "!no-strict-aliasing");
     r->records = map_new(r->arena);
     r->file_names = map_new(r->arena);
     r->functions = map_new(r->arena);

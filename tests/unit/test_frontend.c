@@ -166,8 +166,8 @@ static void test_strict_aliasing(void **state) {
     (void)state;
     arena *a = arena_new();
     const char *const off[] = {"-fno-strict-aliasing"};
-    assert_true(parse(a, "int x;")->strict_aliasing);
-    assert_false(parse_with(a, "int x;", 1, off).unit->strict_aliasing);
+    assert_true(parse(a, "int x;")->dialect.strict_aliasing);
+    assert_false(parse_with(a, "int x;", 1, off).unit->dialect.strict_aliasing);
     arena_free(a);
 }
 

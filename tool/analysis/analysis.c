@@ -63,7 +63,7 @@ analysis_result analyse(arena *a, const ir_unit *unit, const analysis_options *g
                    .facts = facts,
                    .effects = effects_new(a, unit, options, facts),
                    .rules = {.facts = facts,
-                             .strict_aliasing = unit->strict_aliasing,
+                             .strict_aliasing = unit->dialect.strict_aliasing,
                              .assume_noalias = options->assume_noalias},
                    .text = unit_text_new(a, unit),
                    .pragmas = &pragmas};

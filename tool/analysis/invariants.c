@@ -134,18 +134,18 @@ static void assert_private(const loop_facts *facts, const private_variable *item
 
 static void assert_span(const loop_facts *facts, const loop_span *span) {
     assert(is_in_loop(facts, span->loop) && span->loop != facts->loop);
-    assert(span->loop->kind == IR_FOR && facts->in_slice[span->loop->id]);
+    assert(span->loop->kind == IR_FOR && facts->slice.holds[span->loop->id]);
     assert(span->counted.step == 1);
     assert_counted(&span->counted);
 }
 
 static void assert_slice(const loop_facts *facts) {
-    assert(facts->has_inspector && facts->in_slice);
-    assert(!facts->is_verifiable || !facts->unkept.name);
-    for (unsigned i = 0; i < facts->key_count; i++)
-        assert(facts->key[i] && ir_is_expression(facts->key[i]));
-    for (unsigned i = 0; i < facts->span_count; i++)
-        assert_span(facts, &facts->spans[i]);
+    assert(facts->inspector.exists && facts->slice.holds);
+    assert(!facts->slice.is_verifiable || !facts->slice.unkept.name);
+    for (unsigned i = 0; i < facts->inspector.key_count; i++)
+        assert(facts->inspector.key[i] && ir_is_expression(facts->inspector.key[i]));
+    for (unsigned i = 0; i < facts->inspector.span_count; i++)
+        assert_span(facts, &facts->inspector.spans[i]);
 }
 
 /* ---- verdicts ------------------------------------------------------------------------------- */
@@ -162,10 +162,11 @@ static void assert_facts(const loop_facts *facts) {
         assert_forward(facts, &facts->forwards[i]);
     for (unsigned i = 0; i < facts->source_count; i++)
         assert_source(facts, &facts->sources[i]);
-    for (unsigned i = 0; i < facts->private_count; i++)
-        assert_private(facts, &facts->privates[i]);
-    for (unsigned i = 0; i < facts->captured_count; i++)
-        assert(facts->captured[i] && facts->captured[i] != facts->counted.counter);
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        assert_private(facts, &facts->variables.privates[i]);
+    for (unsigned i = 0; i < facts->variables.captured_count; i++)
+        assert(facts->variables.captured[i] &&
+               facts->variables.captured[i] != facts->counted.counter);
     assert_slice(facts);
 }
 
@@ -190,7 +191,7 @@ void analysis_assert_verdict(const ir_unit *unit, const loop_verdict *verdict) {
         return;
     }
     assert(verdict->kind == VERDICT_TRANSFORM && verdict->why.id == REASON_NONE);
-    assert(!verdict->function->has_errors && !unit->refusing_option);
+    assert(!verdict->function->has_errors && !unit->dialect.refusing_option);
     assert_facts(verdict->facts);
 }
 

@@ -128,7 +128,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     if (j->why.id != REASON_NONE)
         return facts;
     facts->counter_is_live_after = j->counter_is_live_after;
-    facts->sets_errno = j->found.may_set_errno && j->an->unit->math_errno;
+    facts->sets_errno = j->found.may_set_errno && j->an->unit->dialect.math_errno;
     facts->has_short_iterations = candidate_is_short(j->an->unit, j->counted.body);
     facts->updates = j->updates.items;
     facts->update_count = j->updates.count;
@@ -138,20 +138,20 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->forward_count = j->forwards.count;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
-    facts->privates = j->privates.items;
-    facts->private_count = j->privates.count;
-    facts->captured = j->captured.items;
-    facts->captured_count = j->captured.count;
-    facts->in_slice = j->in_slice;
+    facts->variables.privates = j->privates.items;
+    facts->variables.private_count = j->privates.count;
+    facts->variables.captured = j->captured.items;
+    facts->variables.captured_count = j->captured.count;
+    facts->slice.holds = j->slice.holds;
     const span_list spans = find_spans(j);
-    facts->spans = spans.items;
-    facts->span_count = spans.count;
-    facts->slice_has_floating_work = j->slice_has_floating_work;
-    facts->has_inspector = true;
-    facts->is_verifiable = j->is_verifiable;
-    facts->unkept = j->unkept;
-    facts->key = j->key.items;
-    facts->key_count = j->key.count;
+    facts->inspector.spans = spans.items;
+    facts->inspector.span_count = spans.count;
+    facts->slice.has_floating_work = j->slice.has_floating_work;
+    facts->inspector.exists = true;
+    facts->slice.is_verifiable = j->slice.is_verifiable;
+    facts->slice.unkept = j->slice.unkept;
+    facts->inspector.key = j->key.items;
+    facts->inspector.key_count = j->key.count;
     return facts;
 }
 
@@ -241,10 +241,7 @@ static bool add_slice(loop_analysis *j) {
     j->privates = result.privates;
     j->sources = result.sources;
     j->key = result.key;
-    j->in_slice = result.in_slice;
-    j->slice_has_floating_work = result.has_floating_work;
-    j->is_verifiable = result.is_verifiable;
-    j->unkept = result.unkept;
+    j->slice = result.slice;
     return goes_on(j, result.why);
 }
 

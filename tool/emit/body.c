@@ -45,7 +45,7 @@ static const char *guard_text(loop_text *loop, const reduction_update *update) {
     const char *brace = needs_braces(update) ? "{ " : "";
     if (loop->bins)
         return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
-    if (loop->is_outlined)
+    if (loop->outline.done)
         return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
                             brace);
     return arena_format(loop->arena, "{ if (!redcc__guarded || redcc_owns(&%s, &%s)) %s",
@@ -331,7 +331,7 @@ bool body_reads(const loop_facts *facts, const ir_variable *variable) {
 }
 
 const char *private_declaration(loop_text *loop, const ir_variable *variable) {
-    if (loop->is_outlined)
+    if (loop->outline.done)
         return outlined_declaration(loop, variable);
     return arena_format(loop->arena, "__typeof__(%s) %s", origin_variable(loop->arena, variable),
                         origin_declarator(loop->arena, variable));
@@ -340,13 +340,13 @@ const char *private_declaration(loop_text *loop, const ir_variable *variable) {
 static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
-    if (!loop->is_outlined)
+    if (!loop->outline.done)
         writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
                     origin_declarator(loop->arena, counter),
                     body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
                     loop->counter_type, loop_iteration_offset(loop));
-    for (unsigned i = 0; i < facts->private_count; i++) {
-        const private_variable *item = &facts->privates[i];
+    for (unsigned i = 0; i < facts->variables.private_count; i++) {
+        const private_variable *item = &facts->variables.privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
         writer_line(out, "%s%s%s;", private_declaration(loop, item->variable),
@@ -375,10 +375,10 @@ void write_iteration(loop_text *loop, writer *out) {
                                   .before = print_guard},
                       .loop = loop};
     check_updates(loop);
-    if (loop->is_outlined)
+    if (loop->outline.done)
         writer_fill(out, true);
     declare_variables(loop, out);
-    if (loop->is_outlined)
+    if (loop->outline.done)
         writer_fill(out, false);
     write_neutral_operands(loop, out);
     const char *text = copied_text(&copy);
@@ -386,10 +386,10 @@ void write_iteration(loop_text *loop, writer *out) {
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
-    const bool continues = loop->is_outlined && has_continue(body);
+    const bool continues = loop->outline.done && has_continue(body);
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");
-    if (!loop->is_outlined)
+    if (!loop->outline.done)
         buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
 }

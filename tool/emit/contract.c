@@ -108,16 +108,16 @@ static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function 
 /** May functions be compiled for processors that the file's head knows nothing of? */
 static bool may_name_targets(const ir_unit *unit) {
     bool is_found = has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
-    for (unsigned i = 0; i < unit->header_pragma_count; i++)
-        is_found |= strstr(unit->header_pragmas[i], "target") != NULL;
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        is_found |= strstr(unit->text.header_pragmas[i], "target") != NULL;
     return is_found;
 }
 
 /** A macro of the program may be what the pragma's words are taken for. */
 static bool has_macro_of_pragma(const ir_unit *unit) {
     static const char *const words[] = {"clang", "fp", "contract", "off"};
-    for (size_t i = 0; unit->macros && i < sizeof words / sizeof *words; i++)
-        if (map_get(unit->macros, words[i], strlen(words[i])))
+    for (size_t i = 0; unit->text.macros && i < sizeof words / sizeof *words; i++)
+        if (map_get(unit->text.macros, words[i], strlen(words[i])))
             return true;
     return false;
 }
@@ -131,7 +131,7 @@ contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result 
         if (analysis->verdicts[i].kind != VERDICT_TRANSFORM || !may_be_contracted(a, unit, facts))
             continue;
         is_forbidden[i] = true;
-        matters |= options->order != EMIT_ORDER_ANY || facts->slice_has_floating_work;
+        matters |= options->order != EMIT_ORDER_ANY || facts->slice.has_floating_work;
         is_local = is_local && !calls_what_contracts(a, unit, facts) &&
                    may_have_attribute(a, unit, facts->function);
     }

@@ -119,15 +119,15 @@ static key_form form_of_key(const ir_type *type) {
 
 /** May a plan be kept? Only while it can be told where what it knows of has moved to. */
 static bool is_verifiable(const loop_facts *facts) {
-    if (!facts->is_verifiable)
+    if (!facts->slice.is_verifiable)
         return false;
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *fact = &facts->sources[i];
         if (fact->extent == EXTENT_TOUCHED && fact->base && !can_be_read_ahead(facts, fact->base))
             return false;
     }
-    for (unsigned i = 0; i < facts->key_count; i++)
-        if (form_of_key(facts->key[i]->type) == KEY_UNFIT)
+    for (unsigned i = 0; i < facts->inspector.key_count; i++)
+        if (form_of_key(facts->inspector.key[i]->type) == KEY_UNFIT)
             return false;
     return true;
 }
@@ -135,14 +135,14 @@ static bool is_verifiable(const loop_facts *facts) {
 /** Variables stepped with the counter, of which the slice asks the value. */
 static unsigned stepped_count(const loop_facts *facts) {
     unsigned count = 0;
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice)
-            count += facts->privates[i].by ? 2 : 1;
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice)
+            count += facts->variables.privates[i].by ? 2 : 1;
     return count;
 }
 
 static unsigned key_count(const loop_facts *facts) {
-    return 1 + (is_verifiable(facts) ? facts->key_count + stepped_count(facts) : 0);
+    return 1 + (is_verifiable(facts) ? facts->inspector.key_count + stepped_count(facts) : 0);
 }
 
 unsigned key_length(const loop_text *loop) {
@@ -153,15 +153,15 @@ void fill_key(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     if (!is_verifiable(facts))
         return;
-    unsigned number = 1 + facts->key_count;
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_stepped && facts->privates[i].is_in_slice) {
+    unsigned number = 1 + facts->inspector.key_count;
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice) {
             writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);
-            if (facts->privates[i].by)
+            if (facts->variables.privates[i].by)
                 writer_line(out, "redcc__key[%u] = redcc__by_%u;", number++, i);
         }
-    for (unsigned i = 0; i < facts->key_count; i++) {
-        const ir_node *key = facts->key[i];
+    for (unsigned i = 0; i < facts->inspector.key_count; i++) {
+        const ir_node *key = facts->inspector.key[i];
         const char *text = loop_operand(loop, key);
         switch (form_of_key(key->type)) {
         case KEY_INTEGER:

@@ -34,7 +34,7 @@ void declare_forwards(loop_text *loop, writer *out, bool of_slice) {
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->forward_count; i++) {
         const forwarded_store *store = &facts->forwards[i];
-        if (!of_slice || facts->in_slice[store->statement->id])
+        if (!of_slice || facts->slice.holds[store->statement->id])
             writer_line(out, "%s redcc__forward_%u;", origin_type(loop->arena, store->target->type),
                         i);
     }

@@ -306,9 +306,9 @@ void check_what_is_read_ahead(loop_text *loop) {
                           "'%s' is read in some iterations only, and may not be valid before",
                           fact->name);
     }
-    for (unsigned i = 0; i < facts->key_count; i++)
-        if (!base_is_safe(facts, facts->key[i]))
-            loop_obstacle(loop, facts->key[i]->range,
+    for (unsigned i = 0; i < facts->inspector.key_count; i++)
+        if (!base_is_safe(facts, facts->inspector.key[i]))
+            loop_obstacle(loop, facts->inspector.key[i]->range,
                           "what the subscripts depend on is read in some iterations only, and may "
                           "not be valid before");
 }

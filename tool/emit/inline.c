@@ -30,7 +30,7 @@ static bool is_declared_plainly(const ir_unit *unit, const ir_function *function
 }
 
 static bool is_called_once(const ir_unit *unit, const ir_function *function) {
-    return function->body && function->is_static && function->is_in_main_file &&
+    return function->body && function->linkage.is_static && function->is_in_main_file &&
            function->reference_count == 1 && !function->is_variadic && !function->has_attributes &&
            function->body->range.end > function->range.begin && is_declared_plainly(unit, function);
 }
@@ -38,7 +38,7 @@ static bool is_called_once(const ir_unit *unit, const ir_function *function) {
 /** Has something else, a parameter perhaps, the function's name? Where the declaration stands it
  * may be in front. */
 static bool is_name_shared(const ir_unit *unit, const char *name) {
-    if (unit->inner_names && map_get(unit->inner_names, name, strlen(name)))
+    if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
         return true;
     for (unsigned i = 0; i < unit->variable_count; i++)
         if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
@@ -59,7 +59,7 @@ static bool declare_callee(ir_node *node, void *context) {
         is_name_shared(d->loop->unit, node->children[0]->function->name))
         return true;
     const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
-    if (d->loop->is_outlined) {
+    if (d->loop->outline.done) {
         writer_line(d->out, "REDCC_KEEP_INLINED(%s)", name);
         return true;
     }

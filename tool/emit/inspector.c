@@ -38,7 +38,7 @@ static bool before_statement(printer *p, const ir_node *statement) {
     }
     self->is_bare = is_bare(facts, statement);
     const forwarded_store *store = forward_stored_by(facts, statement);
-    if (store && facts->in_slice[statement->id])
+    if (store && facts->slice.holds[statement->id])
         write_forward(self->loop, p->out, store, inspector_note_variable, self);
     bool is_update = false;
     for (unsigned i = 0; i < facts->update_count; i++)
@@ -57,9 +57,9 @@ static bool before_statement(printer *p, const ir_node *statement) {
 
 static const loop_span *span_of(const inspector *self, const ir_node *loop) {
     const loop_facts *facts = self->loop->facts;
-    for (unsigned i = 0; i < facts->span_count; i++)
-        if (facts->spans[i].loop == loop)
-            return &facts->spans[i];
+    for (unsigned i = 0; i < facts->inspector.span_count; i++)
+        if (facts->inspector.spans[i].loop == loop)
+            return &facts->inspector.spans[i];
     return NULL;
 }
 
@@ -167,13 +167,13 @@ static void declare_variables(const inspector *self, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
-    if (!loop->is_outlined)
+    if (!loop->outline.done)
         writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
                     origin_declarator(loop->arena, counter), unused, loop->counter_type,
                     loop_iteration_offset(loop));
-    for (unsigned i = 0; i < facts->private_count; i++) {
-        const ir_variable *variable = facts->privates[i].variable;
-        if (!facts->privates[i].is_declared_inside && is_needed(self, variable))
+    for (unsigned i = 0; i < facts->variables.private_count; i++) {
+        const ir_variable *variable = facts->variables.privates[i].variable;
+        if (!facts->variables.privates[i].is_declared_inside && is_needed(self, variable))
             writer_line(out, "%s%s;", private_declaration(loop, variable), stepped_value(loop, i));
     }
     declare_forwards(loop, out, true);
@@ -203,7 +203,7 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                              bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     inspector self = {.printer = {.arena = loop->arena,
-                                  .keep = facts->in_slice,
+                                  .keep = facts->slice.holds,
                                   .before = before_statement,
                                   .is_at_once = is_at_once,
                                   .print_at_once = tell_at_once,

@@ -188,8 +188,8 @@ static bool has_unnamed_array(const loop_text *loop) {
 }
 
 static bool has_other_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_stepped)
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped)
             return true;
     return facts->scalar_count > 0 || facts->forward_count > 0 || has_sought_values(facts) ||
            has_last_values(facts);
@@ -211,9 +211,9 @@ static void declare_outer(lifter *l) {
     const loop_facts *facts = l->loop->facts;
     const ir_variable *counter = facts->counted.counter;
     arena *a = l->loop->arena;
-    for (unsigned i = 0; i < facts->private_count; i++) {
-        const ir_variable *variable = facts->privates[i].variable;
-        if (facts->privates[i].is_declared_inside || !mentions(l->scope, variable))
+    for (unsigned i = 0; i < facts->variables.private_count; i++) {
+        const ir_variable *variable = facts->variables.privates[i].variable;
+        if (facts->variables.privates[i].is_declared_inside || !mentions(l->scope, variable))
             continue;
         lane_declare(l, variable);
     }
@@ -347,7 +347,7 @@ void write_lanes(loop_text *loop, writer *out) {
                 .out = &text,
                 .mask_count = &mask_count,
                 .place = facts->loop->range};
-    if (!loop->lanes.is_wanted || !loop->is_outlinable)
+    if (!loop->lanes.is_wanted || !loop->outline.possible)
         return;
     lane_classify(&l);
     declare_outer(&l);
@@ -357,12 +357,12 @@ void write_lanes(loop_text *loop, writer *out) {
     loop->lanes.name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
     loop->lanes.arguments =
         arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",
-                     facts->array_count, loop->body_arguments);
+                     facts->array_count, loop->outline.body_arguments);
     writer_line(
         &front,
         "REDCC_LANES_BODY REDCC_WIDE(%s)(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
         "redcc__block, const redcc_int redcc__lower%s) {",
-        loop->lanes.name, facts->array_count, loop->body_parameters);
+        loop->lanes.name, facts->array_count, loop->outline.body_parameters);
     buffer_text(&front.out, writer_text(a, &text));
     writer_line(&front, "}");
     write_copies(loop, out, writer_text(a, &front));

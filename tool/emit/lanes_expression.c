@@ -159,8 +159,8 @@ static lifted call(lifter *l, const ir_node *node) {
     if (callee->body)
         return (lifted){lane_call(l, node), true};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 && !callee->is_renamed &&
-            node->child_count == 2)
+        if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 &&
+            !callee->linkage.is_renamed && node->child_count == 2)
             return (lifted){arena_format(l->loop->arena,
                                          l->mask ? "redcc_lanes_%s(redcc_select(%s, %s, "
                                                    "redcc_same(1.0)))"

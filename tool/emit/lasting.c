@@ -9,17 +9,18 @@
 #include "emit/origin.h"
 
 bool has_sought_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_last_sought)
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_last_sought)
             return true;
     return false;
 }
 
 void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        if (!loop->facts->privates[i].is_last_sought)
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
-        const char *name = origin_variable(loop->arena, loop->facts->privates[i].variable);
+        const char *name =
+            origin_variable(loop->arena, loop->facts->variables.privates[i].variable);
         writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
         writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
     }
@@ -31,9 +32,9 @@ int sought_value_of(const loop_facts *facts, const ir_node *statement) {
         assignment && (assignment->kind == IR_ASSIGN || ir_is_increment(assignment))
             ? ir_child(assignment, 0)
             : NULL;
-    for (unsigned i = 0; target && i < facts->private_count; i++)
-        if (facts->privates[i].is_last_sought && target->kind == IR_VARIABLE &&
-            target->variable == facts->privates[i].variable)
+    for (unsigned i = 0; target && i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_last_sought && target->kind == IR_VARIABLE &&
+            target->variable == facts->variables.privates[i].variable)
             return (int)i;
     return -1;
 }
@@ -42,7 +43,7 @@ void write_note(loop_text *loop, writer *out, unsigned number) {
     writer_line(out, "if (redcc__k >= redcc__when_%u) {", number);
     writer_line(out, "    redcc__when_%u = redcc__k;", number);
     writer_line(out, "    redcc__own_%u = %s;", number,
-                origin_variable(loop->arena, loop->facts->privates[number].variable));
+                origin_variable(loop->arena, loop->facts->variables.privates[number].variable));
     writer_line(out, "}");
 }
 
@@ -51,8 +52,8 @@ void gather_sought_values(loop_text *loop, writer *out) {
         return;
     buffer_text(&out->out, "#pragma omp critical (redcc__found)\n");
     writer_line(out, "{");
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        if (!loop->facts->privates[i].is_last_sought)
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
         writer_line(out, "    if (redcc__when_%u > redcc__latest_%u) {", i, i);
         writer_line(out, "        redcc__latest_%u = redcc__when_%u;", i, i);
@@ -63,11 +64,11 @@ void gather_sought_values(loop_text *loop, writer *out) {
 }
 
 void take_sought_values(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        if (!loop->facts->privates[i].is_last_sought)
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
         writer_line(out, "if (redcc__latest_%u >= 0) {", i);
         writer_line(out, "    %s = redcc__found_%u; }",
-                    origin_variable(loop->arena, loop->facts->privates[i].variable), i);
+                    origin_variable(loop->arena, loop->facts->variables.privates[i].variable), i);
     }
 }

@@ -78,11 +78,11 @@ const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *s
 
 static void write_execution(loop_text *loop, writer *out) {
     writer_line(out, "if (REDCC_ENTER(%s))%s", loop->source_count > 0 ? "redcc__known" : "0",
-                loop->is_outlined ? "" : " {");
-    if (!loop->is_outlined)
+                loop->outline.done ? "" : " {");
+    if (!loop->outline.done)
         writer_fill(out, false);
     write_region(loop, out);
-    if (!loop->is_outlined) {
+    if (!loop->outline.done) {
         writer_fill(out, true);
         writer_line(out, "}");
     }
@@ -152,7 +152,7 @@ static const char *heading(loop_text *loop) {
 
 /** What of the text is there only where the loop may run in parallel. */
 const char *loop_condition(const loop_text *loop) {
-    const bool has_branch = has_branches(loop), rounds = loop->facts->slice_has_floating_work;
+    const bool has_branch = has_branches(loop), rounds = loop->facts->slice.has_floating_work;
     if (!has_branch && !rounds)
         return "#ifdef _OPENMP\n";
     return arena_format(loop->arena, "#if defined(_OPENMP)%s%s\n",
@@ -192,12 +192,12 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     buffer_text(&out->out, loop_condition(loop));
     out->depth = 1;
     const char *unfused = loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "";
-    if (!loop->is_outlined) {
+    if (!loop->outline.done) {
         writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
         declare_inlined(loop, out);
     }
     writer_fill(out, true);
-    if (loop->is_outlined)
+    if (loop->outline.done)
         writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
@@ -227,7 +227,7 @@ static void write_sequential_form(loop_text *loop, writer *out, ir_range range) 
 
 /** After the loop: how long it took is of use the next time. */
 static void write_timing(loop_text *loop, writer *out, ir_range range) {
-    const bool may_be_alone = loop->facts->slice_has_floating_work; /* with nothing to be timed */
+    const bool may_be_alone = loop->facts->slice.has_floating_work; /* with nothing to be timed */
     if (!may_be_alone && !has_branches(loop)) {
         buffer_text(&out->out, " REDCC_SEQUENTIAL_DONE }");
         return;
@@ -256,7 +256,7 @@ static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
         loop->lanes =
             (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
         loop->bins = NULL;
-        loop->is_outlined = false;
+        loop->outline.done = false;
         if (*form == FORM_LANES && !may_have_lanes(loop))
             continue;
         if (*form == FORM_BINNED)

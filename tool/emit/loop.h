@@ -40,6 +40,14 @@ typedef struct lanes_text {
     lanes_outcome *outcome; /* of the loop, whatever form it gets; NULL: not asked for */
 } lanes_text;
 
+/** Slice and body as functions of their own (outline.c). */
+typedef struct outline_text {
+    bool done;
+    bool possible;                                /* cleared by what finds that it is not */
+    const char *slice_call, *body_call;           /* of iteration redcc__k */
+    const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
+} outline_text;
+
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* with all that the file holds; */
@@ -56,11 +64,7 @@ typedef struct loop_text {
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
 
     bool is_unfused; /* contraction is turned off in its functions and its block */
-    /* outline.c: slice and body are functions of their own */
-    bool is_outlined;
-    bool is_outlinable;                           /* cleared by what finds that they cannot be */
-    const char *slice_call, *body_call;           /* of iteration redcc__k */
-    const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
+    outline_text outline;
     struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
     lanes_text lanes;
     bool prefetches; /* its executor can (prefetch.c) */

@@ -56,7 +56,7 @@ static bool is_replaced(const map *macros, const char *word, const char *after, 
 
 const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length) {
     const char *at = text, *const end = text + length;
-    while (unit->macros && at < end) {
+    while (unit->text.macros && at < end) {
         const char *const word = at;
         if (*at == '"' || *at == '\'') {
             at = skip_quoted(at, end);
@@ -67,7 +67,7 @@ const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_
         } else if (source_is_name_byte(*at)) { /* numbers too: no macro is named so */
             while (at < end && source_is_name_byte(*at))
                 at++;
-            if (is_name_start(*word) && is_replaced(unit->macros, word, at, end))
+            if (is_name_start(*word) && is_replaced(unit->text.macros, word, at, end))
                 return arena_copy(a, word, (size_t)(at - word));
         } else {
             at++;
@@ -82,9 +82,9 @@ static const char *const words_of_header[] = {
 };
 
 const char *macro_name_in_head(const ir_unit *unit) {
-    for (size_t i = 0; unit->macros_before && i < sizeof words_of_header / sizeof *words_of_header;
-         i++)
-        if (map_get(unit->macros_before, words_of_header[i], strlen(words_of_header[i])))
+    for (size_t i = 0;
+         unit->text.macros_before && i < sizeof words_of_header / sizeof *words_of_header; i++)
+        if (map_get(unit->text.macros_before, words_of_header[i], strlen(words_of_header[i])))
             return words_of_header[i];
     return NULL;
 }
@@ -107,7 +107,7 @@ static bool is_own(const ir_unit *unit, const char *name) {
             return true;
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *function = unit->functions[i];
-        if ((function->body || function->is_static) && strcmp(function->name, name) == 0)
+        if ((function->body || function->linkage.is_static) && strcmp(function->name, name) == 0)
             return true;
     }
     return false;
@@ -119,14 +119,14 @@ static const void *meaning_of(const map *names, const char *name) {
 
 /** Does the program, or one of its headers, give one of the runtime's names to anything? */
 static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
-    return meaning_of(unit->names, name) || meaning_of(unit->macros, name) || is_own(unit, name) ||
-           (is_searched && has_name(unit->source, name));
+    return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
+           is_own(unit, name) || (is_searched && has_name(unit->source, name));
 }
 
 /** OpenMP's functions that the runtime's header declares, `int name(void)`, may be declared again.
  */
 static bool is_taken_from_openmp(const ir_unit *unit, const char *name) {
-    return meaning_of(unit->names, name) == IR_NAME_AS_OTHER || is_own(unit, name);
+    return meaning_of(unit->text.names, name) == IR_NAME_AS_OTHER || is_own(unit, name);
 }
 
 const char *taken_name(const ir_unit *unit) {

@@ -66,8 +66,8 @@ static bool is_of_file(const ir_variable *variable) {
 }
 
 bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].variable == variable)
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].variable == variable)
             return true;
     const ir_range body = facts->counted.body->range;
     return variable->function == facts->function && variable->storage == IR_LOCAL &&
@@ -87,8 +87,8 @@ static bool has_address_taken(const ir_node *node, const ir_variable *variable) 
 
 /** Is it one that the loop only reads, and whose address is nothing to it? */
 static bool is_captured(const loop_facts *facts, const ir_variable *variable) {
-    for (unsigned i = 0; i < facts->captured_count; i++)
-        if (facts->captured[i] == variable)
+    for (unsigned i = 0; i < facts->variables.captured_count; i++)
+        if (facts->variables.captured[i] == variable)
             return true;
     return false;
 }
@@ -147,7 +147,7 @@ static const char *spelling_of(arena *a, const ir_type *type) {
 static const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
     arena *a = loop->arena;
     if (!type->spelling) {
-        loop->is_outlinable = false;
+        loop->outline.possible = false;
         return "int";
     }
     const char *spelling = spelling_of(a, type);
@@ -161,7 +161,7 @@ static const char *declaration_text(loop_text *loop, const ir_type *type, const 
 const char *outlined_declaration(loop_text *loop, const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (variable->storage == IR_THREAD_LOCAL || type->size < 0 || type->kind == IR_OTHER_TYPE)
-        loop->is_outlinable = false;
+        loop->outline.possible = false;
     return declaration_text(loop, type, origin_declarator(loop->arena, variable));
 }
 
@@ -205,7 +205,7 @@ typedef struct head {
 static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_body, head *h) {
     for (unsigned i = 0; i < loop->unit->variable_count; i++) {
         const ir_variable *variable = loop->unit->variables[i];
-        if (!is_mentioned[i] || !is_handed(loop, variable, of_body, &loop->is_outlinable))
+        if (!is_mentioned[i] || !is_handed(loop, variable, of_body, &loop->outline.possible))
             continue;
         buffer_format(&h->parameters, ", %s", parameter_text(loop, variable));
         buffer_format(&h->arguments, ", %s", origin_variable(loop->arena, variable));
@@ -219,7 +219,7 @@ static void add_stand_ins(loop_text *loop, head *h) {
             continue;
         const ir_type *row = loop->facts->arrays[i].base->type->target;
         if (!row || row->size <= 0) {
-            loop->is_outlinable = false;
+            loop->outline.possible = false;
             continue;
         }
         const char *name = arena_format(loop->arena, "*%s", array->declarator);
@@ -248,10 +248,10 @@ static void write_slice(loop_text *loop, writer *out) {
     write_slice_statements(loop, &statements, is_mentioned);
     const bool is_used = is_mentioned[facts->counted.counter->id];
     add_variables(loop, is_mentioned, false, &h);
-    loop->slice_call =
+    loop->outline.slice_call =
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
                      counter_argument(loop), take(loop->arena, &h.arguments));
-    const bool is_unfused = loop->is_unfused && facts->slice_has_floating_work;
+    const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
                 outlined_name(loop, "slice"), counter_parameter(loop, is_used),
                 take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
@@ -266,19 +266,19 @@ static void write_body(loop_text *loop, writer *out) {
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
     head h = {0};
     mark_mentioned(loop, facts->counted.body, is_mentioned);
-    loop->is_outlinable &= !is_mentioned[loop->unit->variable_count];
+    loop->outline.possible &= !is_mentioned[loop->unit->variable_count];
     add_stand_ins(loop, &h);
     add_variables(loop, is_mentioned, true, &h);
     const unsigned count = facts->array_count;
     const char *kind = loop->bins ? "BINNED" : "BODY";
-    loop->body_arguments = take(loop->arena, &h.arguments);
-    loop->body_parameters = take(loop->arena, &h.parameters);
-    loop->body_call =
+    loop->outline.body_arguments = take(loop->arena, &h.arguments);
+    loop->outline.body_parameters = take(loop->arena, &h.parameters);
+    loop->outline.body_call =
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
-                     kind, count, counter_argument(loop), loop->body_arguments);
+                     kind, count, counter_argument(loop), loop->outline.body_arguments);
     writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s", outlined_name(loop, "body"),
                 kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
-                loop->body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+                loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     out->depth = 1;
     write_iteration(loop, out);
     out->depth = 0;
@@ -293,8 +293,8 @@ const char *loop_lanes_name(loop_text *loop) {
 }
 
 static bool has_stepped(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_stepped)
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped)
             return true;
     return false;
 }
@@ -306,24 +306,24 @@ static bool has_values_to_leave(const loop_facts *facts) {
 }
 
 static bool has_thread_local(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->captured_count; i++)
-        if (facts->captured[i]->storage == IR_THREAD_LOCAL)
+    for (unsigned i = 0; i < facts->variables.captured_count; i++)
+        if (facts->variables.captured[i]->storage == IR_THREAD_LOCAL)
             return true;
     return false;
 }
 
 const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
-    loop->is_outlinable = !has_values_to_leave(facts) && !facts->counted.steps_inside &&
-                          facts->array_count <= MOST_ARRAYS && !has_thread_local(facts) &&
-                          !has_macro_of_header_words(loop) && has_place(loop) &&
-                          !may_name_function(loop);
-    if (!loop->is_outlinable)
+    loop->outline.possible = !has_values_to_leave(facts) && !facts->counted.steps_inside &&
+                             facts->array_count <= MOST_ARRAYS && !has_thread_local(facts) &&
+                             !has_macro_of_header_words(loop) && has_place(loop) &&
+                             !may_name_function(loop);
+    if (!loop->outline.possible)
         return NULL;
     writer out = {0};
     const bool is_in_line = place_in_front(loop->unit, facts->function, place);
     buffer_text(&out.out, is_in_line ? "\n" : "");
-    loop->is_outlined = true;
+    loop->outline.done = true;
     loop->prefetches = can_prefetch(loop);
     begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));
@@ -337,8 +337,8 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     writer_fill(&out, false);
     write_slice(loop, &out);
     write_body(loop, &out);
-    loop->is_outlined = loop->is_outlinable && !loop->obstacle;
-    loop->prefetches &= loop->is_outlined;
+    loop->outline.done = loop->outline.possible && !loop->obstacle;
+    loop->prefetches &= loop->outline.done;
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
     if (!loop->is_unfused) /* else the function's own piece says it */
@@ -346,5 +346,5 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
                       is_in_line ? loop_column_blanks(loop, *place) : "");
     check_macro_names(loop, &out.out);
     const char *text = writer_text(loop->arena, &out);
-    return loop->is_outlined ? text : NULL;
+    return loop->outline.done ? text : NULL;
 }

@@ -41,7 +41,7 @@ bool has_place_in_front(arena *a, const ir_unit *unit, const ir_function *functi
     const uint32_t begin = function->range.begin;
     if (!function->is_in_main_file || function->has_other_attributes ||
         function->range.end <= begin || begin >= function->body->range.begin ||
-        unit->includes_itself || unit->names_optimize ||
+        unit->text.includes_itself || unit->text.names_optimize ||
         !attributes_are_harmless(file->text + begin, file->text + function->body->range.begin) ||
         macro_name_in(a, unit, file->text + begin, function->body->range.begin - begin))
         return false; /* a macro may make attributes, or another name each time */

@@ -86,7 +86,7 @@ static int64_t work_of_iteration(const loop_text *loop) {
 
 /** Does the slice hold a loop whose length the text does not say? Twice it may be too expensive. */
 static bool has_open_loop(const loop_facts *facts, const ir_node *node) {
-    if (ir_is_loop(node) && facts->in_slice[node->id] && !constant_trip(node))
+    if (ir_is_loop(node) && facts->slice.holds[node->id] && !constant_trip(node))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (has_open_loop(facts, node->children[i]))
@@ -106,7 +106,7 @@ static bool has_source_loop(const loop_facts *facts) {
  */
 bool can_prefetch(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    return !facts->slice_has_floating_work && !has_open_loop(facts, facts->counted.body) &&
+    return !facts->slice.has_floating_work && !has_open_loop(facts, facts->counted.body) &&
            !has_source_loop(facts) && work_of_iteration(loop) >= LEAST_WORK;
 }
 
@@ -194,14 +194,14 @@ static bool is_computed(const loop_facts *facts, const ir_variable *variable) {
     for (unsigned i = 0; body->kind == IR_BLOCK && i < body->child_count; i++) {
         const ir_node *statement = body->children[i];
         const ir_node *value = ir_child(statement, 0);
-        if (statement->kind == IR_EXPRESSION && facts->in_slice[statement->id] &&
+        if (statement->kind == IR_EXPRESSION && facts->slice.holds[statement->id] &&
             value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
             value->children[0]->kind == IR_VARIABLE && value->children[0]->variable == variable)
             return true;
         for (unsigned k = 0; statement->kind == IR_DECLARATION && k < statement->child_count; k++)
             if (statement->children[k]->variable == variable &&
                 statement->children[k]->child_count > 0 &&
-                facts->in_slice[statement->children[k]->id])
+                facts->slice.holds[statement->children[k]->id])
                 return true;
     }
     return false;
@@ -227,14 +227,14 @@ static bool is_rows(const loop_facts *facts, const ir_variable *base) {
     const ir_type *type = base->type;
     if (type->kind != IR_POINTER || !type->target || type->target->size <= 0)
         return false;
-    for (unsigned i = 0; i < facts->captured_count; i++)
-        if (facts->captured[i] == base)
+    for (unsigned i = 0; i < facts->variables.captured_count; i++)
+        if (facts->variables.captured[i] == base)
             return true;
     return false;
 }
 
 static bool has_continue(const loop_facts *facts, const ir_node *node) {
-    if (node->kind == IR_CONTINUE && facts->in_slice[node->id])
+    if (node->kind == IR_CONTINUE && facts->slice.holds[node->id])
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (has_continue(facts, node->children[i]))

@@ -28,8 +28,8 @@ static bool is_thread_local(const ir_variable *variable) {
 /** The clause, or "" where there is nothing to copy in. */
 static const char *firstprivate_clause(loop_text *loop) {
     buffer out = {0};
-    for (unsigned i = 0; i < loop->facts->captured_count; i++) {
-        const ir_variable *variable = loop->facts->captured[i];
+    for (unsigned i = 0; i < loop->facts->variables.captured_count; i++) {
+        const ir_variable *variable = loop->facts->variables.captured[i];
         if (is_copied_in(variable) && !is_thread_local(variable))
             buffer_format(&out, "%s%s", out.length > 0 ? ", " : "firstprivate(",
                           origin_declarator(loop->arena, variable));
@@ -43,8 +43,8 @@ static const char *firstprivate_clause(loop_text *loop) {
 
 /** Thread-local scalars cannot be named in the clause: what this thread's hold goes by a copy. */
 void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
-    for (unsigned i = 0; i < loop->facts->captured_count; i++) {
-        const ir_variable *variable = loop->facts->captured[i];
+    for (unsigned i = 0; i < loop->facts->variables.captured_count; i++) {
+        const ir_variable *variable = loop->facts->variables.captured[i];
         if (!is_thread_local(variable))
             continue;
         const char *name = origin_variable(loop->arena, variable);
@@ -64,8 +64,8 @@ bool counter_outlives(const loop_facts *facts) {
 }
 
 bool has_last_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->private_count; i++)
-        if (facts->privates[i].is_live_after)
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_live_after)
             return true;
     return false;
 }
@@ -79,8 +79,8 @@ static const char *start_value(const ir_type *type) {
 }
 
 void declare_last_values(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        const private_variable *item = &loop->facts->privates[i];
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
         if (item->is_live_after)
             writer_line(out, "__typeof__(%s) redcc__last_%s%s;",
                         origin_variable(loop->arena, item->variable), item->variable->name,
@@ -90,8 +90,8 @@ void declare_last_values(loop_text *loop, writer *out) {
 
 /** Private variables whose last value is wanted outlive the iterations of a chunk. */
 static void declare_live_privates(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        const private_variable *item = &loop->facts->privates[i];
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
         if (!item->is_live_after)
             continue;
         writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
@@ -108,8 +108,8 @@ static void copy_value(writer *out, const ir_type *type, const char *to, const c
 }
 
 void write_last_values(loop_text *loop, writer *out, bool into_variables) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        const private_variable *item = &loop->facts->privates[i];
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
         if (!item->is_live_after)
             continue;
         const char *name = origin_variable(loop->arena, item->variable);
@@ -206,14 +206,14 @@ static void write_executor(loop_text *loop, writer *out) {
 }
 
 void write_region(loop_text *loop, writer *out) {
-    if (loop->is_outlined) {
+    if (loop->outline.done) {
         const char *kind = loop->bins ? "_BINNED" : loop->lanes.name ? "_LANES" : "";
         writer_line(out, "REDCC_THREADS(%s)", firstprivate_clause(loop));
         writer_line(out, "    REDCC_PARALLEL%s(REDCC_CHUNK_%u, %s%s", kind,
                     loop->facts->array_count, loop->bins ? bins_phase(loop) : "",
                     loop->bins ? "," : "");
-        writer_line(out, "        %s,", loop->slice_call);
-        writer_line(out, "        %s%s", loop->body_call, loop->lanes.name ? "," : ")");
+        writer_line(out, "        %s,", loop->outline.slice_call);
+        writer_line(out, "        %s%s", loop->outline.body_call, loop->lanes.name ? "," : ")");
         if (loop->lanes.name)
             writer_line(out, "        %s, (%s))", loop->lanes.name, loop->lanes.arguments);
         return;

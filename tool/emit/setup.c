@@ -220,7 +220,7 @@ static void check_statement(loop_text *loop, const ir_node *node) {
 /** Does the function's text say `inline` before its body, and not `static`? A static object may
  *  not stand in it (C17 6.7.4p3). */
 static bool is_shared_inline(const ir_unit *unit, const ir_function *function) {
-    if (function->is_static || !function->body)
+    if (function->linkage.is_static || !function->body)
         return false;
     const char *text = unit->source->text;
     for (uint32_t i = function->range.begin; i + 6 <= function->body->range.begin; i++)

@@ -56,8 +56,8 @@ static bool hangs_on_guarded(const staleness *s, const ir_node *path, bool is_wh
 }
 
 static bool is_captured(const staleness *s, const ir_variable *variable) {
-    for (unsigned i = 0; i < s->loop->facts->captured_count; i++)
-        if (s->loop->facts->captured[i] == variable)
+    for (unsigned i = 0; i < s->loop->facts->variables.captured_count; i++)
+        if (s->loop->facts->variables.captured[i] == variable)
             return true;
     return false;
 }

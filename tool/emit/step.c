@@ -23,8 +23,8 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
 }
 
 void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        const private_variable *item = &loop->facts->privates[i];
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
         if (item->by && !by_header) /* the loop is known to iterate, and to evaluate it */
             writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
@@ -39,8 +39,8 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
 }
 
 const char *stepped_value(loop_text *loop, unsigned number) {
-    assert(number < loop->facts->private_count);
-    const private_variable *item = &loop->facts->privates[number];
+    assert(number < loop->facts->variables.private_count);
+    const private_variable *item = &loop->facts->variables.privates[number];
     if (!item->is_stepped)
         return "";
     const char *stride =
@@ -51,8 +51,8 @@ const char *stepped_value(loop_text *loop, unsigned number) {
 }
 
 void write_stepped_values(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->private_count; i++) {
-        const private_variable *item = &loop->facts->privates[i];
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
         const char *name = origin_variable(loop->arena, item->variable);
         const char *from = item->entry ? arena_format(loop->arena, "redcc__from_%u", i)
                                        : arena_format(loop->arena, "(redcc_word)%s", name);

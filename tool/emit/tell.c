@@ -67,7 +67,7 @@ const char *tell_address_text(inspector *self, const ir_node *row, const ir_vari
     if (self->is_bare && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
         if (address.base_is_object && number) /* a pointer may stand for it: another address */
-            self->loop->is_outlinable = false;
+            self->loop->outline.possible = false;
     }
     if (number)
         return arena_format(a, "(const char *)(%s)", number);

@@ -32,7 +32,7 @@ static bool has_condition(const ir_node *node) {
 /** Is there a `continue`, of a loop around `statement` and above it, that the slice leaves out? */
 static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
     if (node->kind == IR_CONTINUE)
-        return node->id < statement->id && !facts->in_slice[node->id];
+        return node->id < statement->id && !facts->slice.holds[node->id];
     if (node->id >= statement->id || (ir_is_loop(node) && !ir_contains(node, statement)))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -43,7 +43,7 @@ static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const i
 
 bool is_bare(const loop_facts *facts, const ir_node *statement) {
     for (const ir_node *node = statement->parent; node && node != facts->loop; node = node->parent)
-        if (has_condition(node) && !facts->in_slice[node->id])
+        if (has_condition(node) && !facts->slice.holds[node->id])
             return true;
     return passes_by_jump(facts, facts->counted.body, statement);
 }

@@ -122,12 +122,12 @@ static bool is_called_otherwise(CXCursor declaration) {
 void read_attributes(CXCursor declaration, ir_function *function) {
     static const char *const replaceable[] = {"weak", "__weak__", "ifunc", "__ifunc__"};
     static const char *const not_returning[] = {"noreturn", "__noreturn__", "_Noreturn"};
-    function->is_weak |= has_attribute(declaration, replaceable, 4);
+    function->linkage.is_weak |= has_attribute(declaration, replaceable, 4);
     function->is_noreturn |= has_attribute(declaration, not_returning, 3);
-    function->is_renamed |= is_called_otherwise(declaration);
-    function->is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
-                           clang_getCursorVisibility(declaration) != CXVisibility_Default ||
-                           clang_Cursor_isFunctionInlined(declaration);
+    function->linkage.is_renamed |= is_called_otherwise(declaration);
+    function->linkage.is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
+                                   clang_getCursorVisibility(declaration) != CXVisibility_Default ||
+                                   clang_Cursor_isFunctionInlined(declaration);
     function->is_from_system |=
         clang_Location_isInSystemHeader(clang_getCursorLocation(declaration)) != 0;
     clang_visitChildren(declaration, visit, function);
@@ -145,7 +145,7 @@ static bool is_named(const char *name, const char *text, size_t length) {
 
 static void mark_weak(converter *c, const char *name, size_t length) {
     for (unsigned i = 0; i < c->mains.count; i++)
-        c->mains.items[i]->is_weak |= is_named(c->mains.items[i]->name, name, length);
+        c->mains.items[i]->linkage.is_weak |= is_named(c->mains.items[i]->name, name, length);
     for (unsigned i = 0; i < c->found.count; i++)
         c->found.items[i]->has_other_name |= is_named(c->found.items[i]->name, name, length);
 }
@@ -190,6 +190,6 @@ static void mark_names_in(converter *c, const char *text) {
 
 void mark_names_in_pragmas(converter *c) {
     mark_names_in(c, c->unit->source->text);
-    for (unsigned i = 0; i < c->unit->header_pragma_count; i++)
-        mark_names_in(c, c->unit->header_pragmas[i]);
+    for (unsigned i = 0; i < c->unit->text.header_pragma_count; i++)
+        mark_names_in(c, c->unit->text.header_pragmas[i]);
 }

@@ -41,8 +41,8 @@ static const char *parsers_word_in(converter *c, file_text file) {
         while (at < end && source_is_name_byte(*at))
             at++;
         const size_t length = (size_t)(at - word);
-        if (length > 2 &&
-            (is_compiler_question(word, length) || map_get(c->parsers_own, word, length) != NULL))
+        if (length > 2 && (is_compiler_question(word, length) ||
+                           map_get(c->compiler.parsers_own, word, length) != NULL))
             return arena_copy(c->arena, word, length);
         at += length == 0;
     }
@@ -79,17 +79,17 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     converter *c = data;
     const file_text text = text_of_file(c, file);
     if (text.length > 0 && memmem(text.text, text.length, counter, sizeof counter - 1) != NULL)
-        c->unit->names_counter = true;
+        c->unit->text.names_counter = true;
     if (clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
         return;
-    if (c->unit->compiler_word == NULL)
-        c->unit->compiler_word = word_in(text);
-    c->unit->names_optimize |= names_optimize(text);
-    const char *own = c->predefined != NULL ? parsers_word_in(c, text) : NULL;
+    if (c->unit->text.compiler_word == NULL)
+        c->unit->text.compiler_word = word_in(text);
+    c->unit->text.names_optimize |= names_optimize(text);
+    const char *own = c->compiler.predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
-        c->unit->unseen_word = own;
+        c->unit->text.unseen_word = own;
     if (memmem(text.text, text.length, storage_order, sizeof storage_order - 1) != NULL)
-        c->unit->unseen_word = storage_order;
+        c->unit->text.unseen_word = storage_order;
 }
 
 void find_compiler_words(converter *c) {

@@ -28,12 +28,8 @@ typedef struct extent_memory {
 
 enum { EXTENTS_KEPT = 64 };
 
-typedef struct converter {
-    arena *arena;
-    arena *scratch; /* for lists of cursors; of the body being converted */
-    ir_unit *unit;
-    CXTranslationUnit clang;
-    CXFile main_file;
+/** What of clang's was converted, and to what; each thing of clang's has one. */
+struct converted {
     map *types;                 /* clang's type -> ir_type */
     map *records;               /* declaration -> ir_record */
     map *fields;                /* declaration -> ir_field */
@@ -42,12 +38,31 @@ typedef struct converter {
     map *functions_with_errors; /* canonical declaration -> anything */
     map *pointers;              /* target's ir_type -> pointer made for it */
     map *files;                 /* CXFile -> file_text */
-    map *expansion_ends;        /* begin of a macro's expansion in the main file -> its end + 1 */
-    map *expansion_begins;      /* end -> begin + 1 */
-    bool knows_expansions;      /* the two are complete */
-    bool has_begun;             /* has anything of the main file been met among its macros? */
-    const map *predefined;      /* names of a compiler's macros that stand for clang's; or NULL */
-    map *parsers_own;           /* then: names of macros that clang has and that compiler has not */
+};
+
+/** Where the main file has expansions of macros. */
+struct expansions {
+    map *ends;      /* an expansion's begin -> its end + 1 */
+    map *begins;    /* end -> begin + 1 */
+    bool are_known; /* the two are complete */
+};
+
+/** The macros of the compiler that clang stands for. */
+struct compiler_macros {
+    const map *predefined; /* names of those that stand for clang's; or NULL */
+    map *parsers_own;      /* then: names of those that clang has and that compiler has not */
+};
+
+typedef struct converter {
+    arena *arena;
+    arena *scratch; /* for lists of cursors; of the body being converted */
+    ir_unit *unit;
+    CXTranslationUnit clang;
+    CXFile main_file;
+    struct converted converted;
+    struct expansions expansions;
+    bool has_begun; /* has anything of the main file been met among its macros? */
+    struct compiler_macros compiler;
     struct reference_table *references;
     bool has_assembler;           /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */

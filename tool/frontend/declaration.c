@@ -39,19 +39,19 @@ static CXType type_of_variable(CXCursor declaration) {
 
 ir_variable *convert_variable(converter *c, CXCursor declaration) {
     const void *own = declaration.data[0];
-    ir_variable *v = map_get(c->variables, &own, sizeof own);
+    ir_variable *v = map_get(c->converted.variables, &own, sizeof own);
     if (v != NULL)
         return v;
     CXCursor first = clang_getCanonicalCursor(declaration);
     const void *key = first.data[0];
-    v = map_get(c->variables, &key, sizeof key);
+    v = map_get(c->converted.variables, &key, sizeof key);
     if (v != NULL) {
-        *map_at(c->variables, &own, sizeof own) = v;
+        *map_at(c->converted.variables, &own, sizeof own) = v;
         return v;
     }
     v = ARENA_NEW(c->arena, ir_variable);
-    *map_at(c->variables, &key, sizeof key) = v;
-    *map_at(c->variables, &own, sizeof own) = v;
+    *map_at(c->converted.variables, &key, sizeof key) = v;
+    *map_at(c->converted.variables, &own, sizeof own) = v;
     v->name = take_string(c, clang_getCursorSpelling(first));
     v->type = convert_type(c, type_of_variable(declaration));
     v->storage = storage_of(first);
@@ -88,7 +88,7 @@ static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     f->name = take_string(c, clang_getCursorSpelling(declaration));
     f->type = convert_type(c, clang_getCursorType(declaration));
     f->range = range_of(c, clang_getCursorExtent(declaration), &is_from_macro);
-    f->is_static = is_static(declaration);
+    f->linkage.is_static = is_static(declaration);
     f->is_variadic = clang_Cursor_isVariadic(declaration) != 0;
     f->is_in_main_file = is_in_main_file(c, clang_getCursorLocation(declaration));
     read_attributes(clang_getCanonicalCursor(declaration), f);
@@ -98,25 +98,25 @@ static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
 
 ir_function *convert_function(converter *c, CXCursor declaration) {
     const void *own = declaration.data[0];
-    ir_function *f = map_get(c->functions, &own, sizeof own);
+    ir_function *f = map_get(c->converted.functions, &own, sizeof own);
     if (f != NULL)
         return f;
     const void *key = clang_getCanonicalCursor(declaration).data[0];
-    f = map_get(c->functions, &key, sizeof key);
+    f = map_get(c->converted.functions, &key, sizeof key);
     if (f != NULL) {
         read_attributes(declaration, f); /* a later declaration may add some */
-        *map_at(c->functions, &own, sizeof own) = f;
+        *map_at(c->converted.functions, &own, sizeof own) = f;
         return f;
     }
     f = ARENA_NEW(c->arena, ir_function);
-    *map_at(c->functions, &key, sizeof key) = f;
-    *map_at(c->functions, &own, sizeof own) = f;
+    *map_at(c->converted.functions, &key, sizeof key) = f;
+    *map_at(c->converted.functions, &own, sizeof own) = f;
     f->declared = declared_of(c, declaration);
     CXCursor definition = clang_getCursorDefinition(declaration);
     bool has_body = !clang_Cursor_isNull(definition);
     fill_function(c, f, has_body ? definition : declaration);
     read_attributes(declaration, f);
-    f->has_errors = map_get(c->functions_with_errors, &key, sizeof key) != NULL;
+    f->has_errors = map_get(c->converted.functions_with_errors, &key, sizeof key) != NULL;
     if (has_body) {
         function_body body = {.function = f, .definition = definition};
         VECTOR_PUSH(c->arena, &c->pending, body);

@@ -204,7 +204,7 @@ static void convert_body(converter *c, const function_body *pending) {
 static void convert_unit(converter *c) {
     CXCursor unit = clang_getTranslationUnitCursor(c->clang);
     clang_visitChildren(unit, visit_macro, c);
-    c->knows_expansions = true;
+    c->expansions.are_known = true;
     mark_functions_with_errors(c);
     clang_visitChildren(unit, visit_function, c);
     for (unsigned i = 0; i < c->pending.count; i++) { /* grows as functions are met */
@@ -227,28 +227,26 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
     ir_unit *unit = ARENA_NEW(a, ir_unit);
     unit->arena = a;
     unit->source = src;
-    unit->strict_aliasing = true;
-    unit->macros = map_new(a);
-    unit->macros_before = map_new(a);
-    unit->names = map_new(a);
-    unit->inner_names = map_new(a);
+    unit->dialect.strict_aliasing = true;
+    unit->text.macros = map_new(a);
+    unit->text.macros_before = map_new(a);
+    unit->text.names = map_new(a);
+    unit->text.inner_names = map_new(a);
     converter c = {
         .arena = a,
         .unit = unit,
         .clang = clang,
         .main_file = clang_getFile(clang, name),
-        .types = map_new(a),
-        .records = map_new(a),
-        .fields = map_new(a),
-        .variables = map_new(a),
-        .functions = map_new(a),
-        .functions_with_errors = map_new(a),
-        .pointers = map_new(a),
-        .files = map_new(a),
-        .predefined = predefined,
-        .parsers_own = map_new(a),
-        .expansion_ends = map_new(a),
-        .expansion_begins = map_new(a),
+        .converted = {.types = map_new(a),
+                      .records = map_new(a),
+                      .fields = map_new(a),
+                      .variables = map_new(a),
+                      .functions = map_new(a),
+                      .functions_with_errors = map_new(a),
+                      .pointers = map_new(a),
+                      .files = map_new(a)},
+        .expansions = {.ends = map_new(a), .begins = map_new(a)},
+        .compiler = {.predefined = predefined, .parsers_own = map_new(a)},
     };
     c.scratch = arena_new();
     c.references = references_new(&c);
@@ -294,16 +292,16 @@ static bool says_may_alias(const char *text) {
 /* What the flags say of the program as a whole. */
 static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
-        unit->unseen_word = chosen->unseen;
-    unit->refusing_option = chosen->refusing;
-    unit->inexact_option = chosen->inexact;
-    unit->is_c89 = chosen->is_c89;
-    unit->math_errno = chosen->math_errno;
+        unit->text.unseen_word = chosen->unseen;
+    unit->dialect.refusing_option = chosen->refusing;
+    unit->dialect.inexact_option = chosen->inexact;
+    unit->dialect.is_c89 = chosen->is_c89;
+    unit->dialect.math_errno = chosen->math_errno;
     for (unsigned i = 0; i < unit->function_count; i++) {
         ir_function *function = unit->functions[i];
-        function->is_interposable = chosen->is_shared && !chosen->is_fixed &&
-                                    function->body != NULL && !function->is_hidden;
-        function->is_weak |= function->is_interposable;
+        function->linkage.is_interposable = chosen->is_shared && !chosen->is_fixed &&
+                                            function->body != NULL && !function->linkage.is_hidden;
+        function->linkage.is_weak |= function->linkage.is_interposable;
     }
 }
 
@@ -319,10 +317,10 @@ static void run(void *data) {
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
-        unit->strict_aliasing &= chosen.strict_aliasing && !is_said;
+        unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_said;
         apply_flags(unit, &chosen);
         for (unsigned i = 0; i < t->flag_count; i++)
-            unit->names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
+            unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
         assert(ir_check_parsed(t->arena, unit) == NULL);
         t->result.unit = unit;
         clang_disposeTranslationUnit(clang);

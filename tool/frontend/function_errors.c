@@ -83,7 +83,7 @@ static enum CXChildVisitResult visit_declaration(CXCursor cursor, CXCursor paren
     converter *c = list->converter;
     if (clang_getCursorKind(cursor) == CXCursor_FunctionDecl && has_error(list, cursor)) {
         const void *key = clang_getCanonicalCursor(cursor).data[0];
-        *map_at(c->functions_with_errors, &key, sizeof key) = c;
+        *map_at(c->converted.functions_with_errors, &key, sizeof key) = c;
     }
     return CXChildVisit_Continue;
 }

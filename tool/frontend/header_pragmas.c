@@ -25,6 +25,6 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
 
 void find_header_pragmas(converter *c) {
     clang_getInclusions(c->clang, visit, c);
-    c->unit->header_pragma_count = c->header_pragmas.count;
-    c->unit->header_pragmas = c->header_pragmas.items;
+    c->unit->text.header_pragma_count = c->header_pragmas.count;
+    c->unit->text.header_pragmas = c->header_pragmas.items;
 }

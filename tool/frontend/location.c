@@ -15,7 +15,7 @@ static bool is_same_file(CXFile a, CXFile b) {
 }
 
 static unsigned end_of_expansion(const converter *c, uint32_t begin) {
-    return (unsigned)(uintptr_t)map_get(c->expansion_ends, &begin, sizeof begin);
+    return (unsigned)(uintptr_t)map_get(c->expansions.ends, &begin, sizeof begin);
 }
 
 /* Where the token stands, or where the macro is expanded that made it. What a macro makes is placed
@@ -26,7 +26,7 @@ static place place_of(const converter *c, CXSourceLocation location) {
     CXFile spelled;
     unsigned spelled_offset;
     clang_getExpansionLocation(location, &p.file, NULL, NULL, &p.offset);
-    if (c->knows_expansions && p.file == c->main_file && end_of_expansion(c, p.offset) == 0)
+    if (c->expansions.are_known && p.file == c->main_file && end_of_expansion(c, p.offset) == 0)
         return p;
     clang_getSpellingLocation(location, &spelled, NULL, NULL, &spelled_offset);
     p.is_from_macro = p.offset != spelled_offset || !is_same_file(p.file, spelled);
@@ -43,7 +43,7 @@ static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth
                             CXClientData data) {
     (void)stack;
     converter *c = data;
-    c->unit->includes_itself |= depth > 0 && is_same_file(file, c->main_file);
+    c->unit->text.includes_itself |= depth > 0 && is_same_file(file, c->main_file);
 }
 
 void find_own_inclusion(converter *c) {
@@ -70,8 +70,8 @@ void note_expansion(converter *c, CXCursor expansion) {
     if (begin.is_from_macro || end.is_from_macro || !is_same_file(begin.file, c->main_file))
         return;
     uint32_t from = begin.offset, to = end.offset;
-    *map_at(c->expansion_ends, &from, sizeof from) = (void *)((uintptr_t)to + 1);
-    *map_at(c->expansion_begins, &to, sizeof to) = (void *)((uintptr_t)from + 1);
+    *map_at(c->expansions.ends, &from, sizeof from) = (void *)((uintptr_t)to + 1);
+    *map_at(c->expansions.begins, &to, sizeof to) = (void *)((uintptr_t)from + 1);
 }
 
 /* ---- ranges -------------------------------------------------------------------------------- */
@@ -81,7 +81,7 @@ void note_expansion(converter *c, CXCursor expansion) {
 static void find_end(const converter *c, place *end) {
     uint32_t offset = end->offset;
     if (!end->is_from_macro) {
-        end->is_from_macro = map_get(c->expansion_begins, &offset, sizeof offset) != NULL;
+        end->is_from_macro = map_get(c->expansions.begins, &offset, sizeof offset) != NULL;
         return;
     }
     unsigned known = end_of_expansion(c, offset);
@@ -114,7 +114,7 @@ file_text text_of_file(converter *c, CXFile file) {
         return (file_text){0};
     if (is_same_file(file, c->main_file))
         return (file_text){.text = c->unit->source->text, .length = c->unit->source->length};
-    void **known = map_at(c->files, &file, sizeof file);
+    void **known = map_at(c->converted.files, &file, sizeof file);
     if (*known == NULL) {
         file_text *read = ARENA_NEW(c->arena, file_text);
         read->text = clang_getFileContents(c->clang, file, &read->length);

@@ -65,13 +65,14 @@ static bool is_built_in(CXSourceLocation location) {
 /* The compiler's own macros are what text that names them means. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
-    const bool is_predefined = c->predefined != NULL && map_get(c->predefined, name, length);
+    const bool is_predefined =
+        c->compiler.predefined != NULL && map_get(c->compiler.predefined, name, length);
     if (is_predefined)
         return true;
     if (!is_built_in(location))
         return false;
-    if (c->predefined != NULL)
-        note(c->parsers_own, name, length, false);
+    if (c->compiler.predefined != NULL)
+        note(c->compiler.parsers_own, name, length, false);
     return true;
 }
 
@@ -83,9 +84,9 @@ void note_macro(converter *c, CXCursor definition) {
     const CXSourceLocation location = clang_getCursorLocation(definition);
     if (is_function_like || !is_worth_a_look(location, name) ||
         !stands_for_itself(text_at(c, location), name, length))
-        note(c->unit->macros, name, length, is_function_like);
+        note(c->unit->text.macros, name, length, is_function_like);
     if (!c->has_begun && !is_own_of_compiler(c, location, name, length))
-        note(c->unit->macros_before, name, length, is_function_like);
+        note(c->unit->text.macros_before, name, length, is_function_like);
     clang_disposeString(text);
 }
 
@@ -122,6 +123,6 @@ void note_macros_of_directives(converter *c) {
         const size_t length = (size_t)(after - name);
         const file_text at = {.text = name, .length = (size_t)(end - name)};
         if (length > 0 && strncmp(name, "__", 2) != 0 && !stands_for_itself(at, name, length))
-            note(c->unit->macros, name, length, after < end && *after == '(');
+            note(c->unit->text.macros, name, length, after < end && *after == '(');
     }
 }

@@ -34,11 +34,11 @@ void note_name(converter *c, CXCursor declaration) {
     CXString spelling = clang_getCursorSpelling(declaration);
     const char *name = clang_getCString(spelling);
     if (name != NULL && name[0] != 0) {
-        void **known = map_at(c->unit->names, name, strlen(name));
+        void **known = map_at(c->unit->text.names, name, strlen(name));
         if (*known != IR_NAME_AS_OTHER)
             *known = is_query(declaration) ? IR_NAME_AS_QUERY : IR_NAME_AS_OTHER;
         if (c->function != NULL)
-            *map_at(c->unit->inner_names, name, strlen(name)) = c->function;
+            *map_at(c->unit->text.inner_names, name, strlen(name)) = c->function;
     }
     clang_disposeString(spelling);
     if (has_members(clang_getCursorKind(declaration)))

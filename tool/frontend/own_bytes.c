@@ -22,7 +22,7 @@ static bool overlaps_sibling(const ir_node *parent, unsigned index) {
 }
 
 static bool begins_in_macro(const converter *c, const ir_node *node) {
-    return map_get(c->expansion_ends, &node->range.begin, sizeof node->range.begin) != NULL;
+    return map_get(c->expansions.ends, &node->range.begin, sizeof node->range.begin) != NULL;
 }
 
 /* Is the last byte before it, blanks apart, the `)` of what controls it? */

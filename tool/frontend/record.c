@@ -30,7 +30,7 @@ static void fill_fields(converter *c, ir_record *record, CXType type) {
     record->field_count = list.fields.count;
     for (unsigned i = 0; i < list.fields.count; i++) {
         const void *key = list.fields.items[i].data[0];
-        *map_at(c->fields, &key, sizeof key) = &fields[i];
+        *map_at(c->converted.fields, &key, sizeof key) = &fields[i];
         fields[i].name = "";
     }
     for (unsigned i = 0; i < list.fields.count; i++)
@@ -49,14 +49,14 @@ static void name_record(converter *c, ir_record *record, CXCursor declaration, C
 const ir_record *convert_record(converter *c, CXType canonical) {
     CXCursor declaration = clang_getTypeDeclaration(canonical);
     const void *key = clang_getCanonicalCursor(declaration).data[0];
-    ir_record *record = map_get(c->records, &key, sizeof key);
+    ir_record *record = map_get(c->converted.records, &key, sizeof key);
     if (record != NULL)
         return record;
     record = ARENA_NEW(c->arena, ir_record);
-    *map_at(c->records, &key, sizeof key) = record;
+    *map_at(c->converted.records, &key, sizeof key) = record;
     CXCursor definition = clang_getCursorDefinition(declaration);
     if (is_under_may_alias(declaration) || is_under_may_alias(definition))
-        c->unit->strict_aliasing = false;
+        c->unit->dialect.strict_aliasing = false;
     record->is_union = clang_getCursorKind(declaration) == CXCursor_UnionDecl;
     record->size = -1;
     name_record(c, record, declaration, canonical);
@@ -72,11 +72,11 @@ const ir_record *convert_record(converter *c, CXType canonical) {
 
 const ir_field *convert_field(converter *c, CXCursor field) {
     const void *key = field.data[0];
-    ir_field *known = map_get(c->fields, &key, sizeof key);
+    ir_field *known = map_get(c->converted.fields, &key, sizeof key);
     if (known == NULL) { /* its record has not been met */
         CXCursor record = clang_getCursorSemanticParent(field);
         convert_type(c, clang_getCursorType(record));
-        known = map_get(c->fields, &key, sizeof key);
+        known = map_get(c->converted.fields, &key, sizeof key);
     }
     return known;
 }

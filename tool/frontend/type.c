@@ -259,7 +259,7 @@ static const char *function_pointer(converter *c, const char *function) {
 }
 
 const ir_type *pointer_to(converter *c, const ir_type *target) {
-    void **known = map_at(c->pointers, &target, sizeof target);
+    void **known = map_at(c->converted.pointers, &target, sizeof target);
     if (*known == NULL) {
         ir_type *type = ARENA_NEW(c->arena, ir_type);
         *known = type;
@@ -324,15 +324,15 @@ static bool names_may_alias(CXType type) {
 
 const ir_type *convert_type(converter *c, CXType type) {
     const void *key[2] = {type.data[0], (const void *)(uintptr_t)type.kind};
-    const ir_type *known = map_get(c->types, key, sizeof key);
+    const ir_type *known = map_get(c->converted.types, key, sizeof key);
     if (known != NULL)
         return known;
     CXType canonical = clang_getCanonicalType(type);
     if (canonical.data[0] != type.data[0] || canonical.kind != type.kind) {
-        if (c->unit->strict_aliasing && names_may_alias(type))
-            c->unit->strict_aliasing = false;
+        if (c->unit->dialect.strict_aliasing && names_may_alias(type))
+            c->unit->dialect.strict_aliasing = false;
         known = convert_type(c, canonical);
-        *map_at(c->types, key, sizeof key) = (void *)known;
+        *map_at(c->converted.types, key, sizeof key) = (void *)known;
         return known;
     }
     const ir_type *made;
@@ -343,6 +343,6 @@ const ir_type *convert_type(converter *c, CXType type) {
         fill(c, one, canonical);
         made = one;
     }
-    *map_at(c->types, key, sizeof key) = (void *)made;
+    *map_at(c->converted.types, key, sizeof key) = (void *)made;
     return made;
 }

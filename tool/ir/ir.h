@@ -125,6 +125,16 @@ typedef struct ir_variable {
     const ir_declared *declared; /* NULL: not known. Not in the text form */
 } ir_variable;
 
+/** What of a function the linker knows. */
+typedef struct ir_linkage {
+    bool is_static;
+    bool is_weak;    /* what runs may be another definition than the one in this unit */
+    bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
+    bool is_interposable; /* is_weak, because a shared object exports it: the program may have
+                             another of its name. Not in the text form */
+    bool is_hidden;       /* no other object can name it, or put another in its place */
+} ir_linkage;
+
 struct ir_function {
     const char *name;
     const ir_type *type; /* IR_FUNCTION_TYPE; target is the result */
@@ -134,15 +144,11 @@ struct ir_function {
     unsigned id;         /* dense in the unit */
     unsigned node_count; /* ids of the body's nodes are below it */
     ir_range range;
-    bool is_static, is_variadic, is_noreturn;
+    bool is_variadic, is_noreturn;
     bool is_attribute_pure, is_attribute_const; /* __attribute__((pure)), ((const)) */
-    bool is_weak;    /* what runs may be another definition than the one in this unit */
-    bool is_renamed; /* the linker knows it by another name: what it is called here says nothing */
-    bool is_interposable; /* is_weak, because a shared object exports it: the program may have
-                             another of its name. Not in the text form */
-    bool is_hidden;       /* no other object can name it, or put another in its place */
-    bool is_from_system;  /* one of the system's headers declares it. Not in the text form */
-    bool has_attributes;  /* others than pure and const, of whatever kind. Not in the text form */
+    ir_linkage linkage;
+    bool is_from_system; /* one of the system's headers declares it. Not in the text form */
+    bool has_attributes; /* others than pure and const, of whatever kind. Not in the text form */
     bool has_other_attributes; /* some of them may mean something (support/attributes.h) */
     unsigned reference_count;  /* how often the unit's bodies name it */
     bool has_errors;           /* the compiler complained inside it: analyse nothing in it */
@@ -276,6 +282,41 @@ typedef struct ir_directive {
                         neither is the branch that an #if or #else begins */
 } ir_directive;
 
+/** The language that the compiler's options choose. Only strict_aliasing is in the text form. */
+typedef struct ir_dialect {
+    bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
+    bool is_c89;          /* names that C99 reserved are the program's */
+    bool math_errno;      /* mathematical functions set errno */
+    const char *refusing_option; /* by it the program is another than this. NULL: none */
+    const char *inexact_option;  /* by it two copies of a floating-point expression may give other
+                                    bits. NULL: none */
+} ir_dialect;
+
+/** What the text of the file and its headers says beside the tree. Not in the text form. */
+typedef struct ir_text {
+    bool includes_itself;      /* it may be compiled several times */
+    const char *compiler_word; /* a name in the program's own text by which it may ask for the
+                                  compiler: "__clang"; NULL: none */
+    const char *unseen_word;   /* of what the parser does not know and a compiler may: the tree is
+                                  not what that compiles. NULL: none */
+    bool names_optimize;       /* the attribute, somewhere in the program's own text: no declaration
+                                  in the tree says it */
+    bool names_counter; /* __COUNTER__ stands in some file of the program or an option: macros may
+                           make it */
+    unsigned header_pragma_count; /* of the program's own headers, as text */
+    const char **header_pragmas;
+    map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
+                    those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
+                    their own name, as far as that was looked for. NULL: none */
+    map *macros_before; /* the same of those that the command line, or a file it includes, defines
+                           before the main file begins; the compiler's own apart */
+    map *names; /* each name that the program, its headers included, gives to a function, type, tag,
+                   enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL: none
+                 */
+    map *inner_names; /* each name that a function's body gives to an enumerator, type or tag -> not
+                         NULL. NULL: none */
+} ir_text;
+
 typedef struct ir_unit {
     arena *arena;
     const source *source;
@@ -285,36 +326,9 @@ typedef struct ir_unit {
     ir_variable **variables;
     unsigned directive_count; /* of the main file, in order */
     ir_directive *directives;
-    bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
-    bool is_c89;          /* names that C99 reserved are the program's. Not in the text form */
-    bool math_errno;      /* mathematical functions set errno. Not in the text form */
-    const char *refusing_option; /* of the compiler: by it the program is another than this. NULL:
-                                    none. Not in the text form */
-    const char *inexact_option;  /* by it two copies of a floating-point expression may give other
-                                    bits. NULL: none. Not in the text form */
-    unsigned error_count;        /* compiler errors anywhere */
-    bool includes_itself;        /* its text may be compiled several times. Not in the text form */
-    const char *compiler_word;   /* a name in the program's own text by which it may ask for the
-                                    compiler: "__clang"; NULL: none. Not in the text form */
-    const char *unseen_word;     /* of what the parser does not know and a compiler may: the tree is
-                                    not what that compiles. NULL: none. Not in the text form */
-    bool names_optimize; /* the attribute, somewhere in the program's own text: no declaration in
-                            the tree says it. Not in the text form */
-    bool names_counter;  /* __COUNTER__ stands in some file of the program or an option: macros
-                            may make it. Not in the text form */
-    unsigned header_pragma_count; /* of the program's own headers, as text; not in the text form */
-    const char **header_pragmas;
-    map *macros; /* the name of each macro defined anywhere -> IR_MACRO_AS_OBJECT or, where only
-                    those with parameters have it, IR_MACRO_AS_FUNCTION; not of those that stand for
-                    their own name, as far as that was looked for. NULL: none. Not in the text form
-                  */
-    map *macros_before; /* the same of those that the command line, or a file it includes, defines
-                           before the main file begins; the compiler's own apart */
-    map *names; /* each name that the program, its headers included, gives to a function, type, tag,
-                   enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL:
-                   none. Not in the text form */
-    map *inner_names; /* each name that a function's body gives to an enumerator, type or tag -> not
-                         NULL. NULL: none. Not in the text form */
+    ir_dialect dialect;
+    ir_text text;
+    unsigned error_count;     /* compiler errors anywhere */
     unsigned reference_count; /* the names in the bodies of the main file's functions, by their
                                  place; of one place in any order. Not in the text form */
     const ir_reference *references;

@@ -227,16 +227,11 @@ static void print_function_flags(const ir_printer *p, const ir_function *f) {
     const struct {
         bool is_set;
         const char *word;
-    } flags[] = {{f->is_static, "static"},
-                 {f->is_variadic, "variadic"},
-                 {f->is_noreturn, "noreturn"},
-                 {f->is_attribute_pure, "pure"},
-                 {f->is_attribute_const, "const"},
-                 {f->has_other_attributes, "attributes"},
-                 {f->is_weak, "weak"},
-                 {f->is_renamed, "renamed"},
-                 {f->has_errors, "errors"},
-                 {!f->is_in_main_file, "header"}};
+    } flags[] = {{f->linkage.is_static, "static"}, {f->is_variadic, "variadic"},
+                 {f->is_noreturn, "noreturn"},     {f->is_attribute_pure, "pure"},
+                 {f->is_attribute_const, "const"}, {f->has_other_attributes, "attributes"},
+                 {f->linkage.is_weak, "weak"},     {f->linkage.is_renamed, "renamed"},
+                 {f->has_errors, "errors"},        {!f->is_in_main_file, "header"}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
         if (flags[i].is_set)
             buffer_format(p->out, " !%s", flags[i].word);
@@ -286,7 +281,7 @@ void ir_print(buffer *out, const ir_unit *unit) {
     ir_printer_begin(&p, out, scratch, unit);
     buffer_text(out, "(unit ");
     print_quoted(&p, unit->source->path);
-    if (!unit->strict_aliasing)
+    if (!unit->dialect.strict_aliasing)
         buffer_text(out, " !no-strict-aliasing");
     buffer_format(out, "\n  (bytes %u)", unit->source->length);
     if (unit->error_count > 0)

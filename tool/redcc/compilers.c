@@ -66,7 +66,7 @@ static bool is_same(arena *a, const source *file, const string_list *flags, cons
 bool compilers_agree(arena *a, const source *file, const string_list *flags, const ir_unit *unit) {
     static const char *const as_gcc[] = {AS_GCC, NULL};
     static const char *const without_answers[] = {AS_GCC, WITHOUT_ANSWERS, NULL};
-    if (!unit->compiler_word)
+    if (!unit->text.compiler_word)
         return true;
     const char *expected = text_of(a, unit);
     return is_same(a, file, flags, expected, as_gcc) &&

@@ -7,8 +7,8 @@
 #include "redcc/options.h"
 
 /** Is the file the same program for gcc? Asked only where the unit names a compiler
- *  (unit->compiler_word): then the file is parsed again, with gcc's names for itself in place of
- *  clang's, and must give the same tree. Without an answer (errors): no. */
+ *  (unit->text.compiler_word): then the file is parsed again, with gcc's names for itself in place
+ * of clang's, and must give the same tree. Without an answer (errors): no. */
 bool compilers_agree(arena *a, const source *file, const string_list *flags, const ir_unit *unit);
 
 #endif

@@ -7,17 +7,17 @@
 #include "support/json_text.h"
 
 bool joined_report_is_needed(const options *o) {
-    return o->analyze && o->inputs.count != 1 && (o->form == REPORT_SARIF || o->report_file);
+    return o->analyze && o->inputs.count != 1 && (o->report.form == REPORT_SARIF || o->report.file);
 }
 
 options joined_report_of_one(const options *o) {
     options of_one = *o;
-    of_one.report_file = "-";
+    of_one.report.file = "-";
     return of_one;
 }
 
 joined_report joined_report_begin(const options *o) {
-    return (joined_report){.form = o->form, .path = o->report_file ? o->report_file : "-"};
+    return (joined_report){.form = o->report.form, .path = o->report.file ? o->report.file : "-"};
 }
 
 /* ---- SARIF: one run, with each rule once ------------------------------------------------------

@@ -184,8 +184,8 @@ static const char *read_form(arena *a, options *o, const char *value) {
     const int number = find_word(words, COUNT(words), value);
     if (number < 0)
         return arena_format(a, "--report takes text, json, sarif or yaml, not '%s'", value);
-    o->form = (report_form)number;
-    o->form_is_given = true;
+    o->report.form = (report_form)number;
+    o->report.form_is_given = true;
     return NULL;
 }
 
@@ -251,7 +251,7 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_REPORT:
         return read_form(a, o, value);
     case OPTION_REPORT_FILE:
-        o->report_file = value;
+        o->report.file = value;
         return *value ? NULL : "--report-file takes the name of a file";
     case OPTION_REQUIRE:
         o->require = true;
@@ -345,7 +345,7 @@ static const char *check_together(arena *a, const options *o) {
         return "--analyze writes no source: --verify does not go with it";
     if (!o->analyze && !o->output && !o->dump_ir && !o->verify)
         return "no output: give -o FILE or --analyze";
-    if (o->form != REPORT_TEXT && !o->analyze && !o->report_file)
+    if (o->report.form != REPORT_TEXT && !o->analyze && !o->report.file)
         return "a report that is not text needs --report-file=FILE, or --analyze";
     if (o->in_process && o->analyze && o->inputs.count != 1)
         return "--in-process takes one input file";
@@ -355,7 +355,7 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.form = REPORT_TEXT, .order = EMIT_ORDER_SERIAL};
+    *result = (options){.report.form = REPORT_TEXT, .order = EMIT_ORDER_SERIAL};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

@@ -9,15 +9,20 @@
 
 typedef VECTOR(const char *) string_list;
 
+/** Of what is said of the loops. */
+typedef struct report_options {
+    report_form form;
+    bool form_is_given;
+    const char *file; /* NULL: standard output */
+} report_options;
+
 typedef struct options {
     string_list inputs;
     const char *output;          /* -o; "-": standard output; NULL: none */
     const char *database_folder; /* -p */
     string_list flags;           /* for the compiler's parser, in order */
     string_list pure;            /* --pure */
-    report_form form;
-    bool form_is_given;
-    const char *report_file;
+    report_options report;
     const char *explain; /* --explain: this reason; NULL: none */
     emit_order order;
     bool order_is_given;

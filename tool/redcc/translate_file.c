@@ -101,8 +101,8 @@ static analysis_options options_of(arena *a, const options *o, const foreign_fun
 
 static unsigned long long unknown_pure(const options *o, const ir_unit *unit) {
     unsigned long long unknown = 0;
-    for (unsigned i = 0; unit->names && i < o->pure.count && i < 64; i++)
-        if (!map_get(unit->names, o->pure.items[i], strlen(o->pure.items[i])))
+    for (unsigned i = 0; unit->text.names && i < o->pure.count && i < 64; i++)
+        if (!map_get(unit->text.names, o->pure.items[i], strlen(o->pure.items[i])))
             unknown |= 1ULL << i;
     return unknown;
 }
@@ -122,9 +122,9 @@ static analysis_result of_both_compilers(arena *a, const source *file, const str
     bool has_transformed = false;
     for (unsigned i = 0; i < analysed.verdict_count; i++)
         has_transformed |= analysed.verdicts[i].kind == VERDICT_TRANSFORM;
-    const char *word = unit->unseen_word;
+    const char *word = unit->text.unseen_word;
     if (!word && has_transformed && !knows_compiler && !compilers_agree(a, file, flags, unit))
-        word = unit->compiler_word;
+        word = unit->text.compiler_word;
     if (!word || !has_transformed)
         return analysed;
     loop_verdict *verdicts = ARENA_ARRAY(a, loop_verdict, analysed.verdict_count);
@@ -187,11 +187,11 @@ static report_input report_on(const options *o, const ir_unit *unit,
 static const char *show_report(arena *a, const options *o, const report_input *input) {
     buffer text = {0};
     const char *wrong = NULL;
-    report_write(a, &text, o->form, input);
+    report_write(a, &text, o->report.form, input);
     const char *data = text.data ? text.data : "";
-    if (o->report_file)
-        wrong = output_write(a, o->report_file, data, text.length);
-    else if (o->form == REPORT_TEXT)
+    if (o->report.file)
+        wrong = output_write(a, o->report.file, data, text.length);
+    else if (o->report.form == REPORT_TEXT)
         fwrite(data, 1, text.length, stderr);
     else
         wrong = output_write(a, "-", data, text.length);

@@ -79,12 +79,13 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                                  read->name),
                     "");
     }
-    if (!facts->is_verifiable && facts->unkept.name && has_place(facts->unkept.range))
-        message(out, input, facts->unkept.range.begin, "note",
+    if (!facts->slice.is_verifiable && facts->slice.unkept.name &&
+        has_place(facts->slice.unkept.range))
+        message(out, input, facts->slice.unkept.range.begin, "note",
                 arena_format(a,
                              "the plan is made anew at each execution: what is read of '%s' here "
                              "decides which elements are updated, and cannot be compared",
-                             facts->unkept.name),
+                             facts->slice.unkept.name),
                 "");
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (lanes && lanes->slug)

@@ -207,6 +207,36 @@ typedef struct unkept_read {
     ir_range range;   /* of the read, or of the call that makes it */
 } unkept_read;
 
+/** The variables of a loop that are no scalars of updates. */
+typedef struct loop_variables {
+    unsigned private_count;
+    const private_variable *privates; /* counter excluded; includes inner loops' counters */
+    unsigned captured_count;
+    ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
+} loop_variables;
+
+/** The slice: statements and control needed for rows and touched sources. */
+typedef struct loop_slice {
+    bool *holds; /* indexed by node id of the function; set for IR_DECLARATOR, IR_EXPRESSION,
+                    control statements and the IR_BLOCKs in between. Control that only decides
+                    whether an update happens, and is too expensive or not safe to evaluate twice,
+                    is left out: the inspector may then touch more than is written. */
+    bool has_floating_work; /* it may run only where two copies of one floating-point expression
+                               give the same bits */
+    bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
+                           trip count are unchanged (runtime: REDCC_VERIFIABLE) */
+    unkept_read unkept; /* the first one, where not is_verifiable */
+} loop_slice;
+
+/** What executes the slice, to tell the rows that each iteration touches. */
+typedef struct loop_inspector {
+    bool exists; /* false: subscripts as expensive as the body, or not sliceable */
+    unsigned span_count;
+    const loop_span *spans;
+    unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
+    const ir_node *const *key;
+} loop_inspector;
+
 typedef struct loop_facts {
     ir_node *loop; /* the for or while that is analysed */
     ir_function *function;
@@ -224,25 +254,9 @@ typedef struct loop_facts {
     const forwarded_store *forwards; /* in source order */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
-    unsigned private_count;
-    const private_variable *privates; /* counter excluded; includes inner loops' counters */
-    unsigned captured_count;
-    ir_variable *const *captured; /* declared outside, read only in the loop, in order of use */
-    /* The slice: statements and control needed for rows and touched sources. Indexed by node id of
-     * the function; set for IR_DECLARATOR, IR_EXPRESSION, control statements and the IR_BLOCKs in
-     * between. Control that only decides whether an update happens, and is too expensive or not
-     * safe to evaluate twice, is left out: the inspector may then touch more than is written. */
-    const bool *in_slice;
-    unsigned span_count;
-    const loop_span *spans;
-    bool slice_has_floating_work; /* it may run only where two copies of one floating-point
-                                     expression give the same bits */
-    bool has_inspector;           /* false: subscripts as expensive as the body, or not sliceable */
-    bool is_verifiable; /* a plan may be kept while the sources marked is_subscript, the key and the
-                           trip count are unchanged (runtime: REDCC_VERIFIABLE) */
-    unkept_read unkept; /* the first one, where not is_verifiable */
-    unsigned key_count; /* scalars and pointers (invariant expressions) the slice depends on */
-    const ir_node *const *key;
+    loop_variables variables;
+    loop_slice slice;
+    loop_inspector inspector;
 } loop_facts;
 
 typedef enum verdict_kind {

@@ -43,10 +43,10 @@ static bool has_word(const char *text, const char *const *words, unsigned count)
 static bool find_own_options(const ir_unit *unit) {
     static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
                                           "float_control", "FP_CONTRACT", "attribute"};
-    if (unit->names_optimize)
+    if (unit->text.names_optimize)
         return true;
-    for (unsigned i = 0; i < unit->header_pragma_count; i++)
-        if (has_word(unit->header_pragmas[i], pragmas, 6))
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        if (has_word(unit->text.header_pragmas[i], pragmas, 6))
             return true;
     for (unsigned i = 0; i < unit->directive_count; i++) {
         const ir_directive *d = &unit->directives[i];
@@ -57,11 +57,11 @@ static bool find_own_options(const ir_unit *unit) {
 }
 
 static const char *find_fenv_access(const ir_unit *unit) {
-    const unsigned count = unit->directive_count + unit->header_pragma_count;
+    const unsigned count = unit->directive_count + unit->text.header_pragma_count;
     for (unsigned i = 0; i < count; i++) {
         const char *words = i < unit->directive_count
                                 ? unit->directives[i].text
-                                : unit->header_pragmas[i - unit->directive_count];
+                                : unit->text.header_pragmas[i - unit->directive_count];
         if (words && strstr(words, "FENV_ACCESS") && strstr(words, "ON"))
             return words;
     }

@@ -168,9 +168,9 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
 
 /* What is read here decides subscripts, and cannot be compared. */
 static void keep_no_plan(loop_analysis *j, const ir_node *lvalue, const ir_node *node) {
-    if (j->is_verifiable)
-        j->unkept = (unkept_read){analysis_name(j, lvalue), node->range};
-    j->is_verifiable = false;
+    if (j->slice.is_verifiable)
+        j->slice.unkept = (unkept_read){analysis_name(j, lvalue), node->range};
+    j->slice.is_verifiable = false;
 }
 
 static bool is_load(const ir_node *node) {
@@ -283,8 +283,8 @@ static void add_read(loop_analysis *j, const loop_access *read, bool is_subscrip
 }
 
 static void add_sources(loop_analysis *j, const bool *keep) {
-    j->is_verifiable = true;
-    j->unkept = (unkept_read){0};
+    j->slice.is_verifiable = true;
+    j->slice.unkept = (unkept_read){0};
     j->sources.count = 0;
     j->key.count = 0;
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -302,14 +302,14 @@ static bool take_slice(loop_analysis *j, const touch_list *touches, reason_id wh
     slice result = slice_compute(j, touches->count, touches->items);
     if (result.obstacle)
         return analysis_refuse(j, why, result.obstacle, name);
-    j->in_slice = result.keep;
+    j->slice.holds = result.keep;
     for (unsigned i = 0; i < j->privates.count; i++) {
         private_variable *item = &j->privates.items[i];
         item->is_in_slice = false;
         for (unsigned k = 0; k < result.needed_count && item->is_stepped; k++)
             item->is_in_slice |= result.needed[k] == item->variable;
     }
-    j->slice_has_floating_work = result.has_floating_work;
+    j->slice.has_floating_work = result.has_floating_work;
     return true;
 }
 
@@ -339,17 +339,17 @@ static bool find_slice(loop_analysis *j) {
     /* Sources found in the slice are told at their places, which may bring more into it. */
     bool is_settled = false;
     for (unsigned round = 0; round < 3 && !is_settled; round++) {
-        const bool *before = j->in_slice;
+        const bool *before = j->slice.holds;
         add_sources(j, before);
         for (unsigned i = 0; i < j->sources.count; i++)
             if (j->sources.items[i].extent == EXTENT_TOUCHED)
                 add_touch(j, &touches, &j->sources.items[i]);
         if (!take_slice(j, &touches, REASON_MAY_ALIAS, j->arrays.items[0].array.name))
             return false;
-        is_settled = memcmp(before, j->in_slice, sizeof(bool) * j->function->node_count) == 0;
+        is_settled = memcmp(before, j->slice.holds, sizeof(bool) * j->function->node_count) == 0;
     }
-    add_sources(j, j->in_slice);
-    j->is_verifiable = j->is_verifiable && is_settled;
+    add_sources(j, j->slice.holds);
+    j->slice.is_verifiable = j->slice.is_verifiable && is_settled;
     if (!is_small(j))
         return analysis_refuse(j, REASON_MAY_ALIAS, j->loop, j->sources.items[64].name);
     return true;
@@ -362,8 +362,5 @@ slice_result check_slice(const loop_analysis *j) {
                           .privates = own.privates,
                           .sources = own.sources,
                           .key = own.key,
-                          .in_slice = own.in_slice,
-                          .has_floating_work = own.slice_has_floating_work,
-                          .is_verifiable = own.is_verifiable,
-                          .unkept = own.unkept};
+                          .slice = own.slice};
 }

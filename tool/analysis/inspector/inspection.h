@@ -10,10 +10,7 @@ typedef struct slice_result {
     private_list privates; /* with those whose values the inspector asks for */
     source_list sources;   /* in the order in which the slice reads them */
     key_list key;
-    bool *in_slice; /* [function->node_count] */
-    bool has_floating_work;
-    bool is_verifiable;
-    unkept_read unkept;
+    loop_slice slice;
 } slice_result;
 
 /** What computes rows and touched sources, and whether a plan may be kept. */

@@ -108,22 +108,22 @@ static bool has_macro(const ir_node *node) {
 reason check_text(const loop_analysis *j) {
     const source *s = j->an->unit->source;
     const ir_node *loop = j->loop;
-    if (j->an->unit->refusing_option)
-        return analysis_reason(j, REASON_OPTION, loop, j->an->unit->refusing_option);
+    if (j->an->unit->dialect.refusing_option)
+        return analysis_reason(j, REASON_OPTION, loop, j->an->unit->dialect.refusing_option);
     if (j->function->has_errors)
         return analysis_reason(j, REASON_ERRORS, loop, j->function->name);
     if (loop->flags & IR_FROM_MACRO)
         return analysis_reason(j, REASON_IN_MACRO, loop, "the loop");
     if (loop->range.begin >= loop->range.end)
         return analysis_reason(j, REASON_NO_RANGE, loop, "the loop");
-    if (j->an->unit->includes_itself)
+    if (j->an->unit->text.includes_itself)
         return analysis_reason(j, REASON_SELF_INCLUDED, loop, s ? s->path : "the file");
     const reason why = check_directives(j);
     if (why.id != REASON_NONE)
         return why;
     const ir_range everything = {0, s ? s->length : 0};
     const bool is_anywhere = has_macro(loop) || loop_text_has_branches(j->an->unit, loop);
-    if ((is_anywhere && j->an->unit->names_counter) ||
+    if ((is_anywhere && j->an->unit->text.names_counter) ||
         unit_text_has_counter(j->an->text, is_anywhere ? everything : loop->range))
         return analysis_reason(j, REASON_COUNTER_MACRO, loop, "__COUNTER__");
     const char *name;
@@ -264,9 +264,9 @@ static reason check_all(const loop_analysis *j, const access_list *found) {
         why = first_problem(j, found);
     if (why.id != REASON_NONE)
         return why;
-    if (found->has_floating_work && unit->inexact_option && !j->an->options->any_order)
-        return analysis_reason(j, REASON_INEXACT_OPTION, j->loop, unit->inexact_option);
-    if (found->may_set_errno && unit->math_errno && file_reads_errno(unit))
+    if (found->has_floating_work && unit->dialect.inexact_option && !j->an->options->any_order)
+        return analysis_reason(j, REASON_INEXACT_OPTION, j->loop, unit->dialect.inexact_option);
+    if (found->may_set_errno && unit->dialect.math_errno && file_reads_errno(unit))
         return analysis_reason(j, REASON_ERRNO, j->loop, found->errno_setter);
     return (reason){0};
 }

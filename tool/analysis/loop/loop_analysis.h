@@ -77,10 +77,7 @@ typedef struct loop_analysis {
     variable_list captured;
     source_list sources;
     key_list key;
-    bool *in_slice; /* [function->node_count] */
-    bool slice_has_floating_work;
-    bool is_verifiable;
-    unkept_read unkept;
+    loop_slice slice;
     bool counter_is_live_after;
     reason why;
 } loop_analysis;

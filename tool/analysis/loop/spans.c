@@ -14,7 +14,7 @@
 
 /* Nothing below is in the slice, nor jumps. */
 static bool is_left_out(const loop_analysis *j, const ir_node *node) {
-    if ((j->in_slice[node->id] && node->kind != IR_BLOCK) || node->kind == IR_BREAK ||
+    if ((j->slice.holds[node->id] && node->kind != IR_BLOCK) || node->kind == IR_BREAK ||
         node->kind == IR_CONTINUE)
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -45,7 +45,7 @@ static bool tells_spans_only(const loop_analysis *j, const counted_loop *loop) {
 }
 
 static bool is_span(const loop_analysis *j, ir_node *node, counted_loop *loop) {
-    if (node->kind != IR_FOR || !j->in_slice[node->id])
+    if (node->kind != IR_FOR || !j->slice.holds[node->id])
         return false;
     const counted_result counted = counted_recognise(node);
     *loop = counted.loop;

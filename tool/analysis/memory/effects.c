@@ -81,8 +81,8 @@ static void summarise_access(effects *all, const ir_function *function, const ac
         VECTOR_PUSH(all->memory, &result->items, kept);
         return;
     }
-    const callee_terms terms = {all->memory, all->facts, all->names, all->unit->strict_aliasing,
-                                function,    raw};
+    const callee_terms terms = {
+        all->memory, all->facts, all->names, all->unit->dialect.strict_aliasing, function, raw};
     kept = callee_terms_of(&terms, item);
     kept.callee = function;
     if (where.is_string)
@@ -188,7 +188,7 @@ static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
 
 static bool walk_memory_call(access_walk *w, const ir_node *call) {
     const char *name = call->children[0]->function->name;
-    if (call->children[0]->function->is_renamed)
+    if (call->children[0]->function->linkage.is_renamed)
         return false;
     if (strncmp(name, "__builtin_", 10) == 0)
         name += 10;
@@ -290,7 +290,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     } else if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
-    } else if (function->body && !function->is_weak) {
+    } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)
             access_problem_add(w, REASON_RECURSION, call, function->name);
@@ -307,7 +307,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         walk_library_call(w, call, library);
     } else if (is_const(w->all, function) || is_pure(w->all, function)) {
         walk_pure_call(w, call, false);
-    } else if (function->is_interposable) {
+    } else if (function->linkage.is_interposable) {
         access_problem_add(w, REASON_INTERPOSED, call, function->name);
     } else if (!walk_memory_call(w, call)) {
         access_problem_add(w, REASON_IMPURE_CALL, call, function->name);

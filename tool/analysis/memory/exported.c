@@ -85,7 +85,7 @@ exported_functions exported_of_unit(arena *a, const ir_unit *unit,
     VECTOR(exported_function) found = {0};
     for (unsigned i = 0; i < unit->function_count; i++) {
         const ir_function *function = unit->functions[i];
-        if (!function->body || function->is_static || function->is_weak)
+        if (!function->body || function->linkage.is_static || function->linkage.is_weak)
             continue;
         const bool is_known =
             !is_doubtful && function->is_in_main_file && is_plain_definition(unit, function);

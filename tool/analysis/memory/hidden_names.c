@@ -32,8 +32,8 @@ hidden_names *hidden_names_new(arena *a, const ir_unit *unit) {
 }
 
 bool hidden_names_has(const hidden_names *names, const ir_variable *global) {
-    if (names->unit->inner_names &&
-        map_get(names->unit->inner_names, global->name, strlen(global->name)))
+    if (names->unit->text.inner_names &&
+        map_get(names->unit->text.inner_names, global->name, strlen(global->name)))
         return true;
     return bsearch(&global->name, names->names, names->count, sizeof names->names[0],
                    compare_names) != NULL;

@@ -118,7 +118,7 @@ static bool is_reserved(const ir_unit *unit, const ir_function *function,
     case LIBRARY_C89:
         return true;
     case LIBRARY_C99:
-        return !unit->is_c89 || function->is_from_system;
+        return !unit->dialect.is_c89 || function->is_from_system;
     case LIBRARY_GNU:
         return function->is_from_system;
     default:
@@ -129,7 +129,7 @@ static bool is_reserved(const ir_unit *unit, const ir_function *function,
 const library_function *library_find(const ir_unit *unit, const ir_function *function) {
     static const char prefix[] = "__builtin_";
     const size_t length = sizeof prefix - 1;
-    if (function->is_renamed || function->body)
+    if (function->linkage.is_renamed || function->body)
         return NULL;
     if (strncmp(function->name, prefix, length) == 0)
         return find_with_variants(function->name + length);

@@ -127,8 +127,8 @@ static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_
     if (callee->kind != IR_FUNCTION)
         return true;
     if (!callee->function->body)
-        return callee->function->is_renamed || !is_memory_function(callee->function->name) ||
-               ir_value_is_used(call);
+        return callee->function->linkage.is_renamed ||
+               !is_memory_function(callee->function->name) || ir_value_is_used(call);
     for (unsigned i = 1; i < call->child_count; i++)
         if (call->children[i] == argument)
             return i - 1 >= callee->function->parameter_count ||

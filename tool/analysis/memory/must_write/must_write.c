@@ -313,7 +313,7 @@ static bool keeps_address(must_write *prover, const ir_function *function, unsig
 parameter_effect must_write_parameter(must_write *prover, const ir_function *function,
                                       unsigned index) {
     parameter_effect effect = {.keeps_address = true, .is_known = false};
-    if (index >= function->parameter_count || function->body == NULL || function->is_weak)
+    if (index >= function->parameter_count || function->body == NULL || function->linkage.is_weak)
         return effect;
     begin_query(prover);
     effect.keeps_address = keeps_address(prover, function, index);

@@ -59,7 +59,7 @@ static bool is_of_library(const ir_function *function, const known_function *kno
 }
 
 static const known_function *find_known(const ir_function *function) {
-    if (function->body != NULL || function->is_static || function->is_renamed)
+    if (function->body != NULL || function->linkage.is_static || function->linkage.is_renamed)
         return NULL;
     for (size_t i = 0; i < sizeof known_functions / sizeof known_functions[0]; i++)
         if (is_called(function->name, known_functions[i].name))
@@ -147,7 +147,7 @@ static call_summary *find_summary(must_write *prover, const ir_function *functio
 /* Why the body cannot be interpreted with these arguments; NULL: it can. */
 static const char *find_obstacle(const ir_function *function, unsigned count,
                                  const value *arguments, unsigned depth) {
-    if (function->body == NULL || function->is_weak)
+    if (function->body == NULL || function->linkage.is_weak)
         return "it is passed to a function whose body is not known";
     if (function->has_errors)
         return "it is passed to a function that has errors";
