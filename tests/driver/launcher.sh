@@ -46,8 +46,9 @@ end
 
 begin "g++ takes C for C++, a cross compiler is for another machine"
 printf '%s' "$source_text" >x.c
-"$redcc_cc" g++ -c x.c || fail "$case_name"
-mkdir bin && cp "$FAKES/compiler" bin/arm-linux-gnueabi-gcc && cp "$FAKES/compiler" "bin/$(uname -m)-linux-gnu-gcc-12"
+mkdir bin && cp "$FAKES/compiler" bin/g++
+"$redcc_cc" bin/g++ -c x.c || fail "$case_name"
+cp "$FAKES/compiler" bin/arm-linux-gnueabi-gcc && cp "$FAKES/compiler" "bin/$(uname -m)-linux-gnu-gcc-12"
 "$redcc_cc" bin/arm-linux-gnueabi-gcc -v -c x.c 2>messages || fail "$case_name"
 expect_match messages 'another machine'
 expect_no_match "$RECORD" '^redcc'

@@ -52,7 +52,8 @@ bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned a
 unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
                      const reduction_update *update);
 
-/** Has the element the array's type (members of its records may have others), and lies it in step:
+/** Has the element the array's type (members of its records may have others) and that type's
+ *  alignment, and lies it in step:
  *  a multiple of its own size into its row, and that a multiple of row_bytes away from the base? */
 bool is_in_step(const loop_text *loop, const struct bins_text *bins,
                 const reduction_update *update);

@@ -102,13 +102,29 @@ unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
     return (unsigned)(offset / element_size(loop, update->array));
 }
 
+/** Is the element aligned as its type is? A member of a packed record need not be. */
+static bool is_aligned(const loop_text *loop, const reduction_update *update) {
+    const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
+    const ir_node *node = update->target;
+    for (; loop_array_of_base(loop, node) != (int)update->array; node = node->children[0]) {
+        if (node->kind != IR_MEMBER)
+            continue;
+        const ir_type *whole = node->children[0]->type;
+        whole = node->flags & IR_ARROW ? whole->target : whole;
+        if (!whole->record || (whole->record->alignment > 0 &&
+                               whole->record->alignment < (size < most ? size : most)))
+            return false;
+    }
+    return true;
+}
+
 bool is_in_step(const loop_text *loop, const struct bins_text *bins,
                 const reduction_update *update) {
     const int64_t size = bins->row_bytes[update->array];
     int64_t offset;
     const ir_node *node = row_of(loop, bins, update, &offset);
     if (!ir_type_equal(update->target->type, loop->facts->arrays[update->array].element) ||
-        offset % element_size(loop, update->array) != 0)
+        offset % element_size(loop, update->array) != 0 || !is_aligned(loop, update))
         return false;
     for (; loop_array_of_base(loop, node) != (int)update->array; node = node->children[0]) {
         const bool is_step = node->kind == IR_INDEX || node->kind == IR_MEMBER ||

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/lexing.h"
 #include "frontend/predefined.h"
 
 /* An attribute, and a pragma, of gcc's: the bytes of numbers in memory the other way round. clang
@@ -88,6 +89,9 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     const char *own = c->compiler.predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
         c->unit->text.unseen_word = own;
+    const char *doubt = text.length > 0 ? lexing_in_doubt(text.text, text.length) : NULL;
+    if (doubt != NULL)
+        c->unit->text.unseen_word = doubt;
     if (memmem(text.text, text.length, storage_order, sizeof storage_order - 1) != NULL)
         c->unit->text.unseen_word = storage_order;
 }

@@ -135,6 +135,10 @@ bool is_missing_header(CXDiagnostic diagnostic);
 /** Adds a macro to the unit's macros; those that the main file's text defines in any branch. */
 void note_macro(converter *c, CXCursor definition);
 void note_macros_of_directives(converter *c);
+/** In the text of a directive: behind `#define`, the macro's name; NULL: it is another one. */
+const char *macro_name_defined(const char *at, const char *end);
+/** Sets the unit's pragma_macros and may_make_fenv_access. */
+void find_pragma_macros(converter *c);
 /** Adds what is declared, in a record its members' tags too, to the unit's names. */
 void note_name(converter *c, CXCursor declaration);
 /** Sets the unit's compiler_word, unseen_word and names_optimize. */

@@ -217,6 +217,7 @@ static void convert_unit(converter *c) {
     find_compiler_words(c);
     find_own_inclusion(c);
     find_header_pragmas(c);
+    find_pragma_macros(c);
     mark_names_in_pragmas(c);
     finish_unit(c);
     finish_references(c);
@@ -319,8 +320,11 @@ static void run(void *data) {
                              says_may_alias(t->source->text);
         unit->dialect.strict_aliasing &= chosen.strict_aliasing && !is_said;
         apply_flags(unit, &chosen);
-        for (unsigned i = 0; i < t->flag_count; i++)
+        for (unsigned i = 0; i < t->flag_count; i++) {
             unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
+            if (strstr(t->flags[i], "_Pragma") != NULL)
+                unit->text.unseen_word = "_Pragma";
+        }
         assert(ir_check_parsed(t->arena, unit) == NULL);
         t->result.unit = unit;
         clang_disposeTranslationUnit(clang);

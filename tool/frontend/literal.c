@@ -7,6 +7,7 @@
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "ir/ir_words.h"
+#include "support/buffer.h"
 
 /* ---- values -------------------------------------------------------------------------------- */
 
@@ -146,8 +147,21 @@ static ir_node *convert_character(converter *c, CXCursor cursor) {
     return node;
 }
 
+/* No two question marks side by side: with a third byte some compilers read a trigraph. */
+static const char *without_trigraphs(converter *c, const char *literal) {
+    if (strstr(literal, "??") == NULL)
+        return literal;
+    buffer out = {0};
+    for (const char *at = literal; *at; at++)
+        buffer_format(&out, at > literal && at[0] == '?' && at[-1] == '?' ? "\\%c" : "%c", *at);
+    const char *text = arena_copy(c->arena, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
 static ir_node *convert_string(converter *c, CXCursor cursor) {
-    ir_node *node = new_number(c, cursor, take_string(c, clang_getCursorSpelling(cursor)));
+    const char *literal = take_string(c, clang_getCursorSpelling(cursor));
+    ir_node *node = new_number(c, cursor, without_trigraphs(c, literal));
     node->kind = IR_STRING;
     if (strchr(node->text, '"') == NULL)
         return convert_opaque(c, cursor, node->type, "string literal");

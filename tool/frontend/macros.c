@@ -90,8 +90,7 @@ void note_macro(converter *c, CXCursor definition) {
     clang_disposeString(text);
 }
 
-/* Behind `#define`: the macro's name; NULL: another directive. */
-static const char *defined_name(const char *at, const char *end) {
+const char *macro_name_defined(const char *at, const char *end) {
     static const char *const marks[] = {"#", "%:", "?\?="};
     static const char word[] = "define";
     for (unsigned i = 0; i < sizeof marks / sizeof *marks; i++) {
@@ -115,7 +114,7 @@ void note_macros_of_directives(converter *c) {
         if (directive->kind != IR_DIRECTIVE_OTHER || directive->text == NULL)
             continue;
         const char *end = directive->text + strlen(directive->text);
-        const char *name = defined_name(directive->text, end), *after = name;
+        const char *name = macro_name_defined(directive->text, end), *after = name;
         if (name == NULL)
             continue;
         while (after < end && source_is_name_byte(*after))

@@ -65,6 +65,8 @@ const ir_record *convert_record(converter *c, CXType canonical) {
     if (record->is_complete) {
         long long size = clang_Type_getSizeOf(canonical);
         record->size = size < 0 ? -1 : size;
+        const long long alignment = clang_Type_getAlignOf(canonical);
+        record->alignment = alignment < 0 ? 0 : alignment;
         fill_fields(c, record, canonical);
     }
     return record;

@@ -72,6 +72,7 @@ struct ir_record {
     bool is_union;
     bool is_complete;
     int64_t size;         /* bytes; -1: unknown */
+    int64_t alignment;    /* bytes; 0: unknown. Not in the text form */
     const char *spelling; /* of its type: "struct node", "vec"; NULL: cannot be spelled */
     unsigned field_count;
     const ir_field *fields;
@@ -310,6 +311,9 @@ typedef struct ir_text {
                     their own name, as far as that was looked for. NULL: none */
     map *macros_before; /* the same of those that the command line, or a file it includes, defines
                            before the main file begins; the compiler's own apart */
+    map *pragma_macros; /* the name of each macro of the program that may make a pragma -> not NULL.
+                           NULL: none */
+    bool may_make_fenv_access; /* they are there, and so is FENV_ACCESS somewhere */
     map *names; /* each name that the program, its headers included, gives to a function, type, tag,
                    enumerator or outer variable -> IR_NAME_AS_QUERY or IR_NAME_AS_OTHER. NULL: none
                  */

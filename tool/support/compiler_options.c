@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "support/compiler_options.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -295,7 +296,17 @@ static const option *find_exactly(const char *word, size_t length) {
     return NULL;
 }
 
+/* clang's complaint about unsigned arithmetic that wraps around, which is legal, and which the
+ * inline functions of the runtime's headers use, compiled in the user's file. */
+static bool complains_of_wrapping(const char *sanitizers) {
+    return strstr(sanitizers, "=integer") || strstr(sanitizers, ",integer") ||
+           strstr(sanitizers, "unsigned-");
+}
+
 const option *option_find(const char *word) {
+    static const option wrapping = {"-fsanitize=", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP};
+    if (strncmp(word, wrapping.name, strlen(wrapping.name)) == 0 && complains_of_wrapping(word))
+        return &wrapping;
     size_t length = strlen(word);
     const option *found = find_exactly(word, length);
     while (!found && length > 2) {

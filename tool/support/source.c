@@ -136,3 +136,15 @@ bool source_is_name_byte(char c) {
 bool source_starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
+
+const char *source_find_name(const char *text, const char *end, const map *names, size_t *length) {
+    for (const char *at = text; at < end; at++) {
+        const char *word = at;
+        while (at < end && source_is_name_byte(*at))
+            at++;
+        *length = (size_t)(at - word);
+        if (*length > 0 && map_get(names, word, *length))
+            return word;
+    }
+    return NULL;
+}

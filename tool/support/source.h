@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "support/arena.h"
+#include "support/map.h"
 
 typedef struct source {
     const char *path; /* as the user gave it */
@@ -37,6 +38,9 @@ uint32_t source_skip_blanks(const source *s, uint32_t from, uint32_t to);
 /** May the byte stand in a name: letters, digits, `_`, and what compilers take as well, `$` and the
  *  bytes of UTF-8? */
 bool source_is_name_byte(char c);
+/** The first name in text[0 .. end) that is a key of `names`, its length in *length; NULL: none.
+ *  Comments and strings are text like any other. */
+const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 bool source_starts_with(const char *text, const char *prefix);
 
 #endif

@@ -33,18 +33,22 @@
 #endif
 
 /* 2 ^ 5 that a macro expands to is not warned of; where the macro's text stands expanded, it would
- * be. */
+ * be. And of a variable without a value gcc warns the more, the more it sees at once. */
 #if defined __GNUC__ && !defined __clang__ && __GNUC__ >= 13
-#define REDCC_QUIET_XOR _Pragma("GCC diagnostic ignored \"-Wxor-used-as-pow\"")
+#define REDCC_QUIET_GCC                                                                            \
+    _Pragma("GCC diagnostic ignored \"-Wmaybe-uninitialized\"")                                    \
+        _Pragma("GCC diagnostic ignored \"-Wxor-used-as-pow\"")
+#elif defined __GNUC__ && !defined __clang__
+#define REDCC_QUIET_GCC _Pragma("GCC diagnostic ignored \"-Wmaybe-uninitialized\"")
 #else
-#define REDCC_QUIET_XOR
+#define REDCC_QUIET_GCC
 #endif
 
 /* gcc and clang: what the user's file does not warn of must not be warned of here. */
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
-            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"") REDCC_QUIET_XOR
+            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** What one execution is described by: bases, extents of sources, key. */

@@ -142,3 +142,42 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop) {
             return true;
     return false;
 }
+
+/* ---- pragmas that macros make, and those in functions --------------------------------------- */
+
+/* A name in two lines is none that is found. */
+static bool splits_a_name(const char *text, uint32_t at) {
+    return text[at] == '\\' && (text[at + 1] == '\n' || text[at + 1] == '\r') &&
+           source_is_name_byte(text[at - 1]);
+}
+
+const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range) {
+    if (!unit->text.pragma_macros || !unit->source || range.end <= range.begin)
+        return NULL;
+    const char *text = unit->source->text;
+    for (uint32_t at = range.begin; at < range.end; at++)
+        if (at > range.begin && splits_a_name(text, at))
+            return "\\";
+    size_t length;
+    const char *name =
+        source_find_name(text + range.begin, text + range.end, unit->text.pragma_macros, &length);
+    return name ? arena_copy(a, name, length) : NULL;
+}
+
+bool directive_is_openmp(const ir_directive *d) {
+    return d->text &&
+           ((strstr(d->text, "omp") && strstr(d->text, "ragma")) || strstr(d->text, "_OPENMP"));
+}
+
+const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *function) {
+    const ir_range range = function->range;
+    if (!function->is_in_main_file || !unit->source)
+        return NULL;
+    for (unsigned i = loop_text_first_directive(unit, range.begin);
+         i < unit->directive_count && unit->directives[i].range.begin < range.end; i++) {
+        const ir_directive *d = &unit->directives[i];
+        if (d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d))
+            return d->text;
+    }
+    return text_pragma_macro(a, unit, range);
+}

@@ -23,6 +23,13 @@ unsigned loop_text_first_directive(const ir_unit *unit, uint32_t offset);
  */
 const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop);
 
+/** A name in the main file's text of this range by which a macro may make a pragma; NULL: none. */
+const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range);
+
+/** The first OpenMP directive in the function's text, be it compiled here or
+ *  not, or the macro that may make one; NULL: none. In the arena or the unit. */
+const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *function);
+
 /** Are there conditional directives in the loop's text? */
 bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
 
@@ -30,6 +37,9 @@ bool loop_text_has_branches(const ir_unit *unit, const ir_node *loop);
  *  conditional directives once they are decided, and with pragmas that are not compiled or by which
  *  a loop is only faster. */
 bool directive_can_be_left_out(const ir_directive *d);
+
+/** #pragma omp, or #ifdef _OPENMP. */
+bool directive_is_openmp(const ir_directive *d);
 
 static inline bool directive_is_conditional(const ir_directive *d) {
     return d->kind == IR_DIRECTIVE_IF || d->kind == IR_DIRECTIVE_ELSE ||

@@ -43,7 +43,7 @@ static bool has_word(const char *text, const char *const *words, unsigned count)
 static bool find_own_options(const ir_unit *unit) {
     static const char *const pragmas[] = {"optimize",      "target",      "clang fp",
                                           "float_control", "FP_CONTRACT", "attribute"};
-    if (unit->text.names_optimize)
+    if (unit->text.names_optimize || unit->text.pragma_macros)
         return true;
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         if (has_word(unit->text.header_pragmas[i], pragmas, 6))
@@ -57,6 +57,8 @@ static bool find_own_options(const ir_unit *unit) {
 }
 
 static const char *find_fenv_access(const ir_unit *unit) {
+    if (unit->text.may_make_fenv_access)
+        return "FENV_ACCESS";
     const unsigned count = unit->directive_count + unit->text.header_pragma_count;
     for (unsigned i = 0; i < count; i++) {
         const char *words = i < unit->directive_count

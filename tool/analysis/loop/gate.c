@@ -14,12 +14,6 @@
 /* ---- the source text --------------------------------------------------------------------------
  */
 
-/* #pragma omp, or #ifdef _OPENMP. */
-static bool is_openmp(const char *directive) {
-    return (strstr(directive, "omp") && strstr(directive, "pragma")) ||
-           strstr(directive, "_OPENMP");
-}
-
 /* Has the loop an OpenMP directive that is compiled, or one above it that another compilation may
  * have and that is no part of the loop's text? There may be others between the two. */
 static const char *openmp_above(const loop_analysis *j, uint32_t text_begin) {
@@ -30,7 +24,7 @@ static const char *openmp_above(const loop_analysis *j, uint32_t text_begin) {
         if (!d->is_skipped && source_skip_blanks(unit->source, d->range.end, to) < to)
             return NULL;
         const bool is_compiled = !d->is_skipped || d->range.begin < text_begin;
-        if (d->kind == IR_DIRECTIVE_PRAGMA && is_compiled && d->text && is_openmp(d->text))
+        if (d->kind == IR_DIRECTIVE_PRAGMA && is_compiled && directive_is_openmp(d))
             return d->text;
         to = d->range.begin;
     }
@@ -86,11 +80,14 @@ static reason check_directives(const loop_analysis *j) {
     if (above)
         return analysis_reason(j, REASON_EXISTING_OPENMP, j->loop, above);
     const ir_directive *obstacle = loop_text_obstacle(unit, j->loop);
-    if (!obstacle)
-        return check_text_before(j, begin);
-    const char *text = obstacle->text ? obstacle->text : "#";
-    return analysis_reason(j, is_openmp(text) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE,
-                           j->loop, text);
+    if (obstacle)
+        return analysis_reason(
+            j, directive_is_openmp(obstacle) ? REASON_EXISTING_OPENMP : REASON_DIRECTIVE_IN_RANGE,
+            j->loop, obstacle->text ? obstacle->text : "#");
+    const char *macro =
+        text_pragma_macro(j->an->memory, unit, (ir_range){begin, j->loop->range.end});
+    return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro)
+                 : check_text_before(j, begin);
 }
 
 /* ---- names ------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/external.h"
+#include "analysis/base/loop_text.h"
 #include "analysis/memory/access.h"
 #include "analysis/memory/access_walk.h"
 #include "analysis/memory/callee_terms.h"
@@ -283,6 +284,7 @@ void access_walk_call(access_walk *w, const ir_node *call) {
         return;
     }
     const ir_function *function = callee->function;
+    const char *openmp = NULL;
     bool by_user = is_presumed_pure(w->all, function);
     const library_function *library = library_find(w->all->unit, function);
     if (library_is_message_passing(function)) { /* whatever else is said of it */
@@ -290,6 +292,8 @@ void access_walk_call(access_walk *w, const ir_node *call) {
     } else if (function->is_noreturn) {
         access_problem_add(w, REASON_NO_RETURN, call,
                            access_is_assertion(function) ? "assert" : function->name);
+    } else if (function->body && (openmp = text_openmp_in(w->memory, w->all->unit, function))) {
+        access_problem_add(w, REASON_EXISTING_OPENMP, call, openmp); /* threads' team is another */
     } else if (function->body && !function->linkage.is_weak) {
         const access_list *known = effects_of(w->all, function);
         if (!known)

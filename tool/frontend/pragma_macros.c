@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Macros of the program that may make a pragma: text that spells one has a directive that neither
+ * the text nor clang's tree shows. Headers of the system define some for their own warnings only.
+ */
+#define _GNU_SOURCE /* memmem */
+#include <string.h>
+
+#include "frontend/convert.h"
+#include "frontend/directives.h"
+
+static const char pragma_operator[] = "_Pragma";
+
+typedef struct definition {
+    const char *name;
+    size_t length;
+    const char *rest; /* parameters and replacement */
+} definition;
+
+typedef struct search {
+    converter *converter;
+    bool is_found;        /* some file names the operator */
+    bool has_fenv_access; /* ... what it may say of the floating-point environment */
+    VECTOR(definition) all;
+} search;
+
+static file_text own_text(search *s, CXFile file) {
+    CXTranslationUnit clang = s->converter->clang;
+    if (clang_Location_isInSystemHeader(clang_getLocationForOffset(clang, file, 0)))
+        return (file_text){0};
+    return text_of_file(s->converter, file);
+}
+
+static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
+    (void)stack;
+    (void)depth;
+    search *s = data;
+    const file_text text = own_text(s, file);
+    s->is_found |= text.length > 0 && memmem(text.text, text.length, pragma_operator,
+                                             sizeof pragma_operator - 1) != NULL;
+    s->has_fenv_access |=
+        text.length > 0 && memmem(text.text, text.length, "FENV_ACCESS", 11) != NULL;
+}
+
+static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
+    (void)stack;
+    (void)depth;
+    search *s = data;
+    arena *a = s->converter->arena;
+    const file_text text = own_text(s, file);
+    if (text.length == 0)
+        return;
+    unsigned count;
+    const ir_directive *found = directives_in(a, text.text, text.length, &count);
+    for (unsigned i = 0; i < count; i++) {
+        const char *end = found[i].text + strlen(found[i].text);
+        const char *name = macro_name_defined(found[i].text, end), *after = name;
+        if (found[i].kind != IR_DIRECTIVE_OTHER || name == NULL)
+            continue;
+        while (after < end && source_is_name_byte(*after))
+            after++;
+        VECTOR_PUSH(a, &s->all, ((definition){name, (size_t)(after - name), after}));
+    }
+}
+
+/* May the replacement hold the operator, by itself, by another macro, or by pasting names? */
+static bool makes_pragma(const definition *it, const map *macros) {
+    if (strstr(it->rest, pragma_operator) || strstr(it->rest, "##") || strstr(it->rest, "%:%:"))
+        return true;
+    size_t length;
+    return source_find_name(it->rest, it->rest + strlen(it->rest), macros, &length) != NULL;
+}
+
+void find_pragma_macros(converter *c) {
+    search s = {.converter = c};
+    clang_getInclusions(c->clang, look, &s);
+    if (!s.is_found)
+        return;
+    clang_getInclusions(c->clang, collect, &s);
+    map *macros = map_new(c->arena);
+    for (bool has_grown = true; has_grown;) {
+        has_grown = false;
+        for (unsigned i = 0; i < s.all.count; i++) {
+            const definition *it = &s.all.items[i];
+            void **known = map_at(macros, it->name, it->length);
+            if (*known == NULL && makes_pragma(it, macros)) {
+                *map_at(macros, it->name, it->length) = c;
+                has_grown = true;
+            }
+        }
+    }
+    c->unit->text.pragma_macros = macros;
+    c->unit->text.may_make_fenv_access = s.has_fenv_access;
+}
