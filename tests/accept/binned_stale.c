@@ -112,12 +112,22 @@ static void by_functions(int n, const int *at, const long *w, long *to) {
 } // BINNED: 104
 
 // NOT-BINNED: 51 53 106 108 110
+// NOT-BINNED: 122
+static long *either[2];
+static long at_either(int which, int i) {
+    return table[either[which][i] & 7] + numbers[0];
+}
+
+static void read_in_callee(int n, const int *at, long *to) {
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        to[at[t]] += at_either(1, t);
+}
 
 static void lengths(int n, const int *at, const int *count, const long *w, long *to) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int i = 0; i < count[t]; i++)
             to[at[t]] += w[t] * i;
-} // BINNED: 117
+} // BINNED: 127
 
 int main(void) {
     static long to[M + N];
@@ -144,6 +154,8 @@ int main(void) {
         alternative(N, k, w, table, to);
         by_functions(N, k, w, to);
         lengths(N, k, few, w, to);
+        either[1] = round == 1 ? to : table;
+        read_in_callee(N, k, to);
         CASE_PRINT(to);
     }
 }

@@ -34,6 +34,13 @@ static void pasted(int n) {
     }
 }
 
+static void held(int n) {
+    if (n > 3)
+        PRAGMA(GCC ivdep)
+        for (int t = 0; t < n; t++) // EXPECT: refuse directive-in-range
+            h[k[t]] += v[t];
+}
+
 static void none(int n) {
     for (int t = 0; t < n; t++) // EXPECT: parallel
         h[k[t]] += v[t];
@@ -45,7 +52,7 @@ int main(void) {
         v[t] = 1.0 / (1 + t);
     }
     for (int round = 0; round < 3; round++)
-        (single(N), atomic(N), pasted(N), none(N));
+        (single(N), atomic(N), pasted(N), held(N), none(N));
     for (int i = 0; i < K; i++)
         printf("%a\n", (double)h[i]);
     return 0;

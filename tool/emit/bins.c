@@ -315,7 +315,7 @@ void find_bins(loop_text *loop) {
     bins->records = ARENA_ARRAY(loop->arena, bins_record, facts->update_count + 1);
     bins->streams = ARENA_ARRAY(loop->arena, bins_stream, facts->array_count + 1);
     bins->row_bytes = ARENA_ARRAY(loop->arena, int64_t, facts->array_count + 1);
-    if (facts->forward_count > 0 || facts->scalar_count > 0 ||
+    if (loop->unit->dialect.is_sanitized || facts->forward_count > 0 || facts->scalar_count > 0 ||
         is_read_elsewhere(loop, facts->counted.body) || !find_told_sources(loop, bins) ||
         !is_harmless_when_stale(loop))
         return;

@@ -169,7 +169,7 @@ void write_bins(loop_text *loop, writer *out) {
 static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     for (unsigned part = 0; part < stream->array_count; part++) {
         const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
-        if (!may_be_copied(array) || array->element->kind != IR_INTEGER)
+        if (!may_be_copied(loop, array) || array->element->kind != IR_INTEGER)
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)

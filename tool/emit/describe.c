@@ -46,12 +46,14 @@ static const char *element_name(const ir_type *type) {
     return "REDCC_OTHER_TYPE";
 }
 
-bool may_be_copied(const reduction_array *array) {
-    return !array->is_interleaved && !array->order_is_kept;
+bool may_be_copied(const loop_text *loop, const reduction_array *array) {
+    const bool may_overflow = array->element->kind == IR_INTEGER && array->element->is_signed;
+    return !array->is_interleaved && !array->order_is_kept &&
+           !(may_overflow && loop->unit->dialect.is_sanitized);
 }
 
-static const char *runtime_type(const reduction_array *array) {
-    return may_be_copied(array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
+static const char *runtime_type(const loop_text *loop, const reduction_array *array) {
+    return may_be_copied(loop, array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
 }
 
 /** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
@@ -79,7 +81,7 @@ static void write_arrays(loop_text *loop, writer *out) {
             loop_obstacle(loop, array->base->range, "the type of '%s' has no name", array->name);
         writer_line(out, "    %s{%s, %s, %s, sizeof(%s), %s}%s", i == 0 ? "{" : "",
                     text_quoted(loop->arena, array->name), operator_name(array),
-                    runtime_type(array), origin_type(loop->arena, array->element),
+                    runtime_type(loop, array), origin_type(loop->arena, array->element),
                     unit_text(loop, i), i + 1 < count ? "," : "};");
     }
     writer_fill(out, false);

@@ -131,7 +131,7 @@ void write_description(loop_text *loop, writer *out);
 /** May the runtime update private copies of the array? They hold elements side by side, so not
  * where other things lie between them; nor where updates of copies could not be brought together.
  */
-bool may_be_copied(const reduction_array *array);
+bool may_be_copied(const loop_text *loop, const reduction_array *array);
 unsigned key_length(const loop_text *loop);
 void fill_key(loop_text *loop, writer *out);
 

@@ -129,6 +129,22 @@ static bool names_c89(const char *standard) {
     return is(standard, names);
 }
 
+/* By any of the list that are not about addresses, leaks or threads. */
+static bool reports_arithmetic(const char *list) {
+    static const char *const others[] = {"address",          "leak",   "thread",
+                                         "hwaddress",        "memory", "pointer-compare",
+                                         "pointer-subtract", NULL};
+    for (size_t length; *list; list += length + (list[length] == ',')) {
+        length = strcspn(list, ",");
+        unsigned i = 0;
+        while (others[i] && (strlen(others[i]) != length || strncmp(list, others[i], length) != 0))
+            i++;
+        if (!others[i])
+            return true;
+    }
+    return false;
+}
+
 /* Of options that undo each other the last counts. */
 static void note_language(parse_flags *chosen, const char *flag) {
     if (strcmp(flag, "-fno-strict-aliasing") == 0)
@@ -139,6 +155,8 @@ static void note_language(parse_flags *chosen, const char *flag) {
         chosen->is_c89 = true;
     else if (source_starts_with(flag, "-std="))
         chosen->is_c89 = names_c89(flag + sizeof "-std=" - 1);
+    else if (source_starts_with(flag, "-fsanitize="))
+        chosen->is_sanitized |= reports_arithmetic(flag + sizeof "-fsanitize=" - 1);
     else if (strcmp(flag, "-nostdinc") == 0)
         chosen->has_headers = false;
 }

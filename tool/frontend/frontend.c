@@ -9,6 +9,7 @@
 #include "frontend/convert.h"
 #include "frontend/directives.h"
 #include "frontend/flags.h"
+#include "frontend/lexing.h"
 #include "ir/ir_text.h"
 
 /* clang parses by recursion, about 10 KB a level; only what is used is taken from the system. */
@@ -290,6 +291,12 @@ static bool says_may_alias(const char *text) {
     return false;
 }
 
+/* -std=c2x, gnu23 and later ones. */
+static bool asks_for_c23(const char *flag) {
+    return strstr(flag, "-std=") == flag &&
+           (strstr(flag, "c2") || strstr(flag, "gnu2") || strstr(flag, ":202"));
+}
+
 /* What the flags say of the program as a whole. */
 static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
@@ -297,6 +304,7 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     unit->dialect.refusing_option = chosen->refusing;
     unit->dialect.inexact_option = chosen->inexact;
     unit->dialect.is_c89 = chosen->is_c89;
+    unit->dialect.is_sanitized = chosen->is_sanitized;
     unit->dialect.math_errno = chosen->math_errno;
     for (unsigned i = 0; i < unit->function_count; i++) {
         ir_function *function = unit->functions[i];
@@ -324,6 +332,9 @@ static void run(void *data) {
             unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
             if (strstr(t->flags[i], "_Pragma") != NULL)
                 unit->text.unseen_word = "_Pragma";
+            if (asks_for_c23(t->flags[i]) &&
+                lexing_has_digit_separator(t->source->text, t->source->length))
+                unit->text.unseen_word = "a digit separator";
         }
         assert(ir_check_parsed(t->arena, unit) == NULL);
         t->result.unit = unit;

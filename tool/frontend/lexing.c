@@ -24,7 +24,14 @@ static bool is_one_of(const char *word, size_t length, const char *const *words,
     return false;
 }
 
-static bool begins_raw_string(const char *text, const char *quote) {
+/* R"delimiter( with a delimiter of 16 bytes at the most; `-R"` may end a string. */
+static bool begins_raw_string(const char *text, const char *quote, const char *end) {
+    enum { LONGEST_DELIMITER = 16 };
+    const char *at = quote + 1;
+    while (at < end && at - quote <= LONGEST_DELIMITER && !strchr("() \\\t\v\f\n", *at))
+        at++;
+    if (at == end || *at != '(')
+        return false;
     static const char *const prefixes[] = {"R", "LR", "uR", "UR", "u8R"};
     const char *word = word_before(text, quote);
     return is_one_of(word, (size_t)(quote - word), prefixes, sizeof prefixes / sizeof *prefixes);
@@ -51,19 +58,47 @@ static const char *split_word(const char *text, const char *splice) {
                                                                                  : NULL;
 }
 
+/* The byte behind a splice, and those that follow it. */
+static char byte_behind(const char *splice, const char *end) {
+    for (unsigned length; (length = splice_length(splice, end)) > 0;)
+        splice += length;
+    return splice < end ? *splice : 0;
+}
+
+/* A comment's mark, or another of two bytes, in two lines. */
+static bool splits_mark(const char *text, const char *splice, const char *end) {
+    const char before = splice > text ? splice[-1] : 0, behind = byte_behind(splice, end);
+    return (before == '/' && (behind == '/' || behind == '*')) ||
+           (before == '*' && behind == '/') || (before == '%' && behind == ':') || before == '?';
+}
+
+bool lexing_has_digit_separator(const char *text, size_t length) {
+    const char *end = text + length;
+    for (const char *at = text; (at = memchr(at, '\'', (size_t)(end - at))); at++) {
+        const char *word = word_before(text, at);
+        if (word < at && *word >= '0' && *word <= '9' && at + 1 < end && source_is_name_byte(at[1]))
+            return true;
+    }
+    return false;
+}
+
 const char *lexing_in_doubt(const char *text, size_t length) {
     const char *end = text + length;
     if (memmem(text, length, "?\?/", 3))
         return "?\?/";
     for (const char *at = text; (at = memchr(at, '"', (size_t)(end - at))); at++)
-        if (begins_raw_string(text, at))
+        if (begins_raw_string(text, at, end))
             return raw_string;
     for (const char *at = text; (at = memchr(at, '\\', (size_t)(end - at))); at++) {
         if (is_blank_splice(at, end))
             return "a backslash and blanks";
-        const char *split = splice_length(at, end) > 0 ? split_word(text, at) : NULL;
+        if (splice_length(at, end) == 0)
+            continue;
+        const char *split = split_word(text, at);
         if (split)
             return split;
+        if (splits_mark(text, at, end))
+            return "a mark in two lines";
     }
     return NULL;
 }

@@ -288,6 +288,7 @@ typedef struct ir_dialect {
     bool strict_aliasing; /* C's rule that objects of different types do not overlap may be used */
     bool is_c89;          /* names that C99 reserved are the program's */
     bool math_errno;      /* mathematical functions set errno */
+    bool is_sanitized;    /* arithmetic without a meaning may end the program */
     const char *refusing_option; /* by it the program is another than this. NULL: none */
     const char *inexact_option;  /* by it two copies of a floating-point expression may give other
                                     bits. NULL: none */

@@ -166,7 +166,7 @@ static const option options[] = {
     {"-framework", OPTION_ARGUMENT | OPTION_LINKER},
     {"-freciprocal-math", OPTION_PARSE | OPTION_INEXACT},
     {"-frounding-math", OPTION_REFUSE | OPTION_GIVE_UP},
-    {"-fsanitize=", OPTION_JOINED},
+    {"-fsanitize=", OPTION_JOINED | OPTION_PARSE},
     {"-fsave-optimization-record", OPTION_JOINED | OPTION_AUXILIARY},
     {"-fsemantic-interposition", OPTION_PARSE},
     {"-fshort-enums", OPTION_PARSE | OPTION_CLANG},
@@ -304,7 +304,8 @@ static bool complains_of_wrapping(const char *sanitizers) {
 }
 
 const option *option_find(const char *word) {
-    static const option wrapping = {"-fsanitize=", OPTION_JOINED | OPTION_REFUSE | OPTION_GIVE_UP};
+    static const option wrapping = {"-fsanitize=",
+                                    OPTION_JOINED | OPTION_PARSE | OPTION_REFUSE | OPTION_GIVE_UP};
     if (strncmp(word, wrapping.name, strlen(wrapping.name)) == 0 && complains_of_wrapping(word))
         return &wrapping;
     size_t length = strlen(word);

@@ -91,8 +91,13 @@ static bool is_about_speed(const char *pragma) {
     return false;
 }
 
+/* What macros mean behind it may be something else. */
+static bool is_about_macros(const ir_directive *d) {
+    return d->text && (strstr(d->text, "push_macro") || strstr(d->text, "pop_macro"));
+}
+
 bool directive_can_be_left_out(const ir_directive *d) {
-    return directive_is_conditional(d) || d->is_skipped ||
+    return directive_is_conditional(d) || (d->is_skipped && !is_about_macros(d)) ||
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
@@ -169,9 +174,19 @@ bool directive_is_openmp(const ir_directive *d) {
            ((strstr(d->text, "omp") && strstr(d->text, "ragma")) || strstr(d->text, "_OPENMP"));
 }
 
+/* Where a header's function has its text is not known: any directive may be in it. */
+static const char *openmp_of_headers(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
+        if (strstr(unit->text.header_pragmas[i], "omp"))
+            return unit->text.header_pragmas[i];
+    return unit->text.pragma_macros ? "_Pragma" : NULL;
+}
+
 const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *function) {
     const ir_range range = function->range;
-    if (!function->is_in_main_file || !unit->source)
+    if (!function->is_in_main_file)
+        return function->is_from_system ? NULL : openmp_of_headers(unit);
+    if (!unit->source)
         return NULL;
     for (unsigned i = loop_text_first_directive(unit, range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < range.end; i++) {

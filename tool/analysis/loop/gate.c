@@ -46,20 +46,33 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
+/* The macro of the program, or the operator, that stands directly above a loop which another
+ * statement holds: `if (n > 3) IVDEP for (...)`. With arguments it ends in a parenthesis, as
+ * conditions do: it is known by its name, among those that make pragmas. */
+static const char *last_word_before(const loop_analysis *j, uint32_t to) {
+    const ir_unit *unit = j->an->unit;
+    const ir_range above = {j->loop->parent->range.begin, to};
+    return text_pragma_macro(j->an->memory, unit, above);
+}
+
 /* A macro, or a _Pragma, between the loop and the statement before: it may be meant for the loop,
  * and a compiler wants a loop after it. */
 static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
     const source *s = j->an->unit->source;
     const ir_node *block = j->loop->parent;
-    if (!s || !block || block->kind != IR_BLOCK || block->range.begin >= block->range.end)
+    if (!s || !block || block->range.begin >= block->range.end)
         return (reason){0};
+    const uint32_t to = text_begin;
+    if (block->kind != IR_BLOCK) {
+        const char *macro = last_word_before(j, to);
+        return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
+    }
     uint32_t from = block->range.begin;
     if (s->text[from] == '{') /* else a macro makes it, and who knows what behind it */
         from++;
     for (unsigned i = 0; i < block->child_count && block->children[i] != j->loop; i++)
         if (block->children[i]->range.end > from)
             from = block->children[i]->range.end;
-    const uint32_t to = text_begin;
     const uint32_t at = skip_to_text(j->an, from, to);
     if (at >= to)
         return (reason){0};
