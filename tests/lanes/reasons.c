@@ -95,8 +95,7 @@ void with_a_static_variable(int n, elements e, points p, double *restrict b) {
 
 void of_long_doubles(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
-        const double d =
-            (double)((long double)p[e[t].node[0]][0] * 3); /* lanes: operand-type */
+        const double d = (double)((long double)p[e[t].node[0]][0] * 3); /* lanes: operand-type */
         b[e[t].node[1]] += d;
     }
 }
@@ -132,8 +131,7 @@ void array_whole(int n, elements e, points p, double *restrict b) {
 void reads_in_a_choice(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
         const int i = e[t].node[0];
-        const double d =
-            e[t].kind > 2 ? p[i][0] : 0.0; /* lanes: choice */
+        const double d = e[t].kind > 2 ? p[i][0] : 0.0; /* lanes: choice */
         b[e[t].node[1]] += d * d;
     }
 }
@@ -154,9 +152,7 @@ void named_elements(int n, elements e, points p, double *restrict b) {
     }
 }
 
-static struct {
-    double x, y;
-} nameless[100];
+static struct { double x, y; } nameless[100];
 
 void type_without_a_name(int n, elements e, double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -229,8 +225,7 @@ void used_again(int n, elements e, points p, double *restrict b) {
 void exponential(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
         const int i = e[t].node[0];
-        const double d = p[i][0] *
-                         atan2(p[i][1], 2.0); /* lanes: call */
+        const double d = p[i][0] * atan2(p[i][1], 2.0); /* lanes: call */
         b[e[t].node[1]] += d;
     }
 }
