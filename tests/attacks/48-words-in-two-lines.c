@@ -9,7 +9,7 @@ static int k[N];
 static double h[K], v[N];
 
 static void atomic(int n) {
-    for (int t = 0; t < n; t++) { // EXPECT: refuse directive-in-range
+    for (int t = 0; t < n; t++) { // EXPECT: refuse compiler
         _Prag\
 ma("omp atomic") h[k[t]] += v[t];
     }

@@ -70,12 +70,22 @@ static bool makes_pragma(const definition *it, const map *macros) {
     return source_find_name(it->rest, it->rest + strlen(it->rest), macros, &length) != NULL;
 }
 
+/* Where no definition names the operator, none can make it. */
+static bool some_name_operator(const search *s) {
+    for (unsigned i = 0; i < s->all.count; i++)
+        if (strstr(s->all.items[i].rest, pragma_operator))
+            return true;
+    return false;
+}
+
 void find_pragma_macros(converter *c) {
     search s = {.converter = c};
     clang_getInclusions(c->clang, look, &s);
     if (!s.is_found)
         return;
     clang_getInclusions(c->clang, collect, &s);
+    if (!some_name_operator(&s))
+        return;
     map *macros = map_new(c->arena);
     for (bool has_grown = true; has_grown;) {
         has_grown = false;

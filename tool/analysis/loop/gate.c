@@ -46,10 +46,9 @@ static uint32_t skip_to_text(const analyser *an, uint32_t from, uint32_t to) {
     return to;
 }
 
-/* The macro of the program, or the operator, that stands directly above a loop which another
- * statement holds: `if (n > 3) IVDEP for (...)`. With arguments it ends in a parenthesis, as
- * conditions do: it is known by its name, among those that make pragmas. */
-static const char *last_word_before(const loop_analysis *j, uint32_t to) {
+/* A macro that makes a pragma in the text of the statement that holds the loop, above it:
+ * `if (n > 3) IVDEP for (...)`. */
+static const char *pragma_macro_before(const loop_analysis *j, uint32_t to) {
     const ir_unit *unit = j->an->unit;
     const ir_range above = {j->loop->parent->range.begin, to};
     return text_pragma_macro(j->an->memory, unit, above);
@@ -64,7 +63,7 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
         return (reason){0};
     const uint32_t to = text_begin;
     if (block->kind != IR_BLOCK) {
-        const char *macro = last_word_before(j, to);
+        const char *macro = pragma_macro_before(j, to);
         return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
     }
     uint32_t from = block->range.begin;
