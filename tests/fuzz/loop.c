@@ -173,14 +173,52 @@ static void put_bound(kernel *k, const char *counter, buffer *b) {
             end, counter);
 }
 
-/* A while loop with its own counting. */
-static void put_while(kernel *k, const char *counter, buffer *b) {
+/* A while loop with its own counting. Returns what is behind the body. */
+static const char *put_while(kernel *k, const char *counter, buffer *b) {
     k->has_plain_header = true;
     k->may_continue = false;
     k->has_outer_counter = true;
     k->counter_type = "int";
     put(k, &k->locals, "    int %s = 0;\n", counter);
     put(k, b, "while (%s < %s) ", counter, k->trip);
+    return text(k, "%s++;\n}\n", counter);
+}
+
+typedef struct do_form {
+    const char *type, *first; /* %s: the bound */
+    const char *again;        /* %1$s: the counter, %2$s: the bound */
+    bool is_plain, may_continue;
+} do_form;
+
+static const do_form do_forms[] = {
+    {"int", "0", "%1$s++;\n} while (%1$s < %2$s);\n", true, false},
+    {"int", "0", "} while (++%1$s < %2$s);\n", true, true},
+    {"size_t", "0", "} while (++%1$s != (size_t)%2$s);\n", false, true},
+    {"int", "%s - 1", "} while (--%1$s >= 0);\n", false, true},
+    {"unsigned", "(unsigned)%s - 1", "} while (%1$s-- > 0);\n", false, true},
+    {"long", "%s - 1", "} while (%1$s--);\n", false, true},
+    {"int", "%s - 1", "%1$s--;\n} while (%1$s);\n", false, false},
+    {"unsigned", "(unsigned)%s", "} while (--%1$s);\n", false, true},
+};
+
+/* Asked after each iteration; of programs whose seeds are divisible by 11. Returns what is behind
+ * the body. */
+static const char *put_do(kernel *k, const char *counter, buffer *b) {
+    const do_form *form = &do_forms[below(k, LENGTH(do_forms))];
+    k->has_plain_header = form->is_plain;
+    k->may_continue = form->may_continue;
+    k->has_outer_counter = true;
+    k->counter_type = form->type;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    const char *first = text(k, form->first, k->trip);
+    const char *again = text(k, form->again, counter, k->trip);
+#pragma GCC diagnostic pop
+    put(k, &k->locals, "    %s %s = 0;\n", form->type, counter);
+    put(k, b, "%s = %s;\nif (%s > 1)\ndo ", counter, first, k->trip);
+    if (chance(k, 60))
+        put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
+    return again;
 }
 
 static void choose_bound(kernel *k) {
@@ -215,10 +253,13 @@ static void put_statements(kernel *k, bool with_bait) {
 
 static void put_loop(kernel *k, bool with_bait, const char *counter) {
     const bool is_while = chance(k, 6);
+    const char *end = "}\n";
     buffer head = {0};
     choose_bound(k);
-    if (is_while)
-        put_while(k, counter, &head);
+    if (k->has_idioms && chance(k, 25))
+        end = put_do(k, counter, &head);
+    else if (is_while)
+        end = put_while(k, counter, &head);
     else if (k->is_wide && chance(k, 6))
         put_pair(k, counter, &head);
     else if (k->is_wide && chance(k, 10))
@@ -229,9 +270,7 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     buffer_free(&head);
     add_name(&k->scope.positions, counter);
     put_statements(k, with_bait);
-    if (is_while)
-        put(k, &k->body, "%s++;\n", counter);
-    put(k, &k->body, "}\n");
+    buffer_text(&k->body, end);
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */

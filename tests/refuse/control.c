@@ -140,7 +140,7 @@ void with_do(int n, const int *k, double *h) {
     int t = 0;
     do // EXPECT: nothing
         h[k[t]] += 1.0;
-    while (++t < n);
+    while (++t < n && k[t] > 0);
 }
 
 int global_t;

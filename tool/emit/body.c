@@ -266,12 +266,11 @@ static const char *printed_text(body_copy *copy, const ir_node *statement) {
     return writer_text(copy->loop->arena, &line);
 }
 
-/** The increment of a while loop is the executor's own. */
+/** The increment at the end of a while or do loop's body is the executor's own. */
 static void drop_increment(body_copy *copy) {
     const loop_text *loop = copy->loop;
     const ir_node *increment = loop->facts->counted.increment;
-    if (!increment || loop->facts->loop->kind != IR_WHILE ||
-        loop->facts->counted.steps_in_condition || loop->facts->counted.steps_inside)
+    if (loop->facts->counted.steps_inside || !ir_contains(loop->facts->counted.body, increment))
         return;
     increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
     replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),

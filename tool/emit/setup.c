@@ -235,6 +235,9 @@ static void check_loop(loop_text *loop) {
         loop_obstacle(loop, facts->loop->range,
                       "'%s' is inline but not static: it cannot hold static data",
                       facts->function->name);
+    const uint32_t end = syntax_statement_end(loop->unit->source, facts->loop);
+    if (facts->loop->kind == IR_DO && end == facts->loop->range.end)
+        loop_obstacle(loop, facts->loop->range, "its semicolon stands in a macro");
     if (syntax_editable_statement(facts->loop, facts->function->body) != facts->loop)
         loop_obstacle(loop, facts->loop->range, "one macro call stands for it and more");
     for (unsigned i = 0; i < facts->array_count; i++) {

@@ -6,7 +6,8 @@
  * the type that C's usual conversions give the comparison. All is computed in redcc_int (64 bits,
  * signed). Values for which this would not be what the loop does - it would wrap, never end, or
  * compare otherwise after conversion to an unsigned type - give a count of 0, which leaves the
- * original loop to run.
+ * original loop to run. So do those by which a do loop has one iteration only: its first value does
+ * not meet the condition.
  */
 #include "emit/loop.h"
 #include "emit/origin.h"
@@ -111,8 +112,7 @@ static header header_of(const counted_loop *counted) {
     h.inclusive =
         counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
     h.stride = h.ascends ? counted->step : -counted->step;
-    h.lower_is_natural =
-        !counted->steps_in_condition && is_natural_constant(counted->lower, h.counter);
+    h.lower_is_natural = !counted->steps_first && is_natural_constant(counted->lower, h.counter);
     h.ends_at_bound = h.stride == 1 && !h.inclusive;
     return h;
 }
@@ -139,7 +139,7 @@ static void require_of_ends(conditions *list, const header *h) {
 
 /** What must hold of the counter's value after the loop. */
 static void require_of_final(conditions *list, const header *h, const char *counter_type) {
-    if (h->counted->steps_in_condition && !h->counter->is_signed)
+    if (h->counted->ends_below && !h->counter->is_signed)
         return; /* the step below 0 by which it ends is the loop's own */
     if (h->compares_unsigned && !h->ascends && !h->ends_at_bound)
         require(list, "redcc__final >= 0");
@@ -187,10 +187,9 @@ static const char *first_text(loop_text *loop, const header *h) {
 /** The counter's value in the first iteration. */
 static const char *lower_text(loop_text *loop, const header *h) {
     const char *first = first_text(loop, h);
-    return h->counted->steps_in_condition
-               ? arena_format(loop->arena, "(redcc_int)((redcc_word)%s %c 1)", first,
-                              h->ascends ? '+' : '-')
-               : first;
+    return h->counted->steps_first ? arena_format(loop->arena, "(redcc_int)((redcc_word)%s %c 1)",
+                                                  first, h->ascends ? '+' : '-')
+                                   : first;
 }
 
 static const char *bound_text(loop_text *loop, const header *h) {

@@ -12,7 +12,7 @@ void endless(int n, const int *s, double *h) {
     do { // EXPECT: refuse trip-count
         h[s[i]] += 1.0;
         i--;
-    } while (i > 0);
+    } while (i > 0 && s[i] > 0);
     for (double t = 0; t < n; t += 1) // EXPECT: refuse counter-type
         h[s[(int)t]] += 1.0;
     for (int a = 0, b = 0; a < n; a++, b += 2) // EXPECT: refuse trip-count

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/counted.h"
 
+#include "analysis/base/counted_bound.h"
 #include "analysis/base/counted_condition.h"
 #include "analysis/base/counted_start.h"
 #include "analysis/base/counted_wraps.h"
@@ -83,8 +84,8 @@ static bool split_condition(const ir_node *condition, const ir_variable *counter
 static const char *first_name(const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return node->variable->name;
-    if (node->kind == IR_FOR || node->kind == IR_WHILE)
-        return first_name(node->children[node->kind == IR_FOR ? 1 : 0]);
+    if (ir_is_loop(node))
+        return first_name(node->children[node->kind == IR_WHILE ? 0 : 1]);
     const char *name = NULL;
     for (unsigned i = 0; i < node->child_count && !name; i++)
         name = first_name(node->children[i]);
@@ -154,22 +155,44 @@ static bool is_plain_but_for_calls(const ir_node *node) {
     return true;
 }
 
+/* Do comparison and step go together in the condition, the one by what the other is about? */
+static bool compares_while_stepping(const counted_loop *loop) {
+    return loop->steps_first || loop->ends_below;
+}
+
+static bool may_count(const counted_loop *loop) {
+    return variable_is_automatic(loop->counter) &&
+           (is_plain_integer(loop->counter->type) ||
+            (is_plain_pointer(loop->counter->type) && !compares_while_stepping(loop)));
+}
+
+static bool wraps(const counted_loop *counted, const ir_node *loop) {
+    const ir_type *counter = counted->counter->type;
+    if (counter->kind == IR_POINTER) /* C gives no meaning to one that leaves what it points into */
+        return false;
+    if (compares_while_stepping(counted))
+        return counted_stepping_wraps(counted);
+    /* A first value on the wrong side of the bound gives no count, and the original loop runs. */
+    if (loop->kind == IR_DO && counted->comparison == IR_OP_NOT_EQUAL && !counter->is_signed)
+        return counter->size < 4 || counted->bound->type->size > counter->size;
+    return counted_wraps(counted);
+}
+
 /* What must hold of counter, bound and lower, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;
-    const bool is_pointer = is_plain_pointer(loop->counter->type);
-    if ((!is_plain_integer(loop->counter->type) && !(is_pointer && !loop->steps_in_condition)) ||
-        !variable_is_automatic(loop->counter))
+    if (!may_count(loop))
         return not_counted(REASON_COUNTER_TYPE, node, name);
     if (!is_plain_end(loop, loop->bound))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
-    if (!is_plain_but_for_calls(loop->bound))
+    if (!is_plain_but_for_calls(loop->bound) ||
+        (node->kind == IR_DO && !counted_bound_is_safe_before(loop->bound)))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
     for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
-        /* a while's increment is the last of its body and not looked at */
+        /* a while's or do's increment is the last of its body and not looked at */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
             continue;
@@ -182,10 +205,10 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
         return not_counted(REASON_BOUND_VARIES, loop->bound, written);
     if (!step_agrees(loop))
         return not_counted(REASON_STEP, node, name);
-    if (is_pointer) /* C gives no meaning to one that leaves what it points into */
-        loop->step *= loop->counter->type->target->size;
-    else if (loop->steps_in_condition ? counted_stepping_wraps(loop) : counted_wraps(loop))
+    if (wraps(loop, node))
         return not_counted(REASON_COUNTER_WRAPS, node, name);
+    if (loop->counter->type->kind == IR_POINTER)
+        loop->step *= loop->counter->type->target->size;
     return (counted_result){.is_counted = true, .loop = *loop};
 }
 
@@ -225,7 +248,8 @@ static bool split_start(const ir_node *loop, counted_loop *counted) {
                                          : counted_split_initialisation(loop, start, counted);
 }
 
-/* for (i = n; --i >= 0;), while (n--): what else the header does is not the counter's. */
+/* for (i = n; --i >= 0;), while (n--), do ... while (--n): what else the header does is not the
+ * counter's. */
 static counted_result recognise_stepping(const ir_node *loop, counted_loop *counted) {
     const char *name = counted->counter->name;
     const char *written = NULL;
@@ -303,12 +327,17 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
     return false;
 }
 
+/* A do loop is counted as the while loop of its body and condition. Where that has no iteration,
+ * which its first value and the bound decide, generated code counts none, and the original runs. */
 static counted_result recognise_while(const ir_node *loop) {
-    const ir_node *condition = loop->children[0];
-    const ir_node *body = loop->children[1];
+    const bool is_do = loop->kind == IR_DO;
+    const ir_node *condition = loop->children[is_do ? 1 : 0];
+    const ir_node *body = loop->children[is_do ? 0 : 1];
     counted_loop counted = {.body = body};
-    if (counted_split_stepping(condition, &counted))
+    if (counted_split_stepping(condition, &counted)) {
+        counted.steps_first &= !is_do;
         return recognise_stepping(loop, &counted);
+    }
     counted = (counted_loop){.body = body};
     if (split_inside(condition, &counted) && !continues(body))
         return check(&counted, loop, NULL);
@@ -329,15 +358,13 @@ static counted_result recognise_while(const ir_node *loop) {
 counted_result counted_recognise_analysed(ir_node *loop) {
     if (loop->kind == IR_FOR)
         return recognise_for(loop);
-    if (loop->kind == IR_WHILE)
-        return recognise_while(loop);
-    return not_counted(REASON_TRIP_COUNT, loop, NULL);
+    return recognise_while(loop);
 }
 
 static counted_result without_calls(counted_result result, const ir_node *loop) {
     if (!result.is_counted)
         return result;
-    if (result.loop.steps_in_condition)
+    if (loop->kind == IR_DO || compares_while_stepping(&result.loop))
         return not_counted(REASON_TRIP_COUNT, result.loop.increment, result.loop.counter->name);
     if (result.loop.counter->address_taken)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);

@@ -13,13 +13,15 @@ typedef struct counted_result {
     const char *name;    /* and its name */
 } counted_result;
 
-/** Brings a for or while loop into the form of counted_loop. That the bound's memory is not written
- *  in the loop is not checked here, that its variables are not is. */
+/** Brings a for or while loop into the form of counted_loop; a do loop is none here. That the
+ * bound's memory is not written in the loop is not checked here, that its variables are not is. */
 counted_result counted_recognise(ir_node *loop);
 
 /** The same, with what is left to the caller: the bound may call functions, the counter's address
  *  may be taken outside the loop, the header may set a variable to the bound (bound_variable) and
- *  step others beside the counter.
+ *  step others beside the counter. A do loop may be one whose first value does not meet the
+ *  condition, or whose counter would never come to the bound: it then iterates other than by
+ *  counter, bound and step.
  */
 counted_result counted_recognise_analysed(ir_node *loop);
 

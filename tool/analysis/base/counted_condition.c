@@ -2,7 +2,8 @@
 /*
  * The condition steps the counter, and compares it as it is then (--i >= 0) or as it was before
  * (i-- > 0). Either way the first iteration has the first value and one step. What was greater than
- * the bound before the step is, with integers, not less than it afterwards.
+ * the bound before the step is, with integers, not less than it afterwards. The same holds of a do
+ * loop from its second iteration on; the first one has the first value.
  */
 #include "analysis/base/counted_condition.h"
 
@@ -48,8 +49,9 @@ bool counted_split_stepping(const ir_node *condition, counted_loop *counted) {
     counted->counter = step->children[0]->variable;
     counted->increment = step;
     counted->step = step->op == IR_OP_PRE_INCREMENT || step->op == IR_OP_POST_INCREMENT ? 1 : -1;
-    counted->steps_in_condition = true;
-    if (!is_before_test(step))
+    counted->steps_first = true;
+    counted->ends_below = !is_before_test(step);
+    if (counted->ends_below)
         counted->comparison = after_step(counted->comparison, counted->step);
     return counted->comparison != IR_OP_NONE;
 }
@@ -62,6 +64,6 @@ bool counted_stepping_wraps(const counted_loop *counted) {
         return true;
     if (counter->is_signed) /* converted to an unsigned type, negative ones would be large */
         return !bound->is_signed && bound->size >= 4;
-    return counted->step > 0 || is_before_test(counted->increment) ||
+    return counted->step > 0 || !counted->ends_below ||
            !expression_constant(counted->bound, &constant) || constant != 0;
 }

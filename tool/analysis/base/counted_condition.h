@@ -7,7 +7,7 @@
 #include "analysis/base/facts.h"
 
 /** Fills in counter, step, increment, comparison and bound, as of the counter that was stepped, and
- *  sets steps_in_condition. False: the condition is none of these. */
+ *  sets steps_first and ends_below. False: the condition is none of these. */
 bool counted_split_stepping(const ir_node *condition, counted_loop *counted);
 
 /** May the counter leave its type, or be compared as another number than it is? Its own step past

@@ -33,12 +33,13 @@ typedef struct reason {
 
 /* ---- the counted loop ---------------------------------------------------------------------- */
 
-/** for (counter = lower; counter <comparison> bound; counter += step), or a while like it. The
- * counter is an integer, or a pointer to objects: then lower and bound are pointers, or arrays. */
+/** for (counter = lower; counter <comparison> bound; counter += step), or a while or do like it.
+ * The counter is an integer, or a pointer to objects: then lower and bound are pointers, or arrays.
+ */
 typedef struct counted_loop {
     ir_variable *counter;
     bool counter_is_declared_in_header;
-    const ir_node *lower; /* expression; NULL: the counter's value on entry (while loops) */
+    const ir_node *lower; /* expression; NULL: the counter's value on entry (while and do loops) */
     const ir_node *bound; /* loop-invariant expression */
     const ir_variable *bound_variable; /* that the header sets to `bound`, and that is mentioned
                                           nowhere else in the loop; NULL: there is none */
@@ -47,13 +48,15 @@ typedef struct counted_loop {
     ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                  as counter <comparison> bound */
     int64_t step;        /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
-    const ir_node *body; /* executed each iteration; for a while, the increment is its last
-                            statement, `increment`, and not part of the copy */
+    const ir_node *body; /* executed each iteration; of a while or do, the increment may be its
+                            last statement, `increment`, and not part of the copy */
     const ir_node *increment;
-    bool steps_inside; /* of a while: `increment` is v++ or v-- somewhere in the body, whose copy
-                          keeps it; after it the iteration does not ask for v */
-    bool steps_in_condition; /* `increment` stands in the condition: the first iteration has `lower`
-                                and one step, and an unsigned counter ends one step below 0 */
+    bool steps_inside; /* of a while or do: `increment` is v++ or v-- somewhere in the body, whose
+                          copy keeps it; after it the iteration does not ask for v */
+    bool steps_first;  /* the condition steps the counter before the body: the first iteration has
+                          `lower` and one step */
+    bool ends_below;   /* the condition steps it after the comparison: an unsigned one ends one step
+                          below 0 */
 } counted_loop;
 
 /* ---- arrays, updates ----------------------------------------------------------------------- */

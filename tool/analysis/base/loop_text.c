@@ -109,8 +109,9 @@ static bool asks_for_openmp(const ir_directive *d) {
 /* Does a directive stand between the loop's last expression and its semicolon? NULL: none does. */
 static const ir_directive *directive_before_semicolon(const ir_unit *unit, const ir_node *loop) {
     const ir_node *last = loop;
-    while (last->child_count > 0 && (ir_is_loop(last) || last->kind == IR_IF ||
-                                     last->kind == IR_SWITCH || last->kind == IR_LABEL))
+    while (last->child_count > 0 && last->kind != IR_DO &&
+           (ir_is_loop(last) || last->kind == IR_IF || last->kind == IR_SWITCH ||
+            last->kind == IR_LABEL))
         last = last->children[last->child_count - 1];
     if (!unit->source || last->kind == IR_BLOCK || last->flags & IR_FROM_MACRO)
         return NULL;

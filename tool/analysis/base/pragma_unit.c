@@ -54,7 +54,7 @@ static void bind_loop(collection *c, const ir_node *loop) {
 }
 
 static bool visit(ir_node *node, void *context) {
-    if (ir_is_loop(node) && node->kind != IR_DO && node->range.begin < node->range.end)
+    if (ir_is_loop(node) && node->range.begin < node->range.end)
         bind_loop(context, node);
     return true;
 }
@@ -78,9 +78,8 @@ static void check(collection *c, const user_pragma *pragma) {
     if (pragma->word == PRAGMA_PURE)
         return;
     if (!pragma->loop) {
-        add_problem(
-            c, pragma->range.begin,
-            arena_format(c->memory, "'redcc %s' stands above no for or while loop", pragma->text));
+        add_problem(c, pragma->range.begin,
+                    arena_format(c->memory, "'redcc %s' stands above no loop", pragma->text));
         return;
     }
     for (unsigned i = 0; i < pragma->name_count; i++) {

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * Before the loop is entered it is not known yet whether an iteration writes what the bound reads:
+ * of `do h[k[i]]++; while (++i < n / m[0]);` m[0] may be 0 until the first iteration writes it. So
+ * what is read from memory may be the bound, but no part of what is computed for it: neither an
+ * address nor a divisor may depend on it.
+ */
+#include "analysis/base/counted_bound.h"
+
+#include "analysis/base/expression.h"
+
+/* Made of numbers and of local variables that nothing but their names can change: the same before
+ * the first iteration and after it. */
+static bool is_steady(const ir_node *node) {
+    switch (node->kind) {
+    case IR_NUMBER:
+    case IR_SIZEOF:
+        return true;
+    case IR_VARIABLE:
+        return node->type->kind == IR_ARRAY ||
+               (variable_is_automatic(node->variable) && !node->variable->address_taken &&
+                !node->variable->has_other_name);
+    case IR_CAST:
+    case IR_UNARY:
+    case IR_BINARY:
+    case IR_CONDITIONAL:
+        if (node->kind == IR_UNARY &&
+            (node->op == IR_OP_ADDRESS || node->op == IR_OP_DEREFERENCE || ir_is_increment(node)))
+            return false;
+        for (unsigned i = 0; i < node->child_count; i++)
+            if (!is_steady(node->children[i]))
+                return false;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* The address of an object: of n, p->n, s.n, *p, p[2]. */
+static bool has_steady_address(const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return true;
+    case IR_MEMBER:
+        return node->flags & IR_ARROW ? is_steady(node->children[0])
+                                      : has_steady_address(node->children[0]);
+    case IR_INDEX:
+        return is_steady(node->children[1]) &&
+               (node->children[0]->type->kind == IR_ARRAY ? has_steady_address(node->children[0])
+                                                          : is_steady(node->children[0]));
+    default:
+        return node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE &&
+               is_steady(node->children[0]);
+    }
+}
+
+bool counted_bound_is_safe_before(const ir_node *bound) {
+    return is_steady(bound) || has_steady_address(bound);
+}
