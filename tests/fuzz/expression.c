@@ -90,14 +90,14 @@ static const char *load_value(kernel *k) {
 }
 
 static const char *leaf_value(kernel *k) {
-    static const char *const constants[] = {"0.5", "2.0", "1.5", "-0.25", "3"};
+    static const char *const constants[] = {"0.5", "2.0", "1.5", "-0.25", "3", "0.5f", "1.5f"};
     const int which = below(k, 10);
     if (which < 4 && k->scope.values.count)
         return any_name(k, &k->scope.values);
     if (which < 8)
         return load_value(k);
     if (which == 8)
-        return constants[below(k, 5)];
+        return constants[below(k, 7)];
     return text(k, "(%s & 15)", integer(k, 0));
 }
 

@@ -49,7 +49,7 @@ static void assign_outer_subscript(kernel *k) {
 static void declare_value(kernel *k) {
     const char *name = new_name(k, "d");
     const char *e = value(k, 1);
-    put(k, &k->body, "%s %s = %s;\n", chance(k, 85) ? "double" : "float", name, e);
+    put(k, &k->body, "%s %s = %s;\n", chance(k, 70) ? "double" : "float", name, e);
     add_name(&k->scope.values, name);
 }
 

@@ -1,23 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Each construct that is written for vectors, in a loop of its own, and what is left alone; on
  * random data with NaN, infinities, zeros of both signs and subnormals. */
-#include <math.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
+#include "data.h"
 
-enum { NODES = 300, COUNT = 1009 };
-
-struct element {
-    int node[3];
-    double weight[3];
-    double area;
-    short kind;
-};
-
-static struct element element[COUNT];
-static double x[NODES][3], scale[COUNT], force[NODES][3], block[NODES][3][3], single[NODES];
-static float small[COUNT];
+static double scale[COUNT], block[NODES][3][3];
 static const double factor = 1.25;
 static volatile int far_outside = 1 << 29;
 
@@ -349,14 +335,6 @@ static void plain_used_below(int n, const struct element *restrict e, const doub
     }
 }
 
-static void plain_floats(int n, const struct element *restrict e, const float *restrict s,
-                         double *restrict b) {
-    for (int t = 0; t < n; t++) {
-        const double d = s[t] * 0.1f;
-        b[e[t].node[0]] += d;
-    }
-}
-
 static void plain_subscript_from_double(int n, const struct element *restrict e,
                                         const double (*restrict p)[3], double *restrict b) {
     for (int t = 0; t < n; t++) {
@@ -405,55 +383,13 @@ static void plain_length_of_loop(int n, const struct element *restrict e,
     }
 }
 
-/* ---- data ---- */
-
-static uint64_t random_bits(void) {
-    static uint64_t state = 88172645463325252u;
-    state ^= state << 13;
-    state ^= state >> 7;
-    return state ^= state << 17;
-}
-
-static double odd_value(void) {
-    static const double odd[] = {NAN, INFINITY, -INFINITY, -0.0, 0.0, 4.9e-324, -1e-310, 1e308};
-    const uint64_t r = random_bits();
-    return r % 61 == 0 ? odd[r / 61 % 8] : (double)(int64_t)r * 0x1p-62;
-}
-
-static void print(const char *name, const double *v, size_t count) {
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (size_t i = 0; i < count; i++) {
-        uint64_t bits;
-        memcpy(&bits, &v[i], sizeof bits);
-        bits = v[i] != v[i] ? 1 : bits; /* which NaN it is no standard says */
-        hash = (hash ^ bits) * 0x100000001b3u;
-    }
-    printf("%s %016llx\n", name, (unsigned long long)hash);
-}
-
-/* -0.0 is the only value that any other leaves as it is. */
-static void begin(double *v, size_t count) {
-    for (size_t i = 0; i < count; i++)
-        v[i] = -0.0;
-}
-
 #define P (const double(*)[3]) x
 
 int main(void) {
     for (int round = 0; round < 3; round++) {
-        for (int t = 0; t < COUNT; t++) {
-            for (int k = 0; k < 3; k++) {
-                element[t].node[k] = (int)((t * NODES / COUNT + random_bits() % 40) % NODES);
-                element[t].weight[k] = odd_value();
-            }
-            element[t].area = 1 + (double)(random_bits() % 1000) / 999;
-            element[t].kind = (short)(random_bits() % 5);
+        begin_round();
+        for (int t = 0; t < COUNT; t++)
             scale[t] = odd_value();
-            small[t] = (float)odd_value();
-        }
-        for (int i = 0; i < NODES; i++)
-            for (int c = 0; c < 3; c++)
-                x[i][c] = odd_value();
 #define EACH(call, array)                                                                          \
     begin(&force[0][0], sizeof force / sizeof(double));                                            \
     begin(&block[0][0][0], sizeof block / sizeof(double));                                         \
@@ -481,7 +417,6 @@ int main(void) {
             EACH(lifted_functions(n, element, P, force, block), block);
             print("force", &force[0][0], sizeof force / sizeof(double));
             EACH(plain_used_below(n, element, P, single), single);
-            EACH(plain_floats(n, element, small, single), single);
             EACH(plain_subscript_from_double(n, element, P, single), single);
             EACH(plain_effects_in_operands(n, element, P, single), single);
             EACH(plain_effects_in_updates(n, element, P, single), single);

@@ -74,9 +74,17 @@ void through_pointers(int n, elements e, points p, double *const *restrict rows)
 
 /* ---- variables and expressions ---- */
 
-void of_floats(int n, elements e, points p, double *restrict b) {
+void array_of_integers(int n, elements e, points p, double *restrict b) {
     for (int t = 0; t < n; t++) {
-        const float d = (float)p[e[t].node[0]][0]; /* lanes: variable-type */
+        const int row[2] = {e[t].node[0], e[t].node[1]}; /* lanes: variable-type */
+        const double d = p[row[0]][0];
+        b[row[1]] += d;
+    }
+}
+
+void of_floats(int n, elements e, points p, float *restrict b) {
+    for (int t = 0; t < n; t++) { /* lanes: written */
+        const float d = (float)p[e[t].node[0]][0];
         b[e[t].node[1]] += d;
     }
 }

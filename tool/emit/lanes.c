@@ -109,7 +109,7 @@ static bool check_update_node(ir_node *node, void *context) {
         check_update(l, node);
         return false;
     }
-    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_lifted_root(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);

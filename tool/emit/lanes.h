@@ -15,8 +15,8 @@
 typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer of each lane: an array of them */
-    LANE_MASK,    /* a constant integer that is a comparison of doubles: a mask, -1 for 1 */
-    LANE_LIFTED   /* a double, or an array of them, of each lane: vectors */
+    LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
+    LANE_LIFTED /* a double or float, or an array of them, of each lane: vectors */
 } lane_class;
 
 /** A function written for vectors, with parameters of these classes. */
@@ -45,8 +45,8 @@ typedef struct lifter {
     ir_range place; /* of the last statement that stands in the file itself */
 } lifter;
 
-/** An expression of doubles: its text, a primary expression; a vector, or a scalar that is the same
- *  for all lanes. */
+/** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
+ * that is the same for all lanes. */
 typedef struct lifted {
     const char *text;
     bool is_vector;
@@ -70,12 +70,34 @@ bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
 bool lane_mentions_lifted(const lifter *l, const ir_node *node);
 /** The lifted variable whose element or value this is, or NULL. */
 const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);
-bool lane_is_double(const ir_type *type);
+/** A double or a float: what has vectors. */
+bool lane_is_real(const ir_type *type);
 
-/** lanes_expression.c: the expression for all lanes. */
-lifted lane_expression(lifter *l, const ir_node *node);
+/** lanes_real.c: what is called one way for doubles and another way for floats. */
+typedef struct lane_words {
+    const char *vector; /* the type of their vectors */
+    const char *gather; /* makes one of a lane's text */
+    const char *same;   /* makes one of a scalar */
+    const char *select; /* of two, by a mask */
+    const char *mask;   /* makes one of a comparison */
+    const char *of;     /* makes one of a vector of the others */
+    const char *scalar; /* the type of one */
+} lane_words;
+
+/** Those of a type that lane_is_real. */
+const lane_words *lane_words_of(const ir_type *type);
+/** The expression's value, computed in its own type, in that of `to`, as C converts it. */
+lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to);
+/** The type in which an operator computes: double where one operand is, else float; NULL where
+ *  neither is any of these, or one is no number of lanes. */
+const ir_type *lane_common(const ir_type *left, const ir_type *right);
+/** The value as a vector, also where all lanes are the same. */
+const char *lane_spread(lifter *l, lifted value, const ir_type *type);
+
+/** lanes_expression.c: the expression for all lanes, converted to a type that lane_is_real. */
+lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to);
 /** The same as a vector, also where all lanes are the same. */
-const char *lane_vector(lifter *l, const ir_node *node);
+const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to);
 /** May it be evaluated where the program does not? */
 bool lane_is_safe(const lifter *l, const ir_node *node);
 /** Is it one of the arithmetic operators of vectors, + - * and /? */

@@ -2,10 +2,6 @@
 /** Which variables are the same for all lanes, and what becomes of the others. */
 #include "emit/lanes.h"
 
-bool lane_is_double(const ir_type *type) {
-    return type && type->kind == IR_FLOATING && type->size == 8;
-}
-
 bool lane_is_own(const lifter *l, const ir_variable *variable) {
     const loop_facts *facts = l->loop->facts;
     if (l->function)
@@ -76,7 +72,7 @@ bool lane_is_plain(const ir_node *node) {
 }
 
 bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
-    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_lifted_root(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
         return true;
@@ -93,7 +89,7 @@ static lane_class first_class(lifter *l, const ir_variable *variable, const ir_n
     if (type->is_volatile || type->is_atomic || innermost->is_volatile || innermost->is_atomic ||
         variable->storage == IR_STATIC_LOCAL || variable->storage == IR_THREAD_LOCAL)
         lane_problem(l, NO_LANES_STORAGE, node);
-    if (lane_is_double(innermost) && type->size > 0)
+    if (lane_is_real(innermost) && type->size > 0)
         return LANE_LIFTED;
     if (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN && type->kind != IR_POINTER)
         lane_problem(l, NO_LANES_VARIABLE_TYPE, node);

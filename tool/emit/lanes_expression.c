@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Expressions for all lanes. Arithmetic on doubles is the user's, operator by operator: each is
- * rounded as it is for one iteration. What is read from memory by a subscript of the iteration, or
- * is an integer of it, is gathered.
+ * Expressions for all lanes. Arithmetic on doubles and floats is the user's, operator by operator:
+ * each is computed in its own type and rounded as it is for one iteration. What is read from memory
+ * by a subscript of the iteration, or is an integer of it, is gathered.
  */
 #include <string.h>
 
@@ -36,7 +36,7 @@ const char *lane_rename(const ir_node *node, void *context) {
         return arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable));
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
         return arena_format(a, "((int)-%s[redcc__l])", origin_variable(a, node->variable));
-    if (!lane_is_double(node->type) || !lane_lifted_root(l, node))
+    if (!lane_is_real(node->type) || !lane_lifted_root(l, node))
         return NULL;
     return arena_format(a, "%s[redcc__l]", lifted_place(l, node));
 }
@@ -66,30 +66,26 @@ lane_reason lane_effect_of(const ir_node *node) {
     return NO_LANES_OPERAND_EFFECT;
 }
 
-/** An operand that is read from memory, or an integer, as a double. */
-static lifted leaf(lifter *l, const ir_node *node) {
+/** An operand that is read from memory, in its own type, or an integer as one of that type. */
+static lifted leaf(lifter *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
         return refuse(l, lane_effect_of(node), node);
     if (lane_mentions_lifted(l, node))
         return refuse(l, NO_LANES_FROM_DOUBLE, node);
     const char *text = lane_scalar(l, node);
-    if (!lane_is_double(node->type))
-        text = arena_format(a, "(double)%s", text);
+    if (!lane_is_real(node->type))
+        text = arena_format(a, "(%s)%s", lane_words_of(type)->scalar, text);
     if (lane_is_uniform(l, node) && (!l->may_be_none || lane_is_safe(l, node)))
         return (lifted){arena_format(a, "(%s)", text), false};
-    return (lifted){arena_format(a, "REDCC_GATHER(%s)", lane_guarded(l, node, text)), true};
+    return (lifted){
+        arena_format(a, "%s(%s)", lane_words_of(type)->gather, lane_guarded(l, node, text)), true};
 }
 
 /* ---- arithmetic ----------------------------------------------------------------------------- */
 
-static const char *as_vector(lifter *l, lifted value) {
-    return value.is_vector ? value.text
-                           : arena_format(l->loop->arena, "redcc_same(%s)", value.text);
-}
-
-const char *lane_vector(lifter *l, const ir_node *node) {
-    return as_vector(l, lane_expression(l, node));
+const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to) {
+    return lane_spread(l, lane_expression(l, node, to), to);
 }
 
 bool lane_has_operator(ir_operator op) {
@@ -99,15 +95,15 @@ bool lane_has_operator(ir_operator op) {
 static lifted arithmetic(lifter *l, const ir_node *node) {
     if (!lane_has_operator(node->op))
         return refuse(l, NO_LANES_OPERAND_EFFECT, node);
-    const lifted left = lane_expression(l, node->children[0]);
-    const lifted right = lane_expression(l, node->children[1]);
+    const lifted left = lane_expression(l, node->children[0], node->type);
+    const lifted right = lane_expression(l, node->children[1], node->type);
     return (lifted){arena_format(l->loop->arena, "(%s %s %s)", left.text,
                                  ir_operator_spelling(node->op), right.text),
                     left.is_vector || right.is_vector};
 }
 
 bool lane_is_safe(const lifter *l, const ir_node *node) {
-    if (lane_is_double(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_lifted_root(l, node))
         return true;
     if (node->kind == IR_INDEX || node->kind == IR_CALL || node->kind == IR_ASSIGN ||
         node->kind == IR_OPAQUE || (node->kind == IR_MEMBER && node->flags & IR_ARROW) ||
@@ -115,7 +111,7 @@ bool lane_is_safe(const lifter *l, const ir_node *node) {
          (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
         return false;
     const bool is_arithmetic = node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR;
-    if (is_arithmetic && !lane_is_double(node->type) && !(node->flags & IR_HAS_VALUE))
+    if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
         return false; /* of integers: it may overflow, or divide by 0 */
     for (unsigned i = 0; i < node->child_count; i++)
         if (!lane_is_safe(l, node->children[i]))
@@ -129,57 +125,59 @@ static lifted conditional(lifter *l, const ir_node *node) {
     if (l->may_be_none && !lane_is_safe(l, node))
         return refuse(l, NO_LANES_CHOICE, node);
     if (lane_is_uniform(l, condition)) {
-        const lifted yes = lane_expression(l, node->children[1]);
-        const lifted no = lane_expression(l, node->children[2]);
+        const lifted yes = lane_expression(l, node->children[1], node->type);
+        const lifted no = lane_expression(l, node->children[2], node->type);
         if (!yes.is_vector && !no.is_vector)
             return (lifted){
                 arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition), yes.text, no.text),
                 false};
         return (lifted){arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition),
-                                     as_vector(l, yes), as_vector(l, no)),
+                                     lane_spread(l, yes, node->type),
+                                     lane_spread(l, no, node->type)),
                         true};
     }
     if (!lane_is_safe(l, condition) || !lane_is_safe(l, node->children[1]) ||
         !lane_is_safe(l, node->children[2]))
         return refuse(l, NO_LANES_CHOICE, node);
-    return (lifted){arena_format(a, "redcc_select(%s, %s, %s)", lane_mask(l, condition),
-                                 lane_vector(l, node->children[1]),
-                                 lane_vector(l, node->children[2])),
+    return (lifted){arena_format(a, "%s(%s, %s, %s)", lane_words_of(node->type)->select,
+                                 lane_mask(l, condition),
+                                 lane_vector(l, node->children[1], node->type),
+                                 lane_vector(l, node->children[2], node->type)),
                     true};
 }
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
+/** A function of the library that has lanes; dead lanes give it what sets no errno. */
+static lifted known_call(lifter *l, const char *name, const ir_node *call) {
+    arena *a = l->loop->arena;
+    const lane_words *words = lane_words_of(call->type);
+    const char *operand = lane_vector(l, call->children[1], call->type);
+    if (l->mask)
+        operand = arena_format(a, "%s(%s, %s, %s((%s)1))", words->select, l->mask, operand,
+                               words->same, words->scalar);
+    return (lifted){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
+}
+
 static lifted call(lifter *l, const ir_node *node) {
-    static const char *const known[] = {"sqrt", "fabs"};
+    static const char *const known[] = {"sqrt", "fabs", "sqrtf", "fabsf"};
     const ir_function *callee =
         node->children[0]->kind == IR_FUNCTION ? node->children[0]->function : NULL;
-    if (!callee || !lane_is_double(node->type))
+    if (!callee)
         return refuse(l, NO_LANES_CALL, node);
     if (callee->body)
         return (lifted){lane_call(l, node), true};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 &&
             !callee->linkage.is_renamed && node->child_count == 2)
-            return (lifted){arena_format(l->loop->arena,
-                                         l->mask ? "redcc_lanes_%s(redcc_select(%s, %s, "
-                                                   "redcc_same(1.0)))"
-                                                 : "redcc_lanes_%s(%s%s)",
-                                         known[i], l->mask ? l->mask : "",
-                                         lane_vector(l, node->children[1])),
-                            true};
+            return known_call(l, known[i], node);
     return refuse(l, NO_LANES_CALL, node);
 }
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
-lifted lane_expression(lifter *l, const ir_node *node) {
-    arena *a = l->loop->arena;
-    if (!node->type || (!lane_is_double(node->type) && node->type->kind != IR_INTEGER &&
-                        node->type->kind != IR_BOOLEAN))
-        return refuse(l, NO_LANES_OPERAND_TYPE, node);
-    if (!lane_is_double(node->type))
-        return leaf(l, node);
+/** In the expression's own type, which is real. */
+static lifted real_expression(lifter *l, const ir_node *node) {
     if (lane_lifted_root(l, node))
         return (lifted){lifted_place(l, node), true};
     switch (node->kind) {
@@ -190,16 +188,25 @@ lifted lane_expression(lifter *l, const ir_node *node) {
     case IR_CALL:
         return call(l, node);
     case IR_CAST:
-        return lane_expression(l, node->children[0]);
+        return lane_expression(l, node->children[0], node->type);
     case IR_UNARY:
         if (node->op == IR_OP_MINUS || node->op == IR_OP_PLUS) {
-            const lifted operand = lane_expression(l, node->children[0]);
-            return (lifted){
-                arena_format(a, "(%s%s)", node->op == IR_OP_MINUS ? "-" : "+", operand.text),
-                operand.is_vector};
+            const lifted operand = lane_expression(l, node->children[0], node->type);
+            return (lifted){arena_format(l->loop->arena, "(%s%s)",
+                                         node->op == IR_OP_MINUS ? "-" : "+", operand.text),
+                            operand.is_vector};
         }
-        return leaf(l, node);
+        return leaf(l, node, node->type);
     default:
-        return leaf(l, node);
+        return leaf(l, node, node->type);
     }
+}
+
+lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to) {
+    const ir_type *type = node->type;
+    if (lane_is_real(type))
+        return lane_convert(l, real_expression(l, node), type, to);
+    if (!type || (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN))
+        return refuse(l, NO_LANES_OPERAND_TYPE, node);
+    return leaf(l, node, to);
 }

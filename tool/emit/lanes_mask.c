@@ -59,10 +59,12 @@ const char *lane_mask(lifter *l, const ir_node *node) {
         return both(l, node);
     const bool is_comparison =
         node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT_EQUAL;
-    if (is_comparison &&
-        (lane_is_double(node->children[0]->type) || lane_is_double(node->children[1]->type)))
-        return arena_format(a, "(redcc_mask)(%s %s %s)", lane_vector(l, node->children[0]),
-                            ir_operator_spelling(node->op), lane_vector(l, node->children[1]));
+    const ir_type *type =
+        is_comparison ? lane_common(node->children[0]->type, node->children[1]->type) : NULL;
+    if (type)
+        return arena_format(a, "%s(%s %s %s)", lane_words_of(type)->mask,
+                            lane_vector(l, node->children[0], type), ir_operator_spelling(node->op),
+                            lane_vector(l, node->children[1], type));
     if (lane_is_plain(node) && !lane_mentions_lifted(l, node))
         return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
     lane_problem(l, NO_LANES_CONDITION, node);

@@ -48,7 +48,10 @@ static bool is_zero(const ir_node *node) {
     }
     if (node->flags & IR_HAS_VALUE)
         return node->value == 0;
-    return node->kind == IR_NUMBER && node->text && strspn(node->text, "0.") == strlen(node->text);
+    if (node->kind != IR_NUMBER || !node->text)
+        return false;
+    const char *rest = node->text + strspn(node->text, "0.");
+    return rest > node->text && (!*rest || strcmp(rest, "f") == 0 || strcmp(rest, "F") == 0);
 }
 
 /** " = {{{0}}}": all lanes of all elements. */
@@ -70,22 +73,22 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
         return "{{0}}";
     }
     const char *text = NULL;
-    for (unsigned i = 0; i < value->child_count; i++)
-        text = text ? arena_format(a, "%s, %s", text, lane_vector(l, value->children[i]))
-                    : lane_vector(l, value->children[i]);
+    for (unsigned i = 0; i < value->child_count; i++) {
+        const char *element = lane_vector(l, value->children[i], type->target);
+        text = text ? arena_format(a, "%s, %s", text, element) : element;
+    }
     return arena_format(a, "{%s}", text);
 }
 
 static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node *value) {
     const char *name = origin_declarator(l->loop->arena, variable);
-    const char *of = extents(l, variable->type);
-    if (!value) /* what a selection keeps of it is not used, but read */
-        writer_line(l->out, "redcc_vector %s%s = %s;", name, of, zeros(l, variable->type));
-    else if (variable->type->kind == IR_ARRAY)
-        writer_line(l->out, "redcc_vector %s%s = %s;", name, of,
-                    array_initialiser(l, variable->type, value));
-    else
-        writer_line(l->out, "redcc_vector %s = %s;", name, lane_vector(l, value));
+    const ir_type *type = variable->type;
+    /* without a value: what a selection keeps of it is not used, but read */
+    writer_line(l->out, "%s %s%s = %s;", lane_words_of(ir_type_innermost(type))->vector, name,
+                extents(l, type),
+                !value                   ? zeros(l, type)
+                : type->kind == IR_ARRAY ? array_initialiser(l, type, value)
+                                         : lane_vector(l, value, type));
 }
 
 /** What becomes an integer or a pointer of each lane. */
@@ -134,15 +137,23 @@ void lane_declare(lifter *l, const ir_variable *variable) {
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
+/** A lifted variable's element: of a pointer, what it points to. */
+static const ir_type *lifted_element(const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
+}
+
 /** Of what class is the parameter, with this argument? */
 static lane_class parameter_class(lifter *l, const ir_variable *parameter, const ir_node *value) {
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
         lane_problem(l, NO_LANES_STORAGE, value);
-    if (lane_is_double(type))
+    const ir_variable *root = lane_lifted_root(l, value);
+    if (lane_is_real(type))
         return LANE_LIFTED;
-    if (type->kind == IR_POINTER && lane_lifted_root(l, value)) {
-        if (!lane_is_double(ir_type_innermost(type->target)))
+    if (type->kind == IR_POINTER && root) {
+        const ir_type *element = ir_type_innermost(type->target);
+        if (!lane_is_real(element) || element->size != lifted_element(root)->size)
             lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
         return LANE_LIFTED;
     }
@@ -161,10 +172,11 @@ static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_
         return arena_format(a, "%s *%s", lane_type(l, type), name);
     if (class == LANE_UNIFORM)
         return arena_format(a, "%s %s", lane_type(l, type), name);
+    const char *vector = lane_words_of(lifted_element(parameter))->vector;
     if (type->kind != IR_POINTER)
-        return arena_format(a, "redcc_vector %s", name);
+        return arena_format(a, "%s %s", vector, name);
     const char *of = extents(l, type->target);
-    return arena_format(a, *of ? "redcc_vector (*%s)%s" : "redcc_vector *%s%s", name, of);
+    return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
 static const char *argument_text(lifter *l, const ir_variable *parameter, lane_class class,
@@ -176,7 +188,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
         return arena_format(a, "REDCC_EACH(%s, %s)", lane_type(l, parameter->type),
                             lane_guarded(l, value, lane_text(l, value)));
     if (parameter->type->kind != IR_POINTER)
-        return lane_vector(l, value);
+        return lane_vector(l, value, parameter->type);
     const char *text = text_operand(a, value, NULL, NULL);
     if (!text)
         lane_problem(l, NO_LANES_SPELLING, value);
@@ -185,6 +197,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
 
 static void write_parameters(lifter *l, const ir_function *function, const lane_class *classes,
                              const char *name) {
+    const ir_type *result = function->type->target;
     buffer head = {0};
     if (l->mask)
         buffer_format(&head, "const redcc_mask %s __attribute__((__unused__))", l->mask);
@@ -195,7 +208,7 @@ static void write_parameters(lifter *l, const ir_function *function, const lane_
                       parameter_text(l, parameter, classes[i]));
     }
     writer_line(l->out, "REDCC_LIFTED %s %s(%s) {",
-                lane_is_double(function->type->target) ? "redcc_vector" : "void", name,
+                lane_is_real(result) ? lane_words_of(result)->vector : "void", name,
                 head.data ? head.data : "void");
     buffer_free(&head);
 }
@@ -219,7 +232,8 @@ static void write_clone(lifter *l, const ir_function *function, const lane_class
         const ir_node *statement = function->body->children[i];
         const bool is_last = i + 1 == function->body->child_count;
         if (statement->kind == IR_RETURN && is_last && statement->child_count > 0)
-            writer_line(&text, "return %s;", lane_vector(&inner, statement->children[0]));
+            writer_line(&text, "return %s;",
+                        lane_vector(&inner, statement->children[0], function->type->target));
         else if (statement->kind != IR_RETURN || !is_last)
             lane_statement(&inner, statement);
     }
@@ -233,7 +247,7 @@ static bool can_be_cloned(lifter *l, const ir_function *function, const ir_node 
     const ir_node *body = function->body;
     if (function->is_variadic || function->is_noreturn || l->depth >= MOST_DEPTH ||
         call->child_count != function->parameter_count + 1 ||
-        (result->kind != IR_VOID && !lane_is_double(result)))
+        (result->kind != IR_VOID && !lane_is_real(result)))
         return false;
     return result->kind == IR_VOID ||
            (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
@@ -277,23 +291,41 @@ const char *lane_call(lifter *l, const ir_node *call) {
 
 /* ---- statements ----------------------------------------------------------------------------- */
 
+/** What `target op= value` leaves, or `target = value`: a vector of the target's type. C computes
+ * in the wider of both types, and converts. */
+static const char *assigned_value(lifter *l, const ir_node *node, const char *target) {
+    const ir_node *value = node->children[1];
+    const ir_type *type = node->children[0]->type;
+    if (node->op == IR_OP_NONE)
+        return lane_vector(l, value, type);
+    const ir_type *computed = lane_common(type, value->type);
+    if (!computed || !lane_has_operator(node->op)) {
+        lane_problem(l, computed ? NO_LANES_OPERAND_EFFECT : NO_LANES_OPERAND_TYPE, node);
+        return target;
+    }
+    const lifted held = lane_convert(l, (lifted){target, true}, type, computed);
+    const lifted sum = {arena_format(l->loop->arena, "(%s %s %s)", held.text,
+                                     ir_operator_spelling(node->op),
+                                     lane_expression(l, value, computed).text),
+                        true};
+    return lane_convert(l, sum, computed, type).text;
+}
+
 static void assign_lifted(lifter *l, const ir_node *node) {
-    const lifted target = lane_expression(l, node->children[0]);
-    if (node->op != IR_OP_NONE && !lane_has_operator(node->op))
-        lane_problem(l, NO_LANES_OPERAND_EFFECT, node);
-    else if (lane_needs_select(l, lane_lifted_root(l, node->children[0])))
-        writer_line(l->out, "%s = redcc_select(%s, %s, %s);", target.text, l->mask,
-                    node->op == IR_OP_NONE
-                        ? lane_vector(l, node->children[1])
-                        : arena_format(l->loop->arena, "(%s %s %s)", target.text,
-                                       ir_operator_spelling(node->op),
-                                       lane_expression(l, node->children[1]).text),
-                    target.text);
-    else if (node->op == IR_OP_NONE)
-        writer_line(l->out, "%s = %s;", target.text, lane_vector(l, node->children[1]));
-    else
-        writer_line(l->out, "%s %s= %s;", target.text, ir_operator_spelling(node->op),
-                    lane_expression(l, node->children[1]).text);
+    const ir_type *type = node->children[0]->type;
+    const char *target = lane_expression(l, node->children[0], type).text;
+    const bool is_of_some = lane_needs_select(l, lane_lifted_root(l, node->children[0]));
+    const ir_type *computed = lane_common(type, node->children[1]->type);
+    if (!is_of_some && lane_has_operator(node->op) && computed && computed->size == type->size) {
+        writer_line(l->out, "%s %s= %s;", target, ir_operator_spelling(node->op),
+                    lane_expression(l, node->children[1], type).text);
+        return;
+    }
+    const char *value = assigned_value(l, node, target);
+    if (is_of_some)
+        value = arena_format(l->loop->arena, "%s(%s, %s, %s)", lane_words_of(type)->select, l->mask,
+                             value, target);
+    writer_line(l->out, "%s = %s;", target, value);
 }
 
 /** Of an own integer or pointer: for each lane, or once. */
@@ -319,7 +351,7 @@ static void write_expression(lifter *l, const ir_node *node) {
         writer_line(l->out, "%s;", lane_call(l, node));
         return;
     }
-    if (node->kind == IR_ASSIGN && lane_is_double(node->children[0]->type) &&
+    if (node->kind == IR_ASSIGN && lane_is_real(node->children[0]->type) &&
         lane_lifted_root(l, node->children[0])) {
         assign_lifted(l, node);
         return;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Several iterations at once, as the lanes of vectors of doubles (docs/lanes.md). What is computed
- * is computed for all of them by one operation each; updates are made lane by lane, in the order in
- * which the iterations would have been executed.
+ * Several iterations at once, as the lanes of vectors of doubles and floats (docs/lanes.md). What
+ * is computed is computed for all of them by one operation each; updates are made lane by lane, in
+ * the order in which the iterations would have been executed.
  *
  * Generated text includes this file behind runtime.h and what forbids contraction. It holds what is
  * for vectors once for each width, behind lanes_width.h, for processors that may know more than
@@ -19,7 +19,7 @@
 #define REDCC_WIDTHS (2 + 4 + 8) /* redcc looks at its own text */
 #elif !defined(REDCC_IS_CHECKED) && !REDCC_ROUNDS_ALIKE
 #define REDCC_WIDTHS 0
-#elif !defined(__clang__) && __GNUC__ < 8
+#elif !defined(__clang__) && __GNUC__ < 9 /* __builtin_convertvector */
 #define REDCC_WIDTHS 0
 #elif defined(REDCC_ONLY_WIDTH)
 #define REDCC_WIDTHS REDCC_ONLY_WIDTH
@@ -85,7 +85,9 @@
 /* ---- what lanes_width.h gives a meaning ------------------------------------------------------ */
 
 #define redcc_vector REDCC_WIDE(redcc_vector)
+#define redcc_floats REDCC_WIDE(redcc_floats)
 #define redcc_mask REDCC_WIDE(redcc_mask)
+#define redcc_float_mask REDCC_WIDE(redcc_float_mask)
 
 /** A function that is inlined, and the one that executes redcc_width iterations. */
 #define REDCC_LIFTED REDCC_INLINE REDCC_TARGET
@@ -94,8 +96,9 @@
 /** The statement that follows, for each lane, redcc__l. */
 #define REDCC_EACH_LANE for (redcc__l = 0; redcc__l < redcc_width; redcc__l++)
 
-/** A double for each lane. */
+/** A double for each lane, and a float. */
 #define REDCC_GATHER(...) (__extension__(redcc_vector){REDCC_ALL(__VA_ARGS__)})
+#define REDCC_GATHER_FLOATS(...) (__extension__(redcc_floats){REDCC_ALL(__VA_ARGS__)})
 
 /** The lanes of which it is not 0. */
 #define REDCC_TELL(...) (__extension__(redcc_mask){REDCC_ALL(-(redcc_int)((__VA_ARGS__) != 0))})
@@ -105,27 +108,49 @@
     (__extension__(__typeof__(redcc_type)[redcc_width]){REDCC_ALL(__VA_ARGS__)})
 
 #define redcc_same REDCC_WIDE(redcc_same)
+#define redcc_same_float REDCC_WIDE(redcc_same_float)
 #define redcc_select REDCC_WIDE(redcc_select)
+#define redcc_select_floats REDCC_WIDE(redcc_select_floats)
+#define redcc_doubles_of(...) __builtin_convertvector((__VA_ARGS__), redcc_vector)
+#define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
+#define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 #define redcc_any REDCC_WIDE(redcc_any)
 #define redcc_lanes_sqrt REDCC_WIDE(redcc_lanes_sqrt)
 #define redcc_lanes_fabs REDCC_WIDE(redcc_lanes_fabs)
+#define redcc_lanes_sqrtf REDCC_WIDE(redcc_lanes_sqrtf)
+#define redcc_lanes_fabsf REDCC_WIDE(redcc_lanes_fabsf)
 
 /**
+ * redcc_floats: as many floats as there are doubles in a redcc_vector.
+ * redcc_mask: of lanes, of doubles and floats alike.
  * redcc_same: the same double in each lane (not by addition of 0: it would change -0.0).
  * redcc_select: of the lanes where the mask is -1 the one, else the other.
+ * redcc_doubles_of, redcc_floats_of: each lane converted as C converts.
+ * redcc_mask_of_floats: the lanes of which a comparison of floats holds.
  * redcc_any: is there a lane in the mask?
  * redcc_lanes_sqrt: each lane by itself; where one is negative errno is set as it is sequentially.
- * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind? No
- * macro tells of -ffp-contract=fast, which clang prefers to pragmas.
+ * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind, and
+ * is a constant a double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor
+ * of -fsingle-precision-constant.
  */
 #define REDCC_LANES_TOOLS                                                                          \
     typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));                 \
+    typedef float redcc_floats __attribute__((__vector_size__(4 * redcc_width)));                  \
     __extension__ typedef long long redcc_mask __attribute__((__vector_size__(8 * redcc_width)));  \
+    typedef int redcc_float_mask __attribute__((__vector_size__(4 * redcc_width)));                \
     REDCC_LIFTED redcc_vector redcc_same(double value) {                                           \
         return (__extension__(redcc_vector){REDCC_ALL(value)});                                    \
     }                                                                                              \
+    REDCC_LIFTED redcc_floats redcc_same_float(float value) {                                      \
+        return (__extension__(redcc_floats){REDCC_ALL(value)});                                    \
+    }                                                                                              \
     REDCC_LIFTED redcc_vector redcc_select(redcc_mask mask, redcc_vector yes, redcc_vector no) {   \
         return (redcc_vector)(((redcc_mask)yes & mask) | ((redcc_mask)no & ~mask));                \
+    }                                                                                              \
+    REDCC_LIFTED redcc_floats redcc_select_floats(redcc_mask lanes, redcc_floats yes,              \
+                                                  redcc_floats no) {                               \
+        const redcc_float_mask mask = __builtin_convertvector(lanes, redcc_float_mask);            \
+        return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));    \
     }                                                                                              \
     REDCC_LIFTED int redcc_any(redcc_mask mask) {                                                  \
         return REDCC_SOME(mask) != 0;                                                              \
@@ -136,13 +161,20 @@
     REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {                               \
         return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});          \
     }                                                                                              \
+    REDCC_LIFTED redcc_floats redcc_lanes_sqrtf(redcc_floats value) {                              \
+        return (__extension__(redcc_floats){REDCC_ALL(__builtin_sqrtf(value[redcc__l]))});         \
+    }                                                                                              \
+    REDCC_LIFTED redcc_floats redcc_lanes_fabsf(redcc_floats value) {                              \
+        return (__extension__(redcc_floats){REDCC_ALL(__builtin_fabsf(value[redcc__l]))});         \
+    }                                                                                              \
     static __attribute__((__noinline__, __unused__)) REDCC_TARGET int REDCC_WIDE(                  \
         redcc_rounds_alike)(void) {                                                                \
         const volatile double factor = 134217729.0, less = 18014398777917440.0;                    \
         const volatile double square = factor * factor, rest = square - less;                      \
         const redcc_vector factors = redcc_same(factor);                                           \
         const redcc_vector rests = factors * factors - redcc_same(less);                           \
-        return rests[0] == rest && factors[1] * factors[1] - less == rest;                         \
+        return rests[0] == rest && factors[1] * factors[1] - less == rest &&                       \
+               sizeof 1.0 == sizeof(double);                                                       \
     }
 #if REDCC_WIDTHS & 2
 #define redcc_width 2

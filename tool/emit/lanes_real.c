@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Doubles and floats: the vectors of each, and how C converts one to the other. A vector of floats
+ * has as many lanes as one of doubles: what an iteration computes stays in its lane.
+ */
+#include "emit/lanes.h"
+
+bool lane_is_real(const ir_type *type) {
+    return type && type->kind == IR_FLOATING && (type->size == 8 || type->size == 4);
+}
+
+const lane_words *lane_words_of(const ir_type *type) {
+    static const lane_words of_doubles = {.vector = "redcc_vector",
+                                          .gather = "REDCC_GATHER",
+                                          .same = "redcc_same",
+                                          .select = "redcc_select",
+                                          .mask = "(redcc_mask)",
+                                          .of = "redcc_doubles_of",
+                                          .scalar = "double"};
+    static const lane_words of_floats = {.vector = "redcc_floats",
+                                         .gather = "REDCC_GATHER_FLOATS",
+                                         .same = "redcc_same_float",
+                                         .select = "redcc_select_floats",
+                                         .mask = "redcc_mask_of_floats",
+                                         .of = "redcc_floats_of",
+                                         .scalar = "float"};
+    return type->size == 4 ? &of_floats : &of_doubles;
+}
+
+lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to) {
+    arena *a = l->loop->arena;
+    if (from->size == to->size)
+        return value;
+    if (value.is_vector)
+        return (lifted){arena_format(a, "%s(%s)", lane_words_of(to)->of, value.text), true};
+    return (lifted){arena_format(a, "((%s)%s)", lane_words_of(to)->scalar, value.text), false};
+}
+
+static bool is_number(const ir_type *type) {
+    return type && (lane_is_real(type) || type->kind == IR_INTEGER || type->kind == IR_BOOLEAN);
+}
+
+const ir_type *lane_common(const ir_type *left, const ir_type *right) {
+    if (!is_number(left) || !is_number(right))
+        return NULL;
+    if (!lane_is_real(left))
+        return lane_is_real(right) ? right : NULL;
+    return lane_is_real(right) && right->size > left->size ? right : left;
+}
+
+const char *lane_spread(lifter *l, lifted value, const ir_type *type) {
+    return value.is_vector
+               ? value.text
+               : arena_format(l->loop->arena, "%s(%s)", lane_words_of(type)->same, value.text);
+}
