@@ -21,9 +21,20 @@
 
 enum { MOST_ROUNDS = 999 };
 
-enum kernel { MEMBRANE, CONTACTS, TOUCHING, LENNARD_JONES, SPRINGS, TETRAHEDRA, PRODUCT, KERNELS };
-static const char *const names[] = {"membrane", "contacts",   "touching",    "lennard_jones",
-                                    "springs",  "tetrahedra", "half_product"};
+enum kernel {
+    MEMBRANE,
+    FLOAT_MEMBRANE,
+    CONTACTS,
+    TOUCHING,
+    LENNARD_JONES,
+    SPRINGS,
+    TETRAHEDRA,
+    PRODUCT,
+    KERNELS
+};
+static const char *const names[] = {"membrane",   "float_membrane", "contacts",
+                                    "touching",   "lennard_jones",  "springs",
+                                    "tetrahedra", "half_product"};
 
 enum course { SERIAL, PLAIN, PREFETCH, LANES, BOTH, COURSES };
 
@@ -42,6 +53,10 @@ static double run(enum kernel kernel, int translated, const struct mesh *m, stru
     switch (kernel) {
     case MEMBRANE:
         (translated ? membrane : serial_membrane)(m->triangles, m->element, x, to.b, to.a);
+        break;
+    case FLOAT_MEMBRANE:
+        (translated ? float_membrane : serial_float_membrane)(
+            m->triangles, m->element, (const float(*)[3])m->float_x, (float(*)[3])(void *)to.b);
         break;
     case CONTACTS:
         (translated ? contacts : serial_contacts)(m->edges, edge, x, v, m->radius, to.b);

@@ -21,7 +21,7 @@ make_program() { # NAME FLAGS...
   local name=$1 kernel
   shift
   local renamed=()
-  for kernel in membrane contacts touching lennard_jones springs tetrahedra half_product; do
+  for kernel in membrane float_membrane contacts touching lennard_jones springs tetrahedra half_product; do
     renamed+=(--redefine-sym "$kernel=serial_$kernel")
   done
   "$compiler" "$@" -ffp-contract=off -Ibench -c bench/lanes_kernels.c -o "$work/serial.o"

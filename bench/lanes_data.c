@@ -54,6 +54,7 @@ static void make_element(struct element *to, int side, const int corner[3], cons
 static void make_nodes(struct mesh *m, const int *node) {
     m->x = malloc(sizeof(double[3]) * (size_t)m->nodes);
     m->v = malloc(sizeof(double[3]) * (size_t)m->nodes);
+    m->float_x = malloc(sizeof(float[3]) * (size_t)m->nodes);
     m->radius = malloc(sizeof(double) * (size_t)m->nodes);
     m->single = malloc(sizeof(double) * (size_t)m->nodes);
     for (int i = 0; i < m->nodes; i++) {
@@ -63,6 +64,8 @@ static void make_nodes(struct mesh *m, const int *node) {
         m->x[here][2] = uniform();
         for (int c = 0; c < 3; c++)
             m->v[here][c] = uniform() - 0.5;
+        for (int c = 0; c < 3; c++)
+            m->float_x[here][c] = (float)m->x[here][c];
         m->radius[here] = 0.3 + 0.3 * uniform();
         m->single[here] = uniform();
     }
@@ -157,7 +160,7 @@ struct mesh make_mesh(int side, int shuffled) {
 void free_mesh(struct mesh *m) {
     void *const all[] = {m->x,     m->v,      m->radius,       m->element,       m->edge,
                          m->rest,  m->corner, m->blocks.start, m->blocks.column, m->upper.start,
-                         m->value, m->single, m->upper.column};
+                         m->value, m->single, m->upper.column, m->float_x};
     for (unsigned i = 0; i < sizeof all / sizeof *all; i++)
         free(all[i]);
 }

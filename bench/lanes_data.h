@@ -13,8 +13,9 @@ struct pattern {
 struct mesh {
     int side, nodes, triangles, edges, tetrahedra;
     double (*x)[3], (*v)[3], *radius; /* [nodes] */
-    struct element *element;          /* [triangles] */
-    int (*edge)[2];                   /* [edges] */
+    float (*float_x)[3];
+    struct element *element; /* [triangles] */
+    int (*edge)[2];          /* [edges] */
     double *rest;
     int (*corner)[4];       /* [tetrahedra] one on each square */
     struct pattern blocks;  /* of a tetrahedron's corners with each other */

@@ -55,6 +55,41 @@ void membrane(int count, const struct element *restrict element, const double (*
     }
 }
 
+static float float_dot(const float a[3], const float b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void float_strain(const float (*x)[3], int i, int j, int k, const double weight[3],
+                         double area, float f[3][3]) {
+    const float of[3] = {weight[0], weight[1], weight[2]};
+    const float wide = area;
+    float w[3], n[3];
+    for (int c = 0; c < 3; c++)
+        w[c] = of[0] * x[i][c] + of[1] * x[j][c] + of[2] * x[k][c];
+    const float length = sqrtf(float_dot(w, w)), excess = wide * (length - 1.0f);
+    for (int c = 0; c < 3; c++)
+        n[c] = w[c] / length;
+    for (int p = 0; p < 3; p++)
+        for (int c = 0; c < 3; c++)
+            f[p][c] -= 40.0f * excess * wide * of[p] * n[c];
+}
+
+/* The forces alone, in single precision, of elements in double. */
+void float_membrane(int count, const struct element *restrict element, const float (*restrict x)[3],
+                    float (*b)[3]) {
+    for (int t = 0; t < count; t++) {
+        const int i = element[t].vertex[0], j = element[t].vertex[1], k = element[t].vertex[2];
+        float f[3][3] = {{0}};
+        float_strain(x, i, j, k, element[t].u, element[t].area, f);
+        float_strain(x, i, j, k, element[t].v, element[t].area, f);
+        for (int c = 0; c < 3; c++) {
+            b[i][c] += f[0][c];
+            b[j][c] += f[1][c];
+            b[k][c] += f[2][c];
+        }
+    }
+}
+
 /* Contact of particles that may touch: most pairs do not. */
 void contacts(int count, const int (*pair)[2], const double (*x)[3], const double (*v)[3],
               const double *radius, double (*force)[3]) {

@@ -14,6 +14,8 @@ struct element {
 #define BENCH_LANES_KERNELS(X)                                                                     \
     X(membrane, (int count, const struct element *element, const double(*x)[3], double(*b)[3],     \
                  double(*a)[3][3]))                                                                \
+    X(float_membrane,                                                                              \
+      (int count, const struct element *element, const float(*x)[3], float(*b)[3]))                \
     X(contacts, (int count, const int(*pair)[2], const double(*x)[3], const double(*v)[3],         \
                  const double *radius, double(*force)[3]))                                         \
     X(touching, (int count, const int(*pair)[2], const double(*x)[3], const double *radius,        \
