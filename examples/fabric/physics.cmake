@@ -3,7 +3,7 @@
 set(FABRIC_PHYSICS_SOURCES)
 foreach(source
     simulation.c team.c simulation_state.c simulation_archive.c archive.c integrator.c newton.c forces.c motion.c collision.c pin.c shape.c constraint.c solver.c solver_precondition.c
-    solver_factor.c solver_domains.c solver_packed.c solver_direct.c solver_fallback.c
+    solver_factor.c solver_domains.c solver_domains_layout.c solver_domains_passes.c solver_packed.c solver_direct.c solver_fallback.c
     system.c sparse_product.c full_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
     effects/drag.c effects/drag_along.c effects/drag_work.c effects/damping.c

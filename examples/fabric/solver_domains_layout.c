@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* How the matrix is divided among the domains, and its values there. */
+#include "solver_domains_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "solver_factor.h"
+#include "solver_precondition.h"
+
+/* Part of the result's bits, so not to be tuned by machine. A sorted mesh of n vertices has a
+ * bandwidth in proportion to sqrt(n), with bending some 3 sqrt(n); a domain is to be longer. */
+int domain_count(int vertices) {
+    return 2 * (1 + (int)(sqrt((double)vertices) / 14));
+}
+
+int domain_start(int vertices, int domain) {
+    return (int)((long long)vertices * domain / domain_count(vertices));
+}
+
+static int is_odd(const domain_solver *d, int vertex) {
+    return d->domain[vertex] % 2;
+}
+
+/* What a block of A belongs to. One from an odd domain to an even one is transposed there. */
+static block_matrix *home_of(domain_solver *d, int row, int column) {
+    if (row != column && d->domain[row] == d->domain[column])
+        return &d->within;
+    return is_odd(d, row) == is_odd(d, column) ? &d->between : &d->across;
+}
+
+static int is_transposed(const domain_solver *d, int row, int column) {
+    return is_odd(d, row) && !is_odd(d, column);
+}
+
+/* Lays out one of the matrices: which of A's blocks go there, and where. 0, or -1. */
+static int lay_out(domain_solver *d, block_matrix *m) {
+    const block_matrix *A = d->A;
+    const size_t rows = (size_t)A->row_count;
+    m->row_count = A->row_count;
+    m->row_start = calloc(rows + 2, sizeof *m->row_start);
+    if (!m->row_start)
+        return -1;
+    /* Counted one row late, so that filling in makes the starts right. */
+    for (int i = 0; i < A->row_count; i++)
+        for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
+            if (home_of(d, i, A->column[k]) == m)
+                m->row_start[(is_transposed(d, i, A->column[k]) ? A->column[k] : i) + 2]++;
+    for (size_t i = 2; i < rows + 2; i++)
+        m->row_start[i] += m->row_start[i - 1];
+    m->block_count = m->row_start[rows + 1];
+    m->column = calloc((size_t)m->block_count + 1, sizeof *m->column);
+    m->value = calloc((size_t)m->block_count + 1, sizeof *m->value);
+    if (!m->column || !m->value)
+        return -1;
+    for (int i = 0; i < A->row_count; i++)
+        for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++) {
+            const int j = A->column[k], transposed = is_transposed(d, i, j);
+            if (home_of(d, i, j) != m)
+                continue;
+            d->place[k] = m->row_start[(transposed ? j : i) + 1]++;
+            m->column[d->place[k]] = transposed ? i : j;
+        }
+    return 0;
+}
+
+/* The columns of `across`, for sweeps of odd domains. 0, or -1. */
+static int lay_out_columns(domain_solver *d) {
+    const block_matrix *m = &d->across;
+    d->reached_start = calloc((size_t)m->row_count + 2, sizeof *d->reached_start);
+    d->reached = calloc((size_t)m->block_count + 1, sizeof *d->reached);
+    if (!d->reached_start || !d->reached)
+        return -1;
+    for (int k = 0; k < m->block_count; k++)
+        d->reached_start[m->column[k] + 2]++;
+    for (int j = 2; j < m->row_count + 2; j++)
+        d->reached_start[j] += d->reached_start[j - 1];
+    for (int i = 0; i < m->row_count; i++)
+        for (int k = m->row_start[i]; k < m->row_start[i + 1]; k++)
+            d->reached[d->reached_start[m->column[k] + 1]++] = (reached){i, k};
+    return 0;
+}
+
+static int allocate(domain_solver *d) {
+    const size_t rows = (size_t)d->A->row_count + 1;
+    double(**vectors[])[3] = {&d->direction, &d->residual, &d->correction, &d->swept, &d->image};
+    d->start = calloc((size_t)d->count + 1, sizeof *d->start);
+    d->domain = calloc(rows, sizeof *d->domain);
+    d->place = calloc((size_t)d->A->block_count + 1, sizeof *d->place);
+    d->root = calloc(rows, sizeof *d->root);
+    d->sum_direction = calloc((size_t)d->count, sizeof *d->sum_direction);
+    d->sum_residual = calloc((size_t)d->count, sizeof *d->sum_residual);
+    for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+        if (!(*vectors[k] = calloc(rows, sizeof(double[3]))))
+            return -1;
+    return d->start && d->domain && d->place && d->root && d->sum_direction && d->sum_residual ? 0
+                                                                                               : -1;
+}
+
+domain_solver *domain_solver_divided(const block_matrix *A, int count, const int *start) {
+    domain_solver *d = calloc(1, sizeof *d);
+    if (!d)
+        return NULL;
+    d->A = A;
+    d->count = count;
+    if (allocate(d) == 0) {
+        memcpy(d->start, start, ((size_t)count + 1) * sizeof *start);
+        for (int k = 0; k < count; k++)
+            for (int i = start[k]; i < start[k + 1]; i++)
+                d->domain[i] = k;
+        if (lay_out(d, &d->within) == 0 && lay_out(d, &d->across) == 0 &&
+            lay_out(d, &d->between) == 0 && lay_out_columns(d) == 0) {
+            /* the diagonal is there in any case */
+            d->has_between = d->between.block_count > A->row_count;
+            return d;
+        }
+    }
+    domain_solver_free(d);
+    return NULL;
+}
+
+domain_solver *domain_solver_new(const block_matrix *A) {
+    const int count = domain_count(A->row_count);
+    int *start = malloc(((size_t)count + 1) * sizeof *start);
+    domain_solver *d = NULL;
+    for (int k = 0; start && k <= count; k++)
+        start[k] = domain_start(A->row_count, k);
+    if (start)
+        d = domain_solver_divided(A, count, start);
+    free(start);
+    return d;
+}
+
+void domain_solver_free(domain_solver *d) {
+    if (!d)
+        return;
+    free(d->start);
+    free(d->domain);
+    free(d->place);
+    block_matrix_free(&d->within);
+    block_matrix_free(&d->across);
+    block_matrix_free(&d->between);
+    free(d->reached_start);
+    free(d->reached);
+    free(d->root);
+    free(d->direction);
+    free(d->residual);
+    free(d->correction);
+    free(d->swept);
+    free(d->image);
+    free(d->sum_direction);
+    free(d->sum_residual);
+    free(d);
+}
+
+/* out = left block right', left and right lower triangles */
+static void scale(const double left[3][3], const double block[3][3], const double right[3][3],
+                  double out[3][3]) {
+    double half[3][3];
+    for (int c = 0; c < 3; c++) {
+        half[0][c] = left[0][0] * block[0][c];
+        half[1][c] = left[1][0] * block[0][c] + left[1][1] * block[1][c];
+        half[2][c] = left[2][0] * block[0][c] + left[2][1] * block[1][c] + left[2][2] * block[2][c];
+    }
+    for (int r = 0; r < 3; r++) {
+        out[r][0] = half[r][0] * right[0][0];
+        out[r][1] = half[r][0] * right[1][0] + half[r][1] * right[1][1];
+        out[r][2] = half[r][0] * right[2][0] + half[r][1] * right[2][1] + half[r][2] * right[2][2];
+    }
+}
+
+/* Block k, of row i, filtered and scaled. */
+static void build_block(domain_solver *d, const constraints *c, int i, int k) {
+    const int j = d->A->column[k];
+    double block[3][3], out[3][3];
+    double(*to)[3] = home_of(d, i, j)->value[d->place[k]];
+    const int transposed = is_transposed(d, i, j);
+    prefiltered_block(d->A, c, i, k, block);
+    scale((const double(*)[3])d->root[i], (const double(*)[3])block, (const double(*)[3])d->root[j],
+          out);
+    for (int r = 0; r < 3; r++)
+        for (int s = 0; s < 3; s++)
+            to[r][s] = (transposed ? out[s][r] : out[r][s]) - (i == j && r == s ? 2 : 0);
+}
+
+void domain_build(domain_solver *d, const constraints *c) {
+    const block_matrix *A = d->A;
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (int i = 0; i < A->row_count; i++) {
+            double block[3][3];
+            prefiltered_block(A, c, i, A->row_start[i], block);
+            gauss_seidel_root((const double(*)[3])block, d->root[i]);
+        }
+#pragma omp for schedule(static)
+        for (int i = 0; i < A->row_count; i++)
+            for (int k = A->row_start[i]; k < A->row_start[i + 1]; k++)
+                build_block(d, c, i, k);
+    }
+}
