@@ -72,11 +72,10 @@ static void give_back(part *p, linear_system *whole) {
 void assembly_receive(part *p, const linear_system *whole) {
     const linear_system *s = &p->sim->system;
     double(*diagonal)[9] = part_memory((size_t)s->A.row_count, sizeof *diagonal);
-    part_receive(p->own, 9, whole ? whole->A.value : NULL, diagonal);
+    part_receive(part_solved(p), 9, whole ? whole->A.value : NULL, diagonal);
     part_receive(p->own, 3, whole ? whole->b : NULL, s->b);
-    for (int n = 0; n < p->blocks; n++)
-        for (int i = p->block[n].begin; i < p->block[n].end; i++)
-            memcpy(s->A.value[s->A.row_start[i]], diagonal[i], sizeof *diagonal);
+    for (int i = 0; i < s->A.row_count; i++)
+        memcpy(s->A.value[s->A.row_start[i]], diagonal[i], sizeof *diagonal);
     free(diagonal);
 }
 

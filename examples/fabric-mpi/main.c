@@ -80,6 +80,8 @@ simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error);
 void __wrap_simulation_free(simulation *sim);
 void __wrap_forces_assemble(simulation *sim, const expansion *at);
 int __wrap_forces_add_missed(simulation *sim, const expansion *at, const double (*dv)[3]);
+int __wrap_solver_choose(solver *s, const block_matrix *A, const solver_options *options,
+                         char *error);
 solver_status __wrap_solver_fallback_solve(solver_fallback *f, solver *s,
                                            const linear_system *system, const constraints *c,
                                            const solver_limits *limits, double (*dv)[3],
@@ -91,14 +93,21 @@ void __wrap_solver_impulses(solver *s, const linear_system *system, const double
 /* What is not done over ranks; NULL: nothing of the scene. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
     if (s->method != METHOD_CONJUGATE_GRADIENTS)
-        return "solution.method: over ranks only conjugate-gradients";
-    if (s->preconditioner != PRECONDITIONER_BLOCK_JACOBI)
-        return "solution.preconditioner: over ranks only block-jacobi "
-               "(--set solution.preconditioner=block-jacobi)";
+        return "solution.method: over ranks only conjugate-gradients, since CHOLMOD, which direct "
+               "calls, factors on one machine";
+    if (s->preconditioner != PRECONDITIONER_GAUSS_SEIDEL &&
+        s->preconditioner != PRECONDITIONER_BLOCK_JACOBI)
+        return "solution.preconditioner: over ranks only gauss-seidel and block-jacobi";
     if (s->precision != PRECISION_DOUBLE)
-        return "solution.precision: over ranks only double";
-    if ((m->vertex_count + SOLVER_CHUNK - 1) / SOLVER_CHUNK < ranks)
-        return "fewer blocks of 64 vertices than ranks";
+        return "solution.precision: over ranks only double; float and mixed go through all "
+               "vertices "
+               "in one order";
+    if (part_block_count(s, m->vertex_count) < ranks)
+        return s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL
+                   ? "solution.preconditioner: gauss-seidel has fewer domains than there are "
+                     "ranks; "
+                     "block-jacobi has more blocks"
+                   : "fewer blocks of 64 vertices than ranks";
     return current ? "one simulation at a time over ranks" : NULL;
 }
 
@@ -150,6 +159,14 @@ int __wrap_forces_add_missed(simulation *sim, const expansion *at, const double 
         return 0;
     ask(MISSED);
     return assembly_missed(&mine, sim, at, dv);
+}
+
+/* Preconditioners are the parts' own (part_make); all keep what solver_init made. */
+int __wrap_solver_choose(solver *s, const block_matrix *A, const solver_options *options,
+                         char *error) {
+    (void)A, (void)error;
+    s->options = *options;
+    return 0;
 }
 
 /* Where the sequential program turns to a direct solution, which is not done over ranks. */

@@ -8,6 +8,7 @@
 
 #include "mesh_parts.h"
 #include "part_layout.h"
+#include "solver_domains_parts.h"
 #include "solver_parts.h"
 
 void part_give_up(const char *why) {
@@ -23,29 +24,29 @@ void *part_memory(size_t count, size_t size) {
     return memory;
 }
 
-static int owns(const part *p, const int *owner, int vertex) {
-    return owner[vertex / SOLVER_CHUNK] == p->rank;
+static int owns(const part *p, const division *d, int vertex) {
+    return d->owner[d->of[vertex]] == p->rank;
 }
 
 /* Does the element touch a vertex that the rank owns? Then its vertices are marked. */
-static int takes(const part *p, const int *owner, const int *vertex, int size, int *mark) {
+static int takes(const part *p, const division *d, const int *vertex, int size, int *mark) {
     int touches = 0;
     for (int k = 0; k < size; k++)
-        touches |= owns(p, owner, vertex[k]);
+        touches |= owns(p, d, vertex[k]);
     for (int k = 0; touches && k < size; k++)
         mark[vertex[k]] = 1;
     return touches;
 }
 
 /* Marks the vertices of the part; counts them and its elements in the mesh. */
-static void find(const part *p, const mesh *whole, const int *owner, int *mark, mesh *counted) {
+static void find(const part *p, const mesh *whole, const division *d, int *mark, mesh *counted) {
     *counted = (mesh){0};
     for (int v = 0; v < whole->vertex_count; v++)
-        mark[v] = owns(p, owner, v);
+        mark[v] = owns(p, d, v);
     for (int t = 0; t < whole->triangle_count; t++)
-        counted->triangle_count += takes(p, owner, whole->triangle[t], 3, mark);
+        counted->triangle_count += takes(p, d, whole->triangle[t], 3, mark);
     for (int t = 0; t < whole->hinge_count; t++)
-        counted->hinge_count += takes(p, owner, whole->hinge[t], 4, mark);
+        counted->hinge_count += takes(p, d, whole->hinge[t], 4, mark);
     for (int v = 0; v < whole->vertex_count; v++)
         counted->vertex_count += mark[v];
 }
@@ -63,19 +64,19 @@ static void take_vertices(part *p, const mesh *whole, const int *mark, int *loca
     }
 }
 
-static void take_elements(part *p, const mesh *whole, const int *owner, const int *local_of,
+static void take_elements(part *p, const mesh *whole, const division *d, const int *local_of,
                           int *mark) {
     mesh *m = &p->mesh;
     int triangles = 0, hinges = 0;
     for (int t = 0; t < whole->triangle_count; t++) {
-        if (!takes(p, owner, whole->triangle[t], 3, mark))
+        if (!takes(p, d, whole->triangle[t], 3, mark))
             continue;
         for (int k = 0; k < 3; k++)
             m->triangle[triangles][k] = local_of[whole->triangle[t][k]];
         triangles++;
     }
     for (int t = 0; t < whole->hinge_count; t++) {
-        if (!takes(p, owner, whole->hinge[t], 4, mark))
+        if (!takes(p, d, whole->hinge[t], 4, mark))
             continue;
         for (int k = 0; k < 4; k++)
             m->hinge[hinges][k] = local_of[whole->hinge[t][k]];
@@ -83,24 +84,22 @@ static void take_elements(part *p, const mesh *whole, const int *owner, const in
     }
 }
 
-static void take_blocks(part *p, const int *owner, const int *local_of) {
-    p->block = part_memory((size_t)p->chunks, sizeof *p->block);
+static void take_blocks(part *p, const division *d, const int *local_of) {
+    p->block = part_memory((size_t)d->count, sizeof *p->block);
     p->blocks = 0;
-    for (int k = 0; k < p->chunks; k++) {
-        const int first = k * SOLVER_CHUNK;
-        const int left = p->vertices - first;
-        const int length = left < SOLVER_CHUNK ? left : SOLVER_CHUNK;
-        if (owner[k] == p->rank)
+    for (int k = 0; k < d->count; k++) {
+        const int first = d->first[k], length = d->first[k + 1] - first;
+        if (d->owner[k] == p->rank)
             p->block[p->blocks++] = (own_block){k, local_of[first], local_of[first] + length};
     }
 }
 
-void part_take(part *p, const mesh *whole, const int *owner) {
+void part_take(part *p, const mesh *whole, const division *d) {
     const size_t vertices = (size_t)whole->vertex_count;
     int *mark = part_memory(vertices, sizeof *mark);
     int *local_of = part_memory(vertices, sizeof *local_of);
     mesh counted;
-    find(p, whole, owner, mark, &counted);
+    find(p, whole, d, mark, &counted);
     if (mesh_allocate(&p->mesh, counted.vertex_count, counted.triangle_count) != 0)
         part_give_up("out of memory");
     p->mesh.hinge_count = counted.hinge_count;
@@ -110,8 +109,8 @@ void part_take(part *p, const mesh *whole, const int *owner) {
     p->global = part_memory((size_t)counted.vertex_count, sizeof *p->global);
     p->hinge = part_memory((size_t)counted.hinge_count, sizeof *p->hinge);
     take_vertices(p, whole, mark, local_of);
-    take_elements(p, whole, owner, local_of, mark);
-    take_blocks(p, owner, local_of);
+    take_elements(p, whole, d, local_of, mark);
+    take_blocks(p, d, local_of);
     free(mark);
     free(local_of);
 }
@@ -151,7 +150,45 @@ static void spread_scene(scene *s, const scene *of) {
     s->limits.off = 1;
 }
 
+int part_block_count(const scene *s, int vertices) {
+    return s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL
+               ? domain_count(vertices)
+               : (vertices + SOLVER_CHUNK - 1) / SOLVER_CHUNK;
+}
+
+static void divide(const part *p, const mesh *whole, division *d) {
+    const int domains = p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL;
+    const int vertices = whole->vertex_count;
+    d->count = part_block_count(&p->scene, vertices);
+    d->first = part_memory((size_t)d->count + 1, sizeof *d->first);
+    d->of = part_memory((size_t)vertices, sizeof *d->of);
+    d->owner = part_memory((size_t)d->count, sizeof *d->owner);
+    for (int k = 0; k < d->count; k++)
+        d->first[k] = domains ? domain_start(vertices, k) : k * SOLVER_CHUNK;
+    d->first[d->count] = vertices;
+    for (int k = 0; k < d->count; k++)
+        for (int v = d->first[k]; v < d->first[k + 1]; v++)
+            d->of[v] = k;
+    part_share_blocks(p, whole, d);
+}
+
+/* The whole cloth's domains in the part. Of one that another rank owns it has ghosts at most. */
+static void make_domains(part *p, const division *d) {
+    int *start = part_memory((size_t)d->count + 1, sizeof *start);
+    for (int k = 0, i = 0; k <= d->count; k++) {
+        while (i < p->mesh.vertex_count && p->global[i] < d->first[k])
+            i++;
+        start[k] = i;
+    }
+    p->domains = domain_solver_divided(&p->sim->system.A, d->count, start);
+    free(start);
+    if (!p->domains)
+        part_give_up("out of memory");
+    MPI_Allreduce(MPI_IN_PLACE, &p->domains->has_between, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+}
+
 void part_make(part *p, const mesh *whole, const scene *of) {
+    division d;
     char error[256];
     mesh all;
     *p = (part){0};
@@ -160,21 +197,24 @@ void part_make(part *p, const mesh *whole, const scene *of) {
     spread_scene(&p->scene, of);
     spread_mesh(&all, whole);
     p->vertices = all.vertex_count;
-    p->chunks = (all.vertex_count + SOLVER_CHUNK - 1) / SOLVER_CHUNK;
-    int *owner = part_memory((size_t)p->chunks, sizeof *owner);
-    part_share_blocks(p, &all, owner);
-    part_take(p, &all, owner);
-    part_connect(p, owner);
-    free(owner);
+    divide(p, &all, &d);
+    part_take(p, &all, &d);
+    part_connect(p, &d);
     if (!whole)
         mesh_free(&all);
     p->sim = __real_simulation_new(&p->mesh, &p->scene, error);
     if (!p->sim)
         part_give_up(error);
+    if (p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL)
+        make_domains(p, &d);
+    free(d.first);
+    free(d.of);
+    free(d.owner);
     part_view(p);
 }
 
 void part_free(part *p) {
+    domain_solver_free(p->domains);
     __real_simulation_free(p->sim);
     mesh_free(&p->mesh);
     free(p->global);

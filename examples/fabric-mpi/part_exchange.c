@@ -40,23 +40,45 @@ static void ask_places(const part *p, int *place) {
 }
 
 /* In which order the blocks' sums come in. */
-static void order_sums(part *p, const int *owner) {
+static void order_sums(block_sums *s, int ranks, const division *d) {
     int n = 0;
-    p->order = part_memory((size_t)p->chunks, sizeof *p->order);
-    p->came = part_memory((size_t)p->chunks, sizeof *p->came);
-    p->sums = part_memory((size_t)p->chunks, sizeof *p->sums);
-    p->counts = part_memory((size_t)p->ranks, sizeof *p->counts);
-    p->starts = part_memory((size_t)p->ranks, sizeof *p->starts);
-    for (int r = 0; r < p->ranks; r++) {
-        p->starts[r] = n;
-        for (int k = 0; k < p->chunks; k++)
-            if (owner[k] == r)
-                p->order[n++] = k;
-        p->counts[r] = n - p->starts[r];
+    s->count = d->count;
+    s->order = part_memory((size_t)d->count, sizeof *s->order);
+    s->came = part_memory((size_t)d->count, sizeof *s->came);
+    s->sum = part_memory((size_t)d->count, sizeof *s->sum);
+    s->counts = part_memory((size_t)ranks, sizeof *s->counts);
+    s->starts = part_memory((size_t)ranks, sizeof *s->starts);
+    for (int r = 0; r < ranks; r++) {
+        s->starts[r] = n;
+        for (int k = 0; k < d->count; k++)
+            if (d->owner[k] == r)
+                s->order[n++] = k;
+        s->counts[r] = n - s->starts[r];
     }
 }
 
-void part_connect(part *p, const int *owner) {
+enum { ANY = -1 };
+
+/* From their owners to the ghosts in odd blocks (1), in even ones (0), or in any. */
+static void connect_ghosts(const part *p, const division *d, const int *place, int odd,
+                           PetscSF *sf) {
+    const int count = p->mesh.vertex_count;
+    int *leaf = part_memory((size_t)count, sizeof *leaf);
+    PetscSFNode *root = part_memory((size_t)count, sizeof *root);
+    int n = 0;
+    for (int i = 0; i < count; i++) {
+        const int block = d->of[p->global[i]];
+        if (d->owner[block] == p->rank || (odd != ANY && block % 2 != odd))
+            continue;
+        leaf[n] = i;
+        root[n++] = (PetscSFNode){d->owner[block], place[i]};
+    }
+    connect(sf, count, n, leaf, root);
+    free(leaf);
+    free(root);
+}
+
+void part_connect(part *p, const division *d) {
     const int count = p->mesh.vertex_count, offered = p->rank == LEADER ? p->vertices : 0;
     int *leaf = part_memory((size_t)count, sizeof *leaf);
     int *place = part_memory((size_t)count, sizeof *place);
@@ -74,16 +96,10 @@ void part_connect(part *p, const int *owner) {
         }
     connect(&p->own, offered, n, leaf, root);
     ask_places(p, place);
-    n = 0;
-    for (int i = 0; i < count; i++) {
-        const int of = owner[p->global[i] / SOLVER_CHUNK];
-        if (of == p->rank)
-            continue;
-        leaf[n] = i;
-        root[n++] = (PetscSFNode){of, place[i]};
-    }
-    connect(&p->ghosts, count, n, leaf, root);
-    order_sums(p, owner);
+    connect_ghosts(p, d, place, ANY, &p->ghosts);
+    for (int odd = 0; odd < 2 && p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL; odd++)
+        connect_ghosts(p, d, place, odd, &p->kind[odd]);
+    order_sums(&p->sums, p->ranks, d);
     free(leaf);
     free(place);
     free(root);
@@ -93,11 +109,13 @@ void part_disconnect(part *p) {
     CHECK(PetscSFDestroy(&p->all));
     CHECK(PetscSFDestroy(&p->own));
     CHECK(PetscSFDestroy(&p->ghosts));
-    free(p->order);
-    free(p->came);
-    free(p->sums);
-    free(p->counts);
-    free(p->starts);
+    for (int odd = 0; odd < 2; odd++)
+        CHECK(PetscSFDestroy(&p->kind[odd]));
+    free(p->sums.order);
+    free(p->sums.came);
+    free(p->sums.sum);
+    free(p->sums.counts);
+    free(p->sums.starts);
 }
 
 void part_receive(PetscSF sf, int size, const void *whole, void *local) {
@@ -105,14 +123,14 @@ void part_receive(PetscSF sf, int size, const void *whole, void *local) {
     CHECK(PetscSFBcastEnd(sf, unit_of(size), whole, local, MPI_REPLACE));
 }
 
-void part_receive_bytes(const part *p, const unsigned char *whole, unsigned char *local) {
-    CHECK(PetscSFBcastBegin(p->own, MPI_UNSIGNED_CHAR, whole, local, MPI_REPLACE));
-    CHECK(PetscSFBcastEnd(p->own, MPI_UNSIGNED_CHAR, whole, local, MPI_REPLACE));
+void part_receive_bytes(PetscSF sf, const unsigned char *whole, unsigned char *local) {
+    CHECK(PetscSFBcastBegin(sf, MPI_UNSIGNED_CHAR, whole, local, MPI_REPLACE));
+    CHECK(PetscSFBcastEnd(sf, MPI_UNSIGNED_CHAR, whole, local, MPI_REPLACE));
 }
 
-void part_receive_ints(const part *p, const int *whole, int *local) {
-    CHECK(PetscSFBcastBegin(p->own, MPI_INT, whole, local, MPI_REPLACE));
-    CHECK(PetscSFBcastEnd(p->own, MPI_INT, whole, local, MPI_REPLACE));
+void part_receive_ints(PetscSF sf, const int *whole, int *local) {
+    CHECK(PetscSFBcastBegin(sf, MPI_INT, whole, local, MPI_REPLACE));
+    CHECK(PetscSFBcastEnd(sf, MPI_INT, whole, local, MPI_REPLACE));
 }
 
 void part_return(const part *p, int size, const void *local, void *whole) {
@@ -124,10 +142,28 @@ void part_update_ghosts(const part *p, double (*value)[3]) {
     part_receive(p->ghosts, 3, value, value);
 }
 
+void part_update_kind(const part *p, int odd, double (*value)[3]) {
+    part_receive(p->kind[odd], 3, value, value);
+}
+
 double part_sum(const part *p, const double *own) {
-    MPI_Allgatherv(own, p->blocks, MPI_DOUBLE, p->came, p->counts, p->starts, MPI_DOUBLE,
+    const block_sums *s = &p->sums;
+    MPI_Allgatherv(own, p->blocks, MPI_DOUBLE, s->came, s->counts, s->starts, MPI_DOUBLE,
                    MPI_COMM_WORLD);
-    for (int n = 0; n < p->chunks; n++)
-        p->sums[p->order[n]] = p->came[n];
-    return solver_sum(p->sums, p->chunks);
+    for (int n = 0; n < s->count; n++)
+        s->sum[s->order[n]] = s->came[n];
+    return solver_sum(s->sum, s->count);
+}
+
+double part_sum_terms(const part *p, const double *term) {
+    double *all = p->rank == LEADER ? part_memory((size_t)p->vertices, sizeof *all) : NULL;
+    double sum = 0;
+    part_return(p, 1, term, all);
+    for (int first = 0; all && first < p->vertices; first += SOLVER_CHUNK) {
+        const int left = p->vertices - first;
+        sum += solver_sum(all + first, left < SOLVER_CHUNK ? left : SOLVER_CHUNK);
+    }
+    free(all);
+    MPI_Bcast(&sum, 1, MPI_DOUBLE, LEADER, MPI_COMM_WORLD);
+    return sum;
 }

@@ -8,11 +8,24 @@
 /** Zeroed; ends the program where there is none. To be freed. */
 void *part_memory(size_t count, size_t size);
 
-/** Mesh, global, hinge and blocks of the rank's part of `whole`, by the owners of its blocks. */
-void part_take(part *p, const mesh *whole, const int *owner);
+/** How the whole cloth is divided. */
+typedef struct division {
+    int count;  /* blocks */
+    int *first; /* [count + 1] a block's first vertex */
+    int *of;    /* [vertices] a vertex' block */
+    int *owner; /* [count] the rank that owns a block */
+} division;
+
+/** d->owner: as many consecutive blocks for each rank, or, with the option -mat_partitioning_type
+ *  (PETSC_OPTIONS; ptscotch), as PETSc divides the blocks' graph. Every rank has one block at
+ *  least. Collective. */
+void part_share_blocks(const part *p, const mesh *whole, division *d);
+
+/** Mesh, global, hinge and blocks of the rank's part of `whole`. */
+void part_take(part *p, const mesh *whole, const division *d);
 
 /** Lays out who sends what to whom. Collective. */
-void part_connect(part *p, const int *owner);
+void part_connect(part *p, const division *d);
 void part_disconnect(part *p);
 
 /* fabric's own, which the linker gives another name here (--wrap). */

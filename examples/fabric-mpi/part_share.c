@@ -6,14 +6,13 @@
 #include <petscmat.h>
 
 #include "part_layout.h"
-#include "solver_parts.h"
 
 #define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 /* As many consecutive blocks for each rank. */
-static void share_consecutively(int chunks, int ranks, int *owner) {
-    for (int k = 0; k < chunks; k++)
-        owner[k] = (int)((long long)k * ranks / chunks);
+static void share_consecutively(int blocks, int ranks, int *owner) {
+    for (int k = 0; k < blocks; k++)
+        owner[k] = (int)((long long)k * ranks / blocks);
 }
 
 static int by_pair(const void *a, const void *b) {
@@ -21,12 +20,12 @@ static int by_pair(const void *a, const void *b) {
 }
 
 /* Pairs of different blocks that a triangle joins, both ways, sorted; returns how many. */
-static int join_blocks(const mesh *whole, int (*pair)[2]) {
+static int join_blocks(const mesh *whole, const int *block_of, int (*pair)[2]) {
     int count = 0, kept = 0;
     for (int t = 0; t < whole->triangle_count; t++)
         for (int k = 0; k < 3; k++) {
-            const int a = whole->triangle[t][k] / SOLVER_CHUNK;
-            const int b = whole->triangle[t][(k + 1) % 3] / SOLVER_CHUNK;
+            const int a = block_of[whole->triangle[t][k]];
+            const int b = block_of[whole->triangle[t][(k + 1) % 3]];
             if (a == b)
                 continue;
             memcpy(pair[count++], (int[2]){a, b}, sizeof *pair);
@@ -40,29 +39,30 @@ static int join_blocks(const mesh *whole, int (*pair)[2]) {
 }
 
 /* The blocks' graph, as PETSc has it. */
-static Mat block_graph(const mesh *whole, int chunks) {
+static Mat block_graph(const mesh *whole, const division *d) {
+    const int blocks = d->count;
     int(*pair)[2] = part_memory(6 * (size_t)whole->triangle_count, sizeof *pair);
-    const int count = join_blocks(whole, pair);
+    const int count = join_blocks(whole, d->of, pair);
     PetscInt *start, *to; /* the matrix keeps them */
     Mat graph;
-    CHECK(PetscCalloc1(chunks + 1, &start));
+    CHECK(PetscCalloc1(blocks + 1, &start));
     CHECK(PetscMalloc1(count, &to));
     for (int n = 0; n < count; n++)
         start[pair[n][0] + 1]++;
-    for (int k = 0; k < chunks; k++)
+    for (int k = 0; k < blocks; k++)
         start[k + 1] += start[k];
-    int *next = part_memory((size_t)chunks, sizeof *next);
+    int *next = part_memory((size_t)blocks, sizeof *next);
     for (int n = 0; n < count; n++)
         to[start[pair[n][0]] + next[pair[n][0]]++] = pair[n][1];
-    CHECK(MatCreateMPIAdj(PETSC_COMM_SELF, chunks, chunks, start, to, NULL, &graph));
+    CHECK(MatCreateMPIAdj(PETSC_COMM_SELF, blocks, blocks, start, to, NULL, &graph));
     free(next);
     free(pair);
     return graph;
 }
 
 /* By one of PETSc's partitioners. */
-static void share_by_graph(const mesh *whole, int chunks, int ranks, int *owner) {
-    Mat graph = block_graph(whole, chunks);
+static void share_by_graph(const mesh *whole, int ranks, division *d) {
+    Mat graph = block_graph(whole, d);
     MatPartitioning partitioning;
     const PetscInt *of;
     IS parts;
@@ -72,8 +72,8 @@ static void share_by_graph(const mesh *whole, int chunks, int ranks, int *owner)
     CHECK(MatPartitioningSetFromOptions(partitioning));
     CHECK(MatPartitioningApply(partitioning, &parts));
     CHECK(ISGetIndices(parts, &of));
-    for (int k = 0; k < chunks; k++)
-        owner[k] = (int)of[k];
+    for (int k = 0; k < d->count; k++)
+        d->owner[k] = (int)of[k];
     CHECK(ISRestoreIndices(parts, &of));
     CHECK(ISDestroy(&parts));
     CHECK(MatPartitioningDestroy(&partitioning));
@@ -81,9 +81,9 @@ static void share_by_graph(const mesh *whole, int chunks, int ranks, int *owner)
 }
 
 /* Has every rank a block? */
-static int all_have(const int *owner, int chunks, int ranks) {
+static int all_have(const int *owner, int blocks, int ranks) {
     int *has = part_memory((size_t)ranks, sizeof *has), count = 0;
-    for (int k = 0; k < chunks; k++)
+    for (int k = 0; k < blocks; k++)
         has[owner[k]] = 1;
     for (int r = 0; r < ranks; r++)
         count += has[r];
@@ -91,12 +91,13 @@ static int all_have(const int *owner, int chunks, int ranks) {
     return count == ranks;
 }
 
-void part_share_blocks(const part *p, const mesh *whole, int *owner) {
+void part_share_blocks(const part *p, const mesh *whole, division *d) {
     PetscBool by_graph;
     CHECK(PetscOptionsHasName(NULL, NULL, "-mat_partitioning_type", &by_graph));
     if (p->rank == LEADER && by_graph && p->ranks > 1)
-        share_by_graph(whole, p->chunks, p->ranks, owner);
-    if (!by_graph || p->ranks == 1 || (p->rank == LEADER && !all_have(owner, p->chunks, p->ranks)))
-        share_consecutively(p->chunks, p->ranks, owner);
-    MPI_Bcast(owner, p->chunks, MPI_INT, LEADER, MPI_COMM_WORLD);
+        share_by_graph(whole, p->ranks, d);
+    if (!by_graph || p->ranks == 1 ||
+        (p->rank == LEADER && !all_have(d->owner, d->count, p->ranks)))
+        share_consecutively(d->count, p->ranks, d->owner);
+    MPI_Bcast(d->owner, d->count, MPI_INT, LEADER, MPI_COMM_WORLD);
 }

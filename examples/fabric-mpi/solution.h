@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Conjugate gradients over all parts, with the operations of fabric's solver.c in their order:
- *  block-Jacobi, in double. Collective; system, constraints, dv and residual are the leader's whole
+/** Conjugate gradients over all parts, in double, with the operations of fabric's solver in their
+ *  order. Collective; system, constraints, dv and residual are the leader's whole
  *  ones, else NULL, and what is returned is the same on all ranks. */
 #ifndef FABRIC_MPI_SOLUTION_H
 #define FABRIC_MPI_SOLUTION_H

@@ -17,8 +17,8 @@ finish() {
   exit $failed
 }
 
-# What both programs can do with the same bits.
-common=(--set solution.preconditioner=block-jacobi --frames 0 --progress none)
+common=(--frames 0 --progress none)
+jacobi=(--set solution.preconditioner=block-jacobi)
 
 serial() { "$SERIAL" "$@" "${common[@]}" >>log 2>&1 || fail "fabric-serial $*: $(tail -n 3 log)"; }
 # ranks RANKS THREADS ARGUMENTS...: fabric-mpi; what it says is in `said`
