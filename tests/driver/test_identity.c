@@ -41,6 +41,8 @@ static void texts_that_make_no_difference(void **state) {
         "#if HAS(x) && __GNUC__ >= 3 /* a comment */ && Y(1, 2)\n",
         "#if defined(__GNUC__) ? X : Y\n",
         "int __GNUC__x, a__clang__;\n",
+        "#if __STDC_VERSION__ >= 199901L\n",
+        "#if __FLT_EVAL_METHOD__ == 0 && __INT_MAX__ > 4\n",
     };
     for (unsigned i = 0; i < sizeof texts / sizeof texts[0]; i++)
         assert_asks(texts[i], false, NULL);
@@ -52,6 +54,11 @@ static void texts_that_make_one(void **state) {
         const char *text, *word;
     } cases[] = {
         {"#ifdef __clang__\n", "__clang__"},
+        {"#ifdef __INT64_C\n", "__INT64_C"},
+        {"n += sizeof(__UINT_FAST16_TYPE__);\n", "__UINT_FAST16_TYPE__"},
+        {"#ifdef __FLT64_MAX__\n", "__FLT64_MAX__"},
+        {"#ifdef __INTPTR_FMTd__\n", "__INTPTR_FMTd__"},
+        {"#if __STDC_VERSION__ >= 202311L\n", "__STDC_VERSION__"},
         {"#if defined(__GNUC__) && !defined(__clang__)\n", "__GNUC__"},
         {"#if X\n#elif __GNUC__ >= 5\n", "__GNUC__"},
         {"#if __GNUC__ == 12\n", "__GNUC__"},

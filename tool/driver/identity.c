@@ -91,9 +91,29 @@ static bool is_in(const char *word, const char *const *list, size_t count) {
     return false;
 }
 
+static bool ends_in(const char *word, const char *end) {
+    const size_t length = strlen(word), size = strlen(end);
+    return length >= size && strcmp(word + length - size, end) == 0;
+}
+
+/* Families of such macros. */
+static bool is_of_sensitive_family(const char *word) {
+    static const char *const begins[] = {
+        "__DEC",        "__OBJC_",         "__CLANG_",         "__ATOMIC_HLE_",
+        "__core_",      "__tune_",         "__GNUC_EXECUTION", "__GNUC_WIDE_EXECUTION",
+        "__STDC_EMBED", "__CHAR16_TYPE__", "__CHAR32_TYPE__"};
+    for (size_t i = 0; i < COUNT(begins); i++)
+        if (strncmp(word, begins[i], strlen(begins[i])) == 0)
+            return true;
+    const bool is_integer = strncmp(word, "__INT", 5) == 0 || strncmp(word, "__UINT", 6) == 0;
+    return (is_integer && (ends_in(word, "_C") || strstr(word, "FAST"))) || strstr(word, "_FMT") ||
+           (strncmp(word, "__FLT", 5) == 0 && isdigit((unsigned char)word[5]));
+}
+
 static bool is_sensitive(const char *word, bool is_clang) {
     return is_in(word, sensitive, COUNT(sensitive)) ||
-           (!is_clang && is_in(word, sensitive_for_gcc, COUNT(sensitive_for_gcc)));
+           (!is_clang && (is_in(word, sensitive_for_gcc, COUNT(sensitive_for_gcc)) ||
+                          is_of_sensitive_family(word)));
 }
 
 static bool is_version(const char *word) {
@@ -163,7 +183,10 @@ const char *identity_asked(arena *a, const char *text, bool is_clang) {
             continue;
         }
         const char *word = arena_copy(a, at, length);
-        if (is_sensitive(word, is_clang) ||
+        /* of C23's compilers say 2020.. or 2023.. */
+        const bool asks_c23 = strcmp(word, "__STDC_VERSION__") == 0 &&
+                              strstr(logical_line(a, text, at), "202") != NULL;
+        if (is_sensitive(word, is_clang) || (!is_clang && asks_c23) ||
             (!is_clang && is_version(word) && !is_harmless(logical_line(a, text, at), word)))
             return word;
         at += length;

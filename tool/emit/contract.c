@@ -107,7 +107,8 @@ static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function 
 
 /** May functions be compiled for processors that the file's head knows nothing of? */
 static bool may_name_targets(const ir_unit *unit) {
-    bool is_found = has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
+    bool is_found = unit->text.names_target ||
+                    has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         is_found |= strstr(unit->text.header_pragmas[i], "target") != NULL;
     return is_found;

@@ -110,7 +110,11 @@ bool lane_is_safe(const lifter *l, const ir_node *node) {
         (node->kind == IR_UNARY &&
          (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
         return false;
-    const bool is_arithmetic = node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR;
+    /* the value may be outside of the integer's range */
+    if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
+        return false;
+    const bool is_arithmetic = (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
+                               (node->kind == IR_UNARY && node->op == IR_OP_MINUS);
     if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
         return false; /* of integers: it may overflow, or divide by 0 */
     for (unsigned i = 0; i < node->child_count; i++)

@@ -86,7 +86,7 @@ static bool is_harmless(CXCursor attribute) {
     clang_getSpellingLocation(begin, &spelling_file, NULL, NULL, &spelling_offset);
     if (file == NULL || !clang_File_isEqual(file, spelling_file) || offset != spelling_offset)
         return false;
-    const CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
+    CXTranslationUnit unit = clang_Cursor_getTranslationUnit(attribute);
     const char *text = clang_getFileContents(unit, file, &size);
     while (text != NULL && offset + length < size && is_word_byte(text[offset + length]))
         length++;
@@ -119,7 +119,7 @@ static bool is_called_otherwise(CXCursor declaration) {
            has_attribute(declaration, words, 4);
 }
 
-void read_attributes(CXCursor declaration, ir_function *function) {
+void read_attributes(converter *c, CXCursor declaration, ir_function *function) {
     static const char *const replaceable[] = {"weak", "__weak__", "ifunc", "__ifunc__"};
     static const char *const not_returning[] = {"noreturn", "__noreturn__", "_Noreturn"};
     function->linkage.is_weak |= has_attribute(declaration, replaceable, 4);
@@ -128,8 +128,9 @@ void read_attributes(CXCursor declaration, ir_function *function) {
     function->linkage.is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
                                    clang_getCursorVisibility(declaration) != CXVisibility_Default ||
                                    clang_Cursor_isFunctionInlined(declaration);
-    function->is_from_system |=
-        clang_Location_isInSystemHeader(clang_getCursorLocation(declaration)) != 0;
+    CXFile file;
+    clang_getExpansionLocation(clang_getCursorLocation(declaration), &file, NULL, NULL, NULL);
+    function->is_from_system |= is_of_system(c, file);
     clang_visitChildren(declaration, visit, function);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);

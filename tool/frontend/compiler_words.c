@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/directives.h"
+#include "frontend/flags.h"
 #include "frontend/lexing.h"
 #include "frontend/predefined.h"
 
@@ -70,6 +72,36 @@ static bool names_optimize(file_text file) {
     return false;
 }
 
+/* The attribute target, or target_clones: no declaration in the tree says it where it is called by
+ * a macro's name. */
+static bool names_target(file_text file) {
+    static const char word[] = "target";
+    const char *at = file.text, *const end = file.text + file.length;
+    while (at != NULL && at < end && (at = memmem(at, (size_t)(end - at), word, sizeof word - 1))) {
+        at += sizeof word - 1;
+        const char *behind = at;
+        while (behind < end && (source_is_name_byte(*behind) || isspace((unsigned char)*behind)))
+            behind++;
+        if (behind < end && (*behind == '(' || *behind == '\\' || *behind == '/'))
+            return true;
+    }
+    return false;
+}
+
+/* true and false of a condition are keywords of C23, and names without a value for compilers that
+ * know less of it. */
+static bool asks_truth(converter *c, file_text file) {
+    if (!c->compiler.flags->is_c23 || file.length == 0)
+        return false;
+    unsigned count;
+    const ir_directive *found = directives_in(c->arena, file.text, file.length, &count);
+    for (unsigned i = 0; i < count; i++)
+        if (strstr(found[i].text, "if") &&
+            (strstr(found[i].text, "true") || strstr(found[i].text, "false")))
+            return true;
+    return false;
+}
+
 /* Each copy of a text that makes it has another number. Headers of the system may define a macro of
  * it for programs to use. */
 static const char counter[] = "__COUNTER__";
@@ -81,11 +113,14 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     const file_text text = text_of_file(c, file);
     if (text.length > 0 && memmem(text.text, text.length, counter, sizeof counter - 1) != NULL)
         c->unit->text.names_counter = true;
-    if (clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+    if (is_of_system(c, file))
         return;
     if (c->unit->text.compiler_word == NULL)
         c->unit->text.compiler_word = word_in(text);
     c->unit->text.names_optimize |= names_optimize(text);
+    c->unit->text.names_target |= names_target(text);
+    if (asks_truth(c, text))
+        c->unit->text.unseen_word = "true";
     const char *own = c->compiler.predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
         c->unit->text.unseen_word = own;
@@ -96,6 +131,18 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.unseen_word = storage_order;
 }
 
+/* What a macro of the options stands for is text of the program's too. */
+static void look_at_options(converter *c) {
+    const parse_flags *flags = c->compiler.flags;
+    for (unsigned i = 0; i < flags->items.count; i++) {
+        const char *flag = flags->items.items[i];
+        const file_text text = {flag, strlen(flag)};
+        c->unit->text.names_optimize |= names_optimize(text);
+        c->unit->text.names_target |= names_target(text);
+    }
+}
+
 void find_compiler_words(converter *c) {
+    look_at_options(c);
     clang_getInclusions(c->clang, visit, c);
 }

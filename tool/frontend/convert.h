@@ -51,6 +51,7 @@ struct expansions {
 struct compiler_macros {
     const map *predefined; /* names of those that stand for clang's; or NULL */
     map *parsers_own;      /* then: names of those that clang has and that compiler has not */
+    const struct parse_flags *flags;
 };
 
 typedef struct converter {
@@ -93,6 +94,9 @@ ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro);
 /** Sets range and IR_FROM_MACRO. */
 void place_node(converter *c, ir_node *node, CXCursor cursor);
 file_text text_of_file(converter *c, CXFile file);
+/** Is the header the compiler's or the C library's? A library's header that -isystem or a pragma
+ *  makes a system header holds what its authors please, as the program's own do. */
+bool is_of_system(converter *c, CXFile file);
 /** The text from where the location's token is spelled (maybe in a macro's body or a header) to
  *  the end of its file; length 0 where there is none (pasted tokens, the command line). */
 file_text text_at(converter *c, CXSourceLocation location);
@@ -119,7 +123,7 @@ bool is_nameless(const char *spelling);
 ir_variable *convert_variable(converter *c, CXCursor declaration);
 ir_function *convert_function(converter *c, CXCursor declaration);
 /** Adds what the attributes of this declaration say. */
-void read_attributes(CXCursor declaration, ir_function *function);
+void read_attributes(converter *c, CXCursor declaration, ir_function *function);
 /** Does a function get the variable's address where its scope ends (GNU's cleanup attribute)? */
 bool has_cleanup(CXCursor declaration);
 /** May the variable be another name of an object: by an alias attribute, an asm label, assembler

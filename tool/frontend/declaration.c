@@ -91,8 +91,8 @@ static void fill_function(converter *c, ir_function *f, CXCursor declaration) {
     f->linkage.is_static = is_static(declaration);
     f->is_variadic = clang_Cursor_isVariadic(declaration) != 0;
     f->is_in_main_file = is_in_main_file(c, clang_getCursorLocation(declaration));
-    read_attributes(clang_getCanonicalCursor(declaration), f);
-    read_attributes(declaration, f);
+    read_attributes(c, clang_getCanonicalCursor(declaration), f);
+    read_attributes(c, declaration, f);
     convert_parameters(c, f, declaration);
 }
 
@@ -104,7 +104,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     const void *key = clang_getCanonicalCursor(declaration).data[0];
     f = map_get(c->converted.functions, &key, sizeof key);
     if (f != NULL) {
-        read_attributes(declaration, f); /* a later declaration may add some */
+        read_attributes(c, declaration, f); /* a later declaration may add some */
         *map_at(c->converted.functions, &own, sizeof own) = f;
         return f;
     }
@@ -115,7 +115,7 @@ ir_function *convert_function(converter *c, CXCursor declaration) {
     CXCursor definition = clang_getCursorDefinition(declaration);
     bool has_body = !clang_Cursor_isNull(definition);
     fill_function(c, f, has_body ? definition : declaration);
-    read_attributes(declaration, f);
+    read_attributes(c, declaration, f);
     f->has_errors = map_get(c->converted.functions_with_errors, &key, sizeof key) != NULL;
     if (has_body) {
         function_body body = {.function = f, .definition = definition};

@@ -2,6 +2,7 @@
 #include "frontend/flags.h"
 
 #include <glob.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -129,6 +130,12 @@ static bool names_c89(const char *standard) {
     return is(standard, names);
 }
 
+/* c2x, gnu23 and later ones. */
+static bool names_c23(const char *standard) {
+    return source_starts_with(standard, "c2") || source_starts_with(standard, "gnu2") ||
+           strstr(standard, ":202");
+}
+
 /* By any of the list that are not about addresses, leaks or threads. */
 static bool reports_arithmetic(const char *list) {
     static const char *const others[] = {"address",          "leak",   "thread",
@@ -152,10 +159,11 @@ static void note_language(parse_flags *chosen, const char *flag) {
     else if (strcmp(flag, "-fstrict-aliasing") == 0)
         chosen->strict_aliasing = true;
     else if (strcmp(flag, "-ansi") == 0)
-        chosen->is_c89 = true;
-    else if (source_starts_with(flag, "-std="))
+        chosen->is_c89 = true, chosen->is_c23 = false;
+    else if (source_starts_with(flag, "-std=")) {
         chosen->is_c89 = names_c89(flag + sizeof "-std=" - 1);
-    else if (source_starts_with(flag, "-fsanitize="))
+        chosen->is_c23 = names_c23(flag + sizeof "-std=" - 1);
+    } else if (source_starts_with(flag, "-fsanitize="))
         chosen->is_sanitized |= reports_arithmetic(flag + sizeof "-fsanitize=" - 1);
     else if (strcmp(flag, "-nostdinc") == 0)
         chosen->has_headers = false;
@@ -178,6 +186,28 @@ static void note_code(parse_flags *chosen, const char *flag) {
         chosen->math_errno = true;
 }
 
+/* `-isystem FOLDER` or `-isystemFOLDER`; `next` is the following word or NULL. */
+static void note_folder(arena *a, parse_flags *chosen, const char *flag, const char *next) {
+    static const char *const names[] = {"-isystem", "-idirafter"};
+    for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
+        if (!source_starts_with(flag, names[i]))
+            continue;
+        const char *folder = flag[strlen(names[i])] ? flag + strlen(names[i]) : next;
+        if (folder)
+            VECTOR_PUSH(a, &chosen->system_folders, folder);
+    }
+}
+
+/* Folders that the environment gives gcc and clang. */
+static void note_folders_of_environment(arena *a, parse_flags *chosen) {
+    const char *list = getenv("C_INCLUDE_PATH");
+    for (size_t length; list && *list; list += length + (list[length] == ':')) {
+        length = strcspn(list, ":");
+        if (length > 0)
+            VECTOR_PUSH(a, &chosen->system_folders, arena_copy(a, list, length));
+    }
+}
+
 static bool turns_on_openmp(const char *flag) {
     const option *known = option_find(flag);
     return known && known->meaning & OPTION_OPENMP;
@@ -192,8 +222,10 @@ parse_flags choose_flags(arena *a, unsigned count, const char *const *flags) {
             (has_openmp || turns_on_openmp(flags[i])) && strcmp(flags[i], "-fno-openmp") != 0;
         note_language(&chosen, flags[i]);
         note_code(&chosen, flags[i]);
+        note_folder(a, &chosen, flags[i], i + 1 < count ? flags[i + 1] : NULL);
         i = take(a, &chosen, i, count, flags);
     }
+    note_folders_of_environment(a, &chosen);
     /* Parsed with -fopenmp itself, a loop below a directive would be hidden in the directive. */
     if (has_openmp && !is_predefined(&chosen, "_OPENMP"))
         add(a, &chosen, "-D_OPENMP=201511");

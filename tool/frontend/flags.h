@@ -19,10 +19,13 @@ typedef struct parse_flags {
     const char *refusing; /* by it the program is another than the parser's; NULL: none */
     const char *inexact;  /* by it floating-point bits may differ between copies; NULL: none */
     bool is_c89;          /* by -std= or -ansi */
-    bool is_sanitized;    /* by -fsanitize= of others than addresses, leaks and threads */
-    bool is_shared;       /* -fPIC: what is exported may be replaced by another definition ... */
-    bool is_fixed;        /* ... but not by one that does something else */
-    bool math_errno;      /* mathematical functions set errno */
+    bool is_c23;          /* by -std=, or a later one */
+    VECTOR(const char *)
+    system_folders;    /* by -isystem and the like: a library's, not the compiler's */
+    bool is_sanitized; /* by -fsanitize= of others than addresses, leaks and threads */
+    bool is_shared;    /* -fPIC: what is exported may be replaced by another definition ... */
+    bool is_fixed;     /* ... but not by one that does something else */
+    bool math_errno;   /* mathematical functions set errno */
 } parse_flags;
 
 parse_flags choose_flags(arena *a, unsigned count, const char *const *flags);

@@ -225,7 +225,7 @@ static void convert_unit(converter *c) {
 }
 
 static ir_unit *convert(arena *a, const source *src, const char *name, CXTranslationUnit clang,
-                        const map *predefined) {
+                        const parse_flags *flags) {
     ir_unit *unit = ARENA_NEW(a, ir_unit);
     unit->arena = a;
     unit->source = src;
@@ -248,7 +248,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
                       .pointers = map_new(a),
                       .files = map_new(a)},
         .expansions = {.ends = map_new(a), .begins = map_new(a)},
-        .compiler = {.predefined = predefined, .parsers_own = map_new(a)},
+        .compiler = {flags->predefined, map_new(a), flags},
     };
     c.scratch = arena_new();
     c.references = references_new(&c);
@@ -291,12 +291,6 @@ static bool says_may_alias(const char *text) {
     return false;
 }
 
-/* -std=c2x, gnu23 and later ones. */
-static bool asks_for_c23(const char *flag) {
-    return strstr(flag, "-std=") == flag &&
-           (strstr(flag, "c2") || strstr(flag, "gnu2") || strstr(flag, ":202"));
-}
-
 /* What the flags say of the program as a whole. */
 static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
@@ -322,7 +316,7 @@ static void run(void *data) {
     CXTranslationUnit clang = parse_with_fallbacks(t, index, name, &chosen);
     if (clang != NULL) {
         convert_diagnostics(t->arena, clang, name, &t->result);
-        ir_unit *unit = convert(t->arena, t->source, name, clang, chosen.predefined);
+        ir_unit *unit = convert(t->arena, t->source, name, clang, &chosen);
         /* an attribute or a pragma says so of a part: of the rest, no more is lost than speed */
         const bool is_said = strstr(t->source->text, "no-strict-aliasing") != NULL ||
                              says_may_alias(t->source->text);
@@ -332,10 +326,9 @@ static void run(void *data) {
             unit->text.names_counter |= strstr(t->flags[i], "__COUNTER__") != NULL;
             if (strstr(t->flags[i], "_Pragma") != NULL)
                 unit->text.unseen_word = "_Pragma";
-            if (asks_for_c23(t->flags[i]) &&
-                lexing_has_digit_separator(t->source->text, t->source->length))
-                unit->text.unseen_word = "a digit separator";
         }
+        if (chosen.is_c23 && lexing_has_digit_separator(t->source->text, t->source->length))
+            unit->text.unseen_word = "a digit separator";
         assert(ir_check_parsed(t->arena, unit) == NULL);
         t->result.unit = unit;
         clang_disposeTranslationUnit(clang);

@@ -10,8 +10,7 @@
 static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     converter *c = data;
-    if (depth == 0 ||
-        clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+    if (depth == 0 || is_of_system(c, file))
         return;
     const file_text text = text_of_file(c, file);
     if (text.length == 0 || memmem(text.text, text.length, "ragma", 5) == NULL)

@@ -72,6 +72,25 @@ static bool splits_mark(const char *text, const char *splice, const char *end) {
            (before == '*' && behind == '/') || (before == '%' && behind == ':') || before == '?';
 }
 
+static bool has_word(const char *text, size_t length, const char *word) {
+    const char *end = text + length;
+    const size_t size = strlen(word);
+    for (const char *at = text; (at = memmem(at, (size_t)(end - at), word, size)); at += size)
+        if ((at == text || !source_is_name_byte(at[-1])) &&
+            (at + size == end || !source_is_name_byte(at[size])))
+            return true;
+    return false;
+}
+
+/* _Pragma, to be pasted of pieces: of the first of them, or of `_` and what follows. */
+static bool has_pieces_of_pragma(const char *text, size_t length) {
+    static const char *const firsts[] = {"_P", "_Pr", "_Pra", "_Prag", "_Pragm"};
+    for (size_t i = 0; i < sizeof firsts / sizeof *firsts; i++)
+        if (has_word(text, length, firsts[i]))
+            return true;
+    return has_word(text, length, "_") && has_word(text, length, "Pragma");
+}
+
 bool lexing_has_digit_separator(const char *text, size_t length) {
     const char *end = text + length;
     for (const char *at = text; (at = memchr(at, '\'', (size_t)(end - at))); at++) {
@@ -86,6 +105,13 @@ const char *lexing_in_doubt(const char *text, size_t length) {
     const char *end = text + length;
     if (memmem(text, length, "?\?/", 3))
         return "?\?/";
+    if (has_pieces_of_pragma(text, length))
+        return pragma_operator;
+    /* C23's; a compiler of an older language passes over them, or heeds them all the same */
+    static const char *const conditions[] = {"elifdef", "elifndef"};
+    for (size_t i = 0; i < sizeof conditions / sizeof *conditions; i++)
+        if (has_word(text, length, conditions[i]))
+            return conditions[i];
     for (const char *at = text; (at = memchr(at, '"', (size_t)(end - at))); at++)
         if (begins_raw_string(text, at, end))
             return raw_string;

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/flags.h"
+#include "support/source.h"
 
 typedef struct place {
     CXFile file;
@@ -37,6 +39,26 @@ bool is_in_main_file(converter *c, CXSourceLocation location) {
     CXFile file;
     clang_getExpansionLocation(location, &file, NULL, NULL, NULL);
     return is_same_file(file, c->main_file);
+}
+
+static bool is_in_a_librarys_folder(const converter *c, const char *path) {
+    const parse_flags *flags = c->compiler.flags;
+    for (unsigned i = 0; i < flags->system_folders.count; i++)
+        if (source_starts_with(path, flags->system_folders.items[i]))
+            return true;
+    return false;
+}
+
+bool is_of_system(converter *c, CXFile file) {
+    if (!file || !clang_Location_isInSystemHeader(clang_getLocationForOffset(c->clang, file, 0)))
+        return false;
+    CXString name = clang_getFileName(file);
+    const char *path = clang_getCString(name);
+    const bool is_installed =
+        path && source_starts_with(path, "/usr/") && !source_starts_with(path, "/usr/local/");
+    const bool is_librarys = !is_installed && path && is_in_a_librarys_folder(c, path);
+    clang_disposeString(name);
+    return is_installed || !is_librarys;
 }
 
 static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth,

@@ -20,14 +20,16 @@ typedef struct search {
     converter *converter;
     bool is_found;        /* some file names the operator */
     bool has_fenv_access; /* ... what it may say of the floating-point environment */
+    const char *hidden;   /* ... what makes a pragma unseen: see look. NULL: none */
     VECTOR(definition) all;
 } search;
 
 static file_text own_text(search *s, CXFile file) {
-    CXTranslationUnit clang = s->converter->clang;
-    if (clang_Location_isInSystemHeader(clang_getLocationForOffset(clang, file, 0)))
-        return (file_text){0};
-    return text_of_file(s->converter, file);
+    return is_of_system(s->converter, file) ? (file_text){0} : text_of_file(s->converter, file);
+}
+
+static bool has(file_text text, const char *word) {
+    return text.length > 0 && memmem(text.text, text.length, word, strlen(word)) != NULL;
 }
 
 static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
@@ -35,10 +37,13 @@ static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientD
     (void)depth;
     search *s = data;
     const file_text text = own_text(s, file);
-    s->is_found |= text.length > 0 && memmem(text.text, text.length, pragma_operator,
-                                             sizeof pragma_operator - 1) != NULL;
-    s->has_fenv_access |=
-        text.length > 0 && memmem(text.text, text.length, "FENV_ACCESS", 11) != NULL;
+    s->is_found |= has(text, pragma_operator);
+    s->has_fenv_access |= has(text, "FENV_ACCESS");
+    /* what a macro's pragma makes thread-local no tree tells; a macro's name has two spellings */
+    static const char *const hiding[] = {"threadprivate", "\\u", "\\U"};
+    for (unsigned i = 0; i < sizeof hiding / sizeof *hiding; i++)
+        if (has(text, hiding[i]))
+            s->hidden = hiding[i];
 }
 
 static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
@@ -99,5 +104,7 @@ void find_pragma_macros(converter *c) {
         }
     }
     c->unit->text.pragma_macros = macros;
+    if (s.hidden)
+        c->unit->text.unseen_word = s.hidden;
     c->unit->text.may_make_fenv_access = s.has_fenv_access;
 }

@@ -303,6 +303,8 @@ typedef struct ir_text {
                                   not what that compiles. NULL: none */
     bool names_optimize;       /* the attribute, somewhere in the program's own text: no declaration
                                   in the tree says it */
+    bool names_target;  /* the same of the attributes target and target_clones, or a macro of the
+                           options */
     bool names_counter; /* __COUNTER__ stands in some file of the program or an option: macros may
                            make it */
     unsigned header_pragma_count; /* of the program's own headers, as text */

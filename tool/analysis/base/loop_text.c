@@ -194,6 +194,8 @@ const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *fun
         const ir_directive *d = &unit->directives[i];
         if (d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d))
             return d->text;
+        if (strstr(d->text, "include") && openmp_of_headers(unit))
+            return d->text;
     }
     return text_pragma_macro(a, unit, range);
 }
