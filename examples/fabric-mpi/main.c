@@ -100,13 +100,11 @@ static const char *obstacle(const mesh *m, const scene *s, int ranks) {
         return "solution.preconditioner: over ranks only gauss-seidel and block-jacobi";
     if (s->precision != PRECISION_DOUBLE)
         return "solution.precision: over ranks only double; float and mixed go through all "
-               "vertices "
-               "in one order";
+               "vertices in one order";
     if (part_block_count(s, m->vertex_count) < ranks)
         return s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL
                    ? "solution.preconditioner: gauss-seidel has fewer domains than there are "
-                     "ranks; "
-                     "block-jacobi has more blocks"
+                     "ranks; block-jacobi has more blocks"
                    : "fewer blocks of 64 vertices than ranks";
     return current ? "one simulation at a time over ranks" : NULL;
 }

@@ -4,7 +4,6 @@
  * half_product gives the rows that the rank owns as they are there. */
 #include "solution.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

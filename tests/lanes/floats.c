@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Floats among what is written for vectors, alone and beside doubles, each thing in a loop of its
- * own; on random data with NaN, infinities, zeros of both signs and what is subnormal as a float.
- */
+/* Floats in code for vectors, alone and mixed with doubles, one construct a loop. The data are
+ * random and hold NaN, infinities, zeros of both signs and subnormal floats. */
 #include "data.h"
 
 static float p[NODES][3], small[COUNT], forces[NODES][3], singles[NODES];

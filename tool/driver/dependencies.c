@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "driver/files.h"
+#include "support/source.h"
 
 static const char *without_dot_slash(const char *path) {
     while (path[0] == '.' && path[1] == '/') {
@@ -53,11 +54,6 @@ bool dependencies_read(arena *a, const char *path, word_list *list) {
     return list->count > 0;
 }
 
-static bool ends_in(const char *text, const char *end) {
-    size_t length = strlen(text), end_length = strlen(end);
-    return length >= end_length && strcmp(text + length - end_length, end) == 0;
-}
-
 static bool is_listed(const word_list *list, const char *name) {
     for (unsigned i = 0; i < list->count; i++)
         if (strcmp(list->items[i], name) == 0)
@@ -67,23 +63,24 @@ static bool is_listed(const word_list *list, const char *name) {
 
 /* The headers of a list: without the source itself, the runtime's headers, and what stands there
  * for a second time (gcc repeats a header that is found by two ways). */
-static word_list headers_of(arena *a, const word_list *list, const char *source) {
+static word_list headers_of(arena *a, const word_list *list, const char *path) {
     word_list headers = {0};
-    const char *itself = without_dot_slash(source);
+    const char *itself = without_dot_slash(path);
     for (unsigned i = 0; i < list->count; i++) {
         const char *name = list->items[i];
-        if (strcmp(name, itself) != 0 && !ends_in(name, "/redcc/runtime.h") &&
-            !ends_in(name, "/redcc/loop.h") && !ends_in(name, "/redcc/bins.h") &&
-            !ends_in(name, "/redcc/prefetch.h") && !ends_in(name, "/redcc/lanes.h") &&
-            !ends_in(name, "/redcc/lanes_width.h") && !is_listed(&headers, name))
+        if (strcmp(name, itself) != 0 && !source_ends_with(name, "/redcc/runtime.h") &&
+            !source_ends_with(name, "/redcc/loop.h") && !source_ends_with(name, "/redcc/bins.h") &&
+            !source_ends_with(name, "/redcc/prefetch.h") &&
+            !source_ends_with(name, "/redcc/lanes.h") &&
+            !source_ends_with(name, "/redcc/lanes_width.h") && !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;
 }
 
-bool dependencies_equal(arena *a, const word_list *original, const char *source,
+bool dependencies_equal(arena *a, const word_list *original, const char *path,
                         const word_list *translated, const char *text) {
-    word_list left = headers_of(a, original, source);
+    word_list left = headers_of(a, original, path);
     word_list right = headers_of(a, translated, text);
     if (left.count != right.count)
         return false;
@@ -112,7 +109,7 @@ static const char indifferent_header[] = "/bits/math-vector.h";
 bool dependencies_mention(arena *a, const word_list *files, const char *word) {
     for (unsigned i = 0; i < files->count; i++) {
         size_t length;
-        if (ends_in(files->items[i], indifferent_header))
+        if (source_ends_with(files->items[i], indifferent_header))
             continue;
         const char *text = file_read(a, files->items[i], &length);
         if (!text || mentions(text, length, word))

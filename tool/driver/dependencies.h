@@ -17,7 +17,7 @@ bool dependencies_read(arena *a, const char *path, word_list *list);
 
 /** Whether both sources read the same files, but for the sources themselves (the first of each)
  *  and the runtime's header. */
-bool dependencies_equal(arena *a, const word_list *original, const char *source,
+bool dependencies_equal(arena *a, const word_list *original, const char *path,
                         const word_list *translated, const char *text);
 
 /** Whether `word` stands, by itself, in any of the files, or one of them cannot be read. */

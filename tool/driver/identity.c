@@ -6,6 +6,7 @@
 
 #include "driver/condition.h"
 #include "driver/files.h"
+#include "support/source.h"
 
 /* What depends on the compiler's version, or on options that redcc is not told. */
 static const char *const sensitive[] = {
@@ -91,11 +92,6 @@ static bool is_in(const char *word, const char *const *list, size_t count) {
     return false;
 }
 
-static bool ends_in(const char *word, const char *end) {
-    const size_t length = strlen(word), size = strlen(end);
-    return length >= size && strcmp(word + length - size, end) == 0;
-}
-
 /* Families of such macros. */
 static bool is_of_sensitive_family(const char *word) {
     static const char *const begins[] = {
@@ -106,7 +102,8 @@ static bool is_of_sensitive_family(const char *word) {
         if (strncmp(word, begins[i], strlen(begins[i])) == 0)
             return true;
     const bool is_integer = strncmp(word, "__INT", 5) == 0 || strncmp(word, "__UINT", 6) == 0;
-    return (is_integer && (ends_in(word, "_C") || strstr(word, "FAST"))) || strstr(word, "_FMT") ||
+    return (is_integer && (source_ends_with(word, "_C") || strstr(word, "FAST"))) ||
+           strstr(word, "_FMT") ||
            (strncmp(word, "__FLT", 5) == 0 && isdigit((unsigned char)word[5]));
 }
 

@@ -73,15 +73,6 @@ static int operand_number(const bins_record *record, const ir_node *node) {
     return -1;
 }
 
-static bool has_initializer(const ir_node *node, const ir_variable *variable) {
-    if (node->kind == IR_DECLARATOR && node->variable == variable)
-        return node->child_count > 0;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_initializer(node->children[i], variable))
-            return true;
-    return false;
-}
-
 /** A variable that has a value whatever the iteration does. */
 static bool has_value_always(const loop_text *loop, const ir_node *node) {
     const loop_facts *facts = loop->facts;
@@ -90,7 +81,8 @@ static bool has_value_always(const loop_text *loop, const ir_node *node) {
     bool is_outer = node->variable == facts->counted.counter;
     for (unsigned i = 0; i < facts->variables.captured_count; i++)
         is_outer |= facts->variables.captured[i] == node->variable;
-    return is_outer || has_initializer(facts->counted.body, node->variable);
+    const ir_node *declared = ir_declarator_in(facts->counted.body, node->variable);
+    return is_outer || (declared && declared->child_count > 0);
 }
 
 /** An operand that is not evaluated each time may not fail where it is, nor lack a value. */

@@ -119,8 +119,6 @@ const char *lane_mask(lifter *l, const ir_node *node);
 const char *lane_new_mask(lifter *l, const char *condition);
 /** The text of one lane's value; 0 in lanes that do not evaluate it, where it may not be. */
 const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
-/** Is the variable declared in the tree? By the tree: all that one macro makes has one range. */
-bool lane_declares(const ir_node *tree, const ir_variable *variable);
 /** Do lanes that do not execute an assignment to the variable need its old value? */
 bool lane_needs_select(const lifter *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */

@@ -134,7 +134,7 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
 static bool is_of_some_lanes(const lifter *l, const ir_node *node, const ir_variable *variable) {
     for (const ir_node *at = node; at && at != l->scope; at = at->parent)
         if (at->parent && at->parent->kind == IR_IF && at != at->parent->children[0] &&
-            !lane_is_uniform(l, at->parent->children[0]) && !lane_declares(at, variable))
+            !lane_is_uniform(l, at->parent->children[0]) && !ir_declarator_in(at, variable))
             return !lane_is_counter_only(l->scope, variable);
     return false;
 }

@@ -13,19 +13,8 @@ const char *lane_guarded(lifter *l, const ir_node *node, const char *text) {
     return arena_format(l->loop->arena, "(%s[redcc__l] ? %s : 0)", l->mask, text);
 }
 
-bool lane_declares(const ir_node *tree, const ir_variable *variable) {
-    if (tree->kind == IR_DECLARATOR && tree->variable == variable)
-        return true;
-    for (unsigned i = 0; i < tree->child_count; i++)
-        if (tree->children[i] && lane_declares(tree->children[i], variable))
-            return true;
-    return false;
-}
-
 bool lane_needs_select(const lifter *l, const ir_variable *variable) {
-    if (!l->mask || !l->region)
-        return false;
-    return !lane_declares(l->region, variable);
+    return l->mask && l->region && !ir_declarator_in(l->region, variable);
 }
 
 const char *lane_new_mask(lifter *l, const char *condition) {

@@ -128,9 +128,11 @@ void read_attributes(converter *c, CXCursor declaration, ir_function *function) 
     function->linkage.is_hidden |= clang_getCursorLinkage(declaration) != CXLinkage_External ||
                                    clang_getCursorVisibility(declaration) != CXVisibility_Default ||
                                    clang_Cursor_isFunctionInlined(declaration);
-    CXFile file;
-    clang_getExpansionLocation(clang_getCursorLocation(declaration), &file, NULL, NULL, NULL);
-    function->is_from_system |= is_of_system(c, file);
+    if (!function->is_from_system) {
+        CXFile file;
+        clang_getExpansionLocation(clang_getCursorLocation(declaration), &file, NULL, NULL, NULL);
+        function->is_from_system = is_of_system(c, file);
+    }
     clang_visitChildren(declaration, visit, function);
     CXString spelling = clang_getTypeSpelling(clang_getCursorType(declaration));
     const char *text = clang_getCString(spelling);

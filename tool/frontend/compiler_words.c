@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "frontend/convert.h"
-#include "frontend/directives.h"
 #include "frontend/flags.h"
 #include "frontend/lexing.h"
 #include "frontend/predefined.h"
@@ -30,9 +29,7 @@ static const char *word_in(file_text file) {
         }
         at++;
     }
-    if (memmem(file.text, file.length, threads, sizeof threads - 1) != NULL)
-        return threads;
-    return NULL;
+    return text_has(file, threads) ? threads : NULL;
 }
 
 /* Where clang is told the compiler's macros: a name of which it still makes something of its own.
@@ -52,6 +49,11 @@ static const char *parsers_word_in(converter *c, file_text file) {
     return NULL;
 }
 
+/* Behind an attribute's name: do arguments begin, or may a macro or a comment stand before them? */
+static bool may_have_arguments(const char *at, const char *end) {
+    return at < end && (*at == '(' || *at == '\\' || *at == '/');
+}
+
 /* The attribute optimize, by which gcc compiles a function otherwise than the file; clang passes
  * over it, on whichever declaration it stands. Not the pragma, which is read as one. */
 static bool names_optimize(file_text file) {
@@ -66,7 +68,7 @@ static bool names_optimize(file_text file) {
             continue;
         while (at < end && (*at == '_' || isspace((unsigned char)*at)))
             at++;
-        if (at < end && (*at == '(' || *at == '\\' || *at == '/'))
+        if (may_have_arguments(at, end))
             return true;
     }
     return false;
@@ -82,7 +84,7 @@ static bool names_target(file_text file) {
         const char *behind = at;
         while (behind < end && (source_is_name_byte(*behind) || isspace((unsigned char)*behind)))
             behind++;
-        if (behind < end && (*behind == '(' || *behind == '\\' || *behind == '/'))
+        if (may_have_arguments(behind, end))
             return true;
     }
     return false;
@@ -90,15 +92,15 @@ static bool names_target(file_text file) {
 
 /* true and false of a condition are keywords of C23, and names without a value for compilers that
  * know less of it. */
-static bool asks_truth(converter *c, file_text file) {
-    if (!c->compiler.flags->is_c23 || file.length == 0)
+static bool asks_truth(converter *c, CXFile file) {
+    if (!c->compiler.flags->is_c23)
         return false;
-    unsigned count;
-    const ir_directive *found = directives_in(c->arena, file.text, file.length, &count);
-    for (unsigned i = 0; i < count; i++)
-        if (strstr(found[i].text, "if") &&
-            (strstr(found[i].text, "true") || strstr(found[i].text, "false")))
+    const file_directives found = directives_of_file(c, file);
+    for (unsigned i = 0; i < found.count; i++) {
+        const char *text = found.items[i].text;
+        if (strstr(text, "if") && (strstr(text, "true") || strstr(text, "false")))
             return true;
+    }
     return false;
 }
 
@@ -111,7 +113,7 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
     (void)depth;
     converter *c = data;
     const file_text text = text_of_file(c, file);
-    if (text.length > 0 && memmem(text.text, text.length, counter, sizeof counter - 1) != NULL)
+    if (text_has(text, counter))
         c->unit->text.names_counter = true;
     if (is_of_system(c, file))
         return;
@@ -119,15 +121,15 @@ static void visit(CXFile file, CXSourceLocation *stack, unsigned depth, CXClient
         c->unit->text.compiler_word = word_in(text);
     c->unit->text.names_optimize |= names_optimize(text);
     c->unit->text.names_target |= names_target(text);
-    if (asks_truth(c, text))
+    if (asks_truth(c, file))
         c->unit->text.unseen_word = "true";
-    const char *own = c->compiler.predefined != NULL ? parsers_word_in(c, text) : NULL;
+    const char *own = c->compiler.flags->predefined != NULL ? parsers_word_in(c, text) : NULL;
     if (own != NULL)
         c->unit->text.unseen_word = own;
     const char *doubt = text.length > 0 ? lexing_in_doubt(text.text, text.length) : NULL;
     if (doubt != NULL)
         c->unit->text.unseen_word = doubt;
-    if (memmem(text.text, text.length, storage_order, sizeof storage_order - 1) != NULL)
+    if (text_has(text, storage_order))
         c->unit->text.unseen_word = storage_order;
 }
 

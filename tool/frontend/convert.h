@@ -37,7 +37,7 @@ struct converted {
     map *functions;             /* each of its declarations -> ir_function */
     map *functions_with_errors; /* canonical declaration -> anything */
     map *pointers;              /* target's ir_type -> pointer made for it */
-    map *files;                 /* CXFile -> file_text */
+    map *files;                 /* CXFile -> what location.c keeps of a header */
 };
 
 /** Where the main file has expansions of macros. */
@@ -47,11 +47,10 @@ struct expansions {
     bool are_known; /* the two are complete */
 };
 
-/** The macros of the compiler that clang stands for. */
-struct compiler_macros {
-    const map *predefined; /* names of those that stand for clang's; or NULL */
-    map *parsers_own;      /* then: names of those that clang has and that compiler has not */
-    const struct parse_flags *flags;
+/** The compiler that clang stands for. */
+struct compiler_facts {
+    const struct parse_flags *flags; /* its options; `predefined`: its macros in place of clang's */
+    map *parsers_own; /* then: names of the macros that clang has and that compiler has not */
 };
 
 typedef struct converter {
@@ -63,7 +62,7 @@ typedef struct converter {
     struct converted converted;
     struct expansions expansions;
     bool has_begun; /* has anything of the main file been met among its macros? */
-    struct compiler_macros compiler;
+    struct compiler_facts compiler;
     struct reference_table *references;
     bool has_assembler;           /* between functions: it may give names to objects */
     VECTOR(ir_function *) others; /* functions without a body in the main file */
@@ -94,6 +93,15 @@ ir_range range_of(converter *c, CXSourceRange extent, bool *is_from_macro);
 /** Sets range and IR_FROM_MACRO. */
 void place_node(converter *c, ir_node *node, CXCursor cursor);
 file_text text_of_file(converter *c, CXFile file);
+bool text_has(file_text file, const char *word);
+
+typedef struct file_directives {
+    const ir_directive *items;
+    unsigned count;
+} file_directives;
+
+/** The file's directives, scanned once; of the main file only after find_directives. */
+file_directives directives_of_file(converter *c, CXFile file);
 /** Is the header the compiler's or the C library's? A library's header that -isystem or a pragma
  *  makes a system header holds what its authors please, as the program's own do. */
 bool is_of_system(converter *c, CXFile file);

@@ -248,7 +248,7 @@ static ir_unit *convert(arena *a, const source *src, const char *name, CXTransla
                       .pointers = map_new(a),
                       .files = map_new(a)},
         .expansions = {.ends = map_new(a), .begins = map_new(a)},
-        .compiler = {flags->predefined, map_new(a), flags},
+        .compiler = {.flags = flags, .parsers_own = map_new(a)},
     };
     c.scratch = arena_new();
     c.references = references_new(&c);

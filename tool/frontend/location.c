@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* From clang's locations to bytes of the main file, macros looked through. */
+#define _GNU_SOURCE /* memmem */
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/directives.h"
 #include "frontend/flags.h"
 #include "support/source.h"
 
@@ -58,7 +60,7 @@ bool is_of_system(converter *c, CXFile file) {
         path && source_starts_with(path, "/usr/") && !source_starts_with(path, "/usr/local/");
     const bool is_librarys = !is_installed && path && is_in_a_librarys_folder(c, path);
     clang_disposeString(name);
-    return is_installed || !is_librarys;
+    return !is_librarys;
 }
 
 static void visit_inclusion(CXFile file, CXSourceLocation *stack, unsigned depth,
@@ -131,18 +133,44 @@ void place_node(converter *c, ir_node *node, CXCursor cursor) {
 
 /* ---- texts --------------------------------------------------------------------------------- */
 
+/* A header's text, and its directives once they were asked for. */
+typedef struct kept_header {
+    file_text text;
+    bool is_scanned;
+    file_directives found;
+} kept_header;
+
+static kept_header *header_of(converter *c, CXFile file) {
+    void **known = map_at(c->converted.files, &file, sizeof file);
+    if (*known == NULL) {
+        kept_header *read = ARENA_NEW(c->arena, kept_header);
+        read->text.text = clang_getFileContents(c->clang, file, &read->text.length);
+        *known = read;
+    }
+    return *known;
+}
+
 file_text text_of_file(converter *c, CXFile file) {
     if (file == NULL)
         return (file_text){0};
     if (is_same_file(file, c->main_file))
         return (file_text){.text = c->unit->source->text, .length = c->unit->source->length};
-    void **known = map_at(c->converted.files, &file, sizeof file);
-    if (*known == NULL) {
-        file_text *read = ARENA_NEW(c->arena, file_text);
-        read->text = clang_getFileContents(c->clang, file, &read->length);
-        *known = read;
-    }
-    return *(file_text *)*known;
+    return header_of(c, file)->text;
+}
+
+bool text_has(file_text file, const char *word) {
+    return file.length > 0 && memmem(file.text, file.length, word, strlen(word)) != NULL;
+}
+
+file_directives directives_of_file(converter *c, CXFile file) {
+    if (is_same_file(file, c->main_file))
+        return (file_directives){c->unit->directives, c->unit->directive_count};
+    kept_header *header = header_of(c, file);
+    if (!header->is_scanned && header->text.length > 0)
+        header->found.items =
+            directives_in(c->arena, header->text.text, header->text.length, &header->found.count);
+    header->is_scanned = true;
+    return header->found;
 }
 
 file_text text_at(converter *c, CXSourceLocation location) {

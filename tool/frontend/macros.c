@@ -7,6 +7,7 @@
 
 #include "frontend/convert.h"
 #include "frontend/directives.h"
+#include "frontend/flags.h"
 
 /* Past blanks, comments and line splices. */
 static const char *skip_spaces(const char *at, const char *end) {
@@ -65,13 +66,13 @@ static bool is_built_in(CXSourceLocation location) {
 /* The compiler's own macros are what text that names them means. */
 static bool is_own_of_compiler(converter *c, CXSourceLocation location, const char *name,
                                size_t length) {
-    const bool is_predefined =
-        c->compiler.predefined != NULL && map_get(c->compiler.predefined, name, length);
+    const bool is_predefined = c->compiler.flags->predefined != NULL &&
+                               map_get(c->compiler.flags->predefined, name, length);
     if (is_predefined)
         return true;
     if (!is_built_in(location))
         return false;
-    if (c->compiler.predefined != NULL)
+    if (c->compiler.flags->predefined != NULL)
         note(c->compiler.parsers_own, name, length, false);
     return true;
 }

@@ -2,11 +2,9 @@
 /* Macros of the program that may make a pragma: text that spells one has a directive that neither
  * the text nor clang's tree shows. Headers of the system define some for their own warnings only.
  */
-#define _GNU_SOURCE /* memmem */
 #include <string.h>
 
 #include "frontend/convert.h"
-#include "frontend/directives.h"
 
 static const char pragma_operator[] = "_Pragma";
 
@@ -24,25 +22,19 @@ typedef struct search {
     VECTOR(definition) all;
 } search;
 
-static file_text own_text(search *s, CXFile file) {
-    return is_of_system(s->converter, file) ? (file_text){0} : text_of_file(s->converter, file);
-}
-
-static bool has(file_text text, const char *word) {
-    return text.length > 0 && memmem(text.text, text.length, word, strlen(word)) != NULL;
-}
-
 static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
     search *s = data;
-    const file_text text = own_text(s, file);
-    s->is_found |= has(text, pragma_operator);
-    s->has_fenv_access |= has(text, "FENV_ACCESS");
+    if (is_of_system(s->converter, file))
+        return;
+    const file_text text = text_of_file(s->converter, file);
+    s->is_found |= text_has(text, pragma_operator);
+    s->has_fenv_access |= text_has(text, "FENV_ACCESS");
     /* what a macro's pragma makes thread-local no tree tells; a macro's name has two spellings */
     static const char *const hiding[] = {"threadprivate", "\\u", "\\U"};
     for (unsigned i = 0; i < sizeof hiding / sizeof *hiding; i++)
-        if (has(text, hiding[i]))
+        if (text_has(text, hiding[i]))
             s->hidden = hiding[i];
 }
 
@@ -51,15 +43,14 @@ static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClie
     (void)depth;
     search *s = data;
     arena *a = s->converter->arena;
-    const file_text text = own_text(s, file);
-    if (text.length == 0)
+    if (is_of_system(s->converter, file))
         return;
-    unsigned count;
-    const ir_directive *found = directives_in(a, text.text, text.length, &count);
-    for (unsigned i = 0; i < count; i++) {
-        const char *end = found[i].text + strlen(found[i].text);
-        const char *name = macro_name_defined(found[i].text, end), *after = name;
-        if (found[i].kind != IR_DIRECTIVE_OTHER || name == NULL)
+    const file_directives found = directives_of_file(s->converter, file);
+    for (unsigned i = 0; i < found.count; i++) {
+        const ir_directive *d = &found.items[i];
+        const char *end = d->text + strlen(d->text);
+        const char *name = macro_name_defined(d->text, end), *after = name;
+        if (d->kind != IR_DIRECTIVE_OTHER || name == NULL)
             continue;
         while (after < end && source_is_name_byte(*after))
             after++;

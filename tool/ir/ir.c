@@ -44,6 +44,17 @@ bool ir_value_is_used(const ir_node *node) {
     return node->parent == NULL || parent_uses_value(node->parent, node);
 }
 
+const ir_node *ir_declarator_in(const ir_node *tree, const ir_variable *variable) {
+    if (tree->kind == IR_DECLARATOR && tree->variable == variable)
+        return tree;
+    for (unsigned i = 0; i < tree->child_count; i++) {
+        const ir_node *found = ir_declarator_in(tree->children[i], variable);
+        if (found)
+            return found;
+    }
+    return NULL;
+}
+
 bool ir_contains(const ir_node *outer, const ir_node *inner) {
     while (inner != NULL && inner != outer)
         inner = inner->parent;

@@ -359,6 +359,9 @@ bool ir_is_increment(const ir_node *node);
 /** Is the value of this expression used by what is around it? (not: an expression statement, the
  *  left side of a comma, the header's initialisation and increment, a cast to void) */
 bool ir_value_is_used(const ir_node *node);
+/** The variable's declarator in the tree; NULL: it is not declared there. Places in the text do not
+ *  tell: all that one macro makes has one range. */
+const ir_node *ir_declarator_in(const ir_node *tree, const ir_variable *variable);
 bool ir_contains(const ir_node *outer, const ir_node *inner); /* by parent links; itself too */
 /** The variable at the bottom of an access path a, a[i], a.b, a->b, *a, &a[i], (T)a; or NULL. */
 ir_variable *ir_root_variable(const ir_node *node);

@@ -137,6 +137,11 @@ bool source_starts_with(const char *text, const char *prefix) {
     return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
+bool source_ends_with(const char *text, const char *suffix) {
+    const size_t length = strlen(text), size = strlen(suffix);
+    return length >= size && strcmp(text + length - size, suffix) == 0;
+}
+
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length) {
     for (const char *at = text; at < end; at++) {
         const char *word = at;

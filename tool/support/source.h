@@ -42,5 +42,6 @@ bool source_is_name_byte(char c);
  *  Comments and strings are text like any other. */
 const char *source_find_name(const char *text, const char *end, const map *names, size_t *length);
 bool source_starts_with(const char *text, const char *prefix);
+bool source_ends_with(const char *text, const char *suffix);
 
 #endif

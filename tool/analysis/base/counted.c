@@ -192,7 +192,7 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     if (loop->lower && (!expression_is_plain(loop->lower) || !is_plain_end(loop, loop->lower)))
         return not_counted(REASON_TRIP_COUNT, loop->lower, name);
     for (unsigned i = 0; !loop->steps_inside && (i < loop->body->child_count || i == 0); i++) {
-        /* a while's or do's increment is the last of its body and not looked at */
+        /* the increment at the end of a while or do loop's body is not looked at */
         const ir_node *part = loop->body->kind == IR_BLOCK ? ir_child(loop->body, i) : loop->body;
         if (!part || part == increment)
             continue;
@@ -327,8 +327,9 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
     return false;
 }
 
-/* A do loop is counted as the while loop of its body and condition. Where that has no iteration,
- * which its first value and the bound decide, generated code counts none, and the original runs. */
+/* A do loop is counted as the while loop with the same body and condition. Where that has no
+ * iteration, which its first value and the bound decide, generated code counts none, and the
+ * original runs. */
 static counted_result recognise_while(const ir_node *loop) {
     const bool is_do = loop->kind == IR_DO;
     const ir_node *condition = loop->children[is_do ? 1 : 0];
