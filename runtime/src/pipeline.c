@@ -58,9 +58,25 @@ static enum stage begin_inspection(struct execution *execution) {
         return refuse(execution, REASON_CHANGED);
     execution->inspected = true;
     execution->inspection.deadline = 0; /* the sample has none; auto sets it, after that */
-    return redcc_inspection_begin(&execution->inspection, !named)
-               ? STAGE_SAMPLE
-               : refuse(execution, REASON_NO_MEMORY);
+    if (!redcc_inspection_begin(&execution->inspection, !named))
+        return refuse(execution, REASON_NO_MEMORY);
+    return execution->call.request.loop->flags & REDCC_DRY_RUN ? STAGE_DRY_RUN : STAGE_SAMPLE;
+}
+
+/* ---- dry run --------------------------------------------------------------------------------- */
+
+static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) {
+    const struct inspection *inspection = &thread->execution->inspection;
+    if (thread->thread > 0 || thread->telling ||
+        !redcc_dry_run_start(inspection, &thread->inspector))
+        return PROGRESS_MEET;
+    redcc_dry_run_hand_out(inspection, &thread->inspector, worker);
+    return PROGRESS_TELL;
+}
+
+static enum stage after_dry_run(struct execution *execution) {
+    const enum reason reason = redcc_dry_run_finish(&execution->inspection);
+    return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }
 
 /* ---- sample ---------------------------------------------------------------------------------- */
@@ -322,6 +338,7 @@ static const struct stage_entry {
 } stages[STAGES] = {
     [STAGE_RECOUNT] = {come_together, recount, STAGE_OVER},
     [STAGE_VERIFY] = {verify, begin_inspection, STAGE_RUN},
+    [STAGE_DRY_RUN] = {dry_run, after_dry_run, STAGE_OVER},
     [STAGE_SAMPLE] = {sample, after_sample, STAGE_OVER},
     [STAGE_SWEEP] = {sweep, after_sweep, STAGE_OVER},
     [STAGE_PARTITION] = {partition, after_partition, STAGE_OVER},
@@ -368,10 +385,21 @@ int redcc_inspect(redcc_worker *worker) {
     return 0;
 }
 
+int redcc_is_stale(redcc_worker *worker, redcc_u32 source) {
+    struct thread_state *thread = worker->execution;
+    assert(thread->stage == STAGE_DRY_RUN);
+    return redcc_dry_run_is_stale(&thread->execution->inspection, &thread->inspector, worker,
+                                  source);
+}
+
 void redcc_flush(redcc_worker *worker) {
     struct thread_state *thread = worker->execution;
     struct inspection *inspection = &thread->execution->inspection;
     struct inspector *inspector = &thread->inspector;
+    if (thread->stage == STAGE_DRY_RUN) {
+        redcc_dry_run_take(inspection, inspector, worker);
+        return;
+    }
     if (thread->stage == STAGE_SWEEP)
         redcc_sweep_flush(inspection, inspector, worker);
     else

@@ -7,7 +7,9 @@
  *                    struct kept_plan one that may serve again                    reuse/kept.h
  *     -- the parallel region: every thread walks through the stages ----------------------------
  *     redcc_inspect  verify     are the subscripts what they were?    yes: run    reuse/kept.h
- *                    sample     some iterations   -> struct partition (the cuts)  inspect/
+ *                    dry run    all iterations, in order, where stale values
+ *                               would do harm                                     inspect/
+ *                    sample     some iterations   -> struct partition (the cuts)
  *                    sweep      all iterations    -> struct summary, one a thread
  *                                                    and the overlap guard
  *                    log        all touches, kept -> struct told, one a thread
@@ -30,6 +32,7 @@
 enum stage {
     STAGE_RECOUNT, /* fewer threads came than asked for */
     STAGE_VERIFY,
+    STAGE_DRY_RUN,
     STAGE_SAMPLE,
     STAGE_SWEEP,
     STAGE_PARTITION,

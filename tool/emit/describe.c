@@ -213,6 +213,8 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
                  {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
                  {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
+                 {loop->dry_run != DRY_RUN_NONE, "REDCC_DRY_RUN"},
+                 {loop->dry_run == DRY_RUN_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
                  {loop->prefetches, "REDCC_PREFETCHES"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};

@@ -48,6 +48,13 @@ typedef struct outline_text {
     const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
 } outline_text;
 
+/** Whether all iterations are told in order before they are inspected (dry_run.c). */
+typedef enum dry_run {
+    DRY_RUN_NONE,
+    DRY_RUN_OF_UPDATES, /* what must not be updated meanwhile is known before */
+    DRY_RUN_OF_ALL      /* or it is told as the iterations read it */
+} dry_run;
+
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* with all that the file holds; */
@@ -68,6 +75,7 @@ typedef struct loop_text {
     struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
     lanes_text lanes;
     bool prefetches; /* its executor can (prefetch.c) */
+    dry_run dry_run;
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -183,6 +191,9 @@ void write_bins(loop_text *loop, writer *out);
 void write_streams(loop_text *loop, writer *out);
 unsigned bins_stream_count(const loop_text *loop);
 const char *bins_phase(loop_text *loop);
+
+/** dry_run.c: sets loop->dry_run, or records an obstacle where that would not do. */
+void check_stale_slice(loop_text *loop);
 
 /** stale.c: may the body be executed before what it reads is compared with what it writes? */
 bool is_harmless_when_stale(loop_text *loop);

@@ -255,4 +255,5 @@ void prepare_loop(loop_text *loop) {
     name_counter(loop);
     number_sources(loop);
     check_what_is_read_ahead(loop);
+    check_stale_slice(loop);
 }

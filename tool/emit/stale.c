@@ -1,43 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * In-order binning executes the body before what it reads is compared with what the loop writes,
- * and perhaps more than once. Where the two overlap it reads values that are not yet the sequential
- * loop's: stale ones. Its results are thrown away then, but until that is known they must do no
- * harm. They must not decide an address, an integer division, how often a loop inside iterates, or
- * whether something is evaluated that the sequential loop might not evaluate.
- *
- * What depends on stale values is found by going through the body until nothing new is: variables,
- * not values, are marked.
- */
+#include "emit/stale.h"
+
 #include "analysis/base/expression.h"
-#include "emit/loop.h"
 #include "emit/syntax.h"
 
 enum { DEEPEST_CALL = 6 };
 
-typedef struct staleness {
-    const loop_text *loop;
-    bool *is_stale;                  /* by variable: it may hold a stale value */
-    bool changed;                    /* in this pass */
-    bool is_harmful;                 /* what was found */
-    bool in_callee;                  /* then all memory is stale */
-    unsigned depth;                  /* of calls */
-    VECTOR(const ir_node *) certain; /* expressions that each iteration evaluates */
-} staleness;
-
-/** How control comes to a node. */
-typedef struct control {
-    bool is_stale;   /* it depends on stale values */
-    bool is_certain; /* in each iteration */
-} control;
-
 /* ---- what is stale ------------------------------------------------------------------------- */
-
-static bool is_stale(const staleness *s, const ir_node *node);
 
 static bool any_child_is_stale(const staleness *s, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++)
-        if (is_stale(s, node->children[i]))
+        if (stale_value(s, node->children[i]))
             return true;
     return false;
 }
@@ -47,12 +20,43 @@ static bool hangs_on_guarded(const staleness *s, const ir_node *path, bool is_wh
     const loop_facts *facts = s->loop->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
-        if (read->needs_guard && (!read->base || syntax_same(path, read->row) ||
-                                  (!is_whole && syntax_same(path, read->base))))
+        if (s->is_suspect[i] && (!read->base || syntax_same(path, read->row) ||
+                                 (!is_whole && syntax_same(path, read->base))))
             return true;
     }
     return path->child_count > 0 && path->kind != IR_CALL &&
            hangs_on_guarded(s, path->children[0], false);
+}
+
+/** Is it the row, or a part of it? */
+static bool is_of_row(const ir_node *path, const ir_node *row) {
+    while (!syntax_same(path, row)) {
+        if (path->child_count == 0 || path->kind == IR_CALL)
+            return false;
+        path = path->children[0];
+        if (path->type && path->type->kind == IR_POINTER)
+            return false;
+    }
+    return true;
+}
+
+/** All that the slice reads is a source, or a key that nothing can overlap. */
+static bool is_known_fresh(const staleness *s, const ir_node *path) {
+    const loop_facts *facts = s->loop->facts;
+    bool is_known = false;
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (is_of_row(path, facts->sources[i].row)) {
+            if (s->is_suspect[i])
+                return false;
+            is_known = true;
+        }
+    for (unsigned i = 0; i < facts->inspector.key_count; i++)
+        is_known |= syntax_same(path, facts->inspector.key[i]);
+    return is_known;
+}
+
+static bool may_read_stale(const staleness *s, const ir_node *path) {
+    return hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path));
 }
 
 static bool is_captured(const staleness *s, const ir_variable *variable) {
@@ -90,12 +94,55 @@ static const ir_function *callee_of(const ir_node *call) {
     return call->children[0]->kind == IR_FUNCTION ? call->children[0]->function : NULL;
 }
 
+/** In a function that is called: may it be read where a source is? What the slice reads there is
+ * one in the caller's terms, of which the type is known to be the same. */
+static bool callee_may_read_stale(const staleness *s, const ir_type *type) {
+    for (unsigned i = 0; i < s->loop->facts->source_count; i++) {
+        const ir_type *row = ir_type_innermost(s->loop->facts->sources[i].row->type);
+        if (s->is_suspect[i] &&
+            (row->kind == IR_RECORD || (row->kind == type->kind && row->size == type->size)))
+            return true;
+    }
+    return !s->in_slice;
+}
+
+/** Does what a function computes depend on memory that may be stale? */
+static bool has_stale_read(const staleness *s, const ir_node *node) {
+    const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
+    if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
+        return true;
+    if ((reads_memory(node) ||
+         (variable && variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER)) &&
+        callee_may_read_stale(s, node->type))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_stale_read(s, node->children[i]))
+            return true;
+    return false;
+}
+
+/** Does it lead the function to what the iteration has computed, which may be of another type? */
+static bool passes_private_memory(const staleness *s, const ir_node *call) {
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const ir_node *argument = call->children[i];
+        const ir_variable *root =
+            ir_root_variable(is_address_of(argument) ? argument->children[0] : argument);
+        if (is_address_like(argument->type) &&
+            (!root || ((root->storage == IR_LOCAL || root->storage == IR_PARAMETER) &&
+                       !is_captured(s, root))))
+            return true;
+    }
+    return false;
+}
+
 static bool call_is_stale(const staleness *s, const ir_node *call) {
     const ir_function *callee = callee_of(call);
-    if (!callee || callee->body)
+    if (!callee || (callee->body && has_stale_read(s, callee->body)))
         return true;
     for (unsigned i = 1; i < call->child_count; i++)
-        if (is_address_like(call->children[i]->type) || is_stale(s, call->children[i]))
+        if ((is_address_like(call->children[i]->type) &&
+             (!callee->body || !s->in_slice || passes_private_memory(s, call))) ||
+            stale_value(s, call->children[i]))
             return true;
     return false;
 }
@@ -106,22 +153,22 @@ static bool variable_is_stale(const staleness *s, const ir_node *node) {
         return true;
     if (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER)
         return variable->address_taken && !is_captured(s, variable);
-    return s->in_callee || hangs_on_guarded(s, node, true);
+    return s->in_callee ? callee_may_read_stale(s, node->type) : may_read_stale(s, node);
 }
 
 /** Of an object only the address: what it is computed from. */
-static bool address_is_stale(const staleness *s, const ir_node *object) {
+bool stale_address(const staleness *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
     if (!is_access(object))
-        return is_stale(s, object);
+        return stale_value(s, object);
     const ir_node *first = object->children[0];
     const bool is_inside = first->type && first->type->kind != IR_POINTER;
-    return (is_inside ? address_is_stale(s, first) : is_stale(s, first)) ||
-           (object->kind == IR_INDEX && is_stale(s, object->children[1]));
+    return (is_inside ? stale_address(s, first) : stale_value(s, first)) ||
+           (object->kind == IR_INDEX && stale_value(s, object->children[1]));
 }
 
-static bool is_stale(const staleness *s, const ir_node *node) {
+bool stale_value(const staleness *s, const ir_node *node) {
     if (node->kind == IR_VARIABLE)
         return variable_is_stale(s, node);
     if (node->kind == IR_OPAQUE)
@@ -129,11 +176,13 @@ static bool is_stale(const staleness *s, const ir_node *node) {
     if (node->kind == IR_CALL)
         return call_is_stale(s, node);
     if (is_address_of(node))
-        return address_is_stale(s, node->children[0]);
+        return stale_address(s, node->children[0]);
     if (is_access(node) && !reads_memory(node))
-        return address_is_stale(s, node);
+        return stale_address(s, node);
     if (reads_memory(node) &&
-        (s->in_callee || hangs_on_guarded(s, node, true) || begins_with_private_pointer(s, node)))
+        (s->in_callee
+             ? callee_may_read_stale(s, node->type)
+             : may_read_stale(s, node) || (!s->in_slice && begins_with_private_pointer(s, node))))
         return true;
     return any_child_is_stale(s, node);
 }
@@ -160,18 +209,18 @@ static void mark_arguments(staleness *s, const ir_node *call) {
     }
 }
 
-static bool condition_is_stale(const staleness *s, const ir_node *node) {
+bool stale_condition(const staleness *s, const ir_node *node) {
     switch (node->kind) {
     case IR_IF:
     case IR_CONDITIONAL:
     case IR_SWITCH:
     case IR_WHILE:
-        return is_stale(s, node->children[0]);
+        return stale_value(s, node->children[0]);
     case IR_FOR:
     case IR_DO:
-        return node->children[1]->kind != IR_EMPTY && is_stale(s, node->children[1]);
+        return node->children[1]->kind != IR_EMPTY && stale_value(s, node->children[1]);
     case IR_BINARY:
-        return (node->op == IR_OP_AND || node->op == IR_OP_OR) && is_stale(s, node->children[0]);
+        return (node->op == IR_OP_AND || node->op == IR_OP_OR) && stale_value(s, node->children[0]);
     default:
         return false;
     }
@@ -179,19 +228,19 @@ static bool condition_is_stale(const staleness *s, const ir_node *node) {
 
 static void spread(staleness *s, const ir_node *node, bool control_is_stale) {
     const ir_node *written = expression_written(node);
-    if (written && (control_is_stale || is_stale(s, node->children[node->child_count - 1])))
+    if (written && (control_is_stale || stale_value(s, node->children[node->child_count - 1])))
         mark(s, written);
-    if (node->kind == IR_DECLARATOR && node->child_count > 0 && is_stale(s, node->children[0]) &&
+    if (node->kind == IR_DECLARATOR && node->child_count > 0 && stale_value(s, node->children[0]) &&
         !s->is_stale[node->variable->id])
         s->is_stale[node->variable->id] = s->changed = true;
     if (node->kind == IR_CALL)
         mark_arguments(s, node);
-    const bool below = control_is_stale || condition_is_stale(s, node);
+    const bool below = control_is_stale || stale_condition(s, node);
     for (unsigned i = 0; i < node->child_count; i++)
         spread(s, node->children[i], below);
 }
 
-static void spread_all(staleness *s, const ir_node *body) {
+void stale_spread(staleness *s, const ir_node *body) {
     do {
         s->changed = false;
         spread(s, body, false);
@@ -199,8 +248,6 @@ static void spread_all(staleness *s, const ir_node *body) {
 }
 
 /* ---- what does harm ------------------------------------------------------------------------ */
-
-static void check(staleness *s, const ir_node *node, control how);
 
 static bool is_evaluated_anyway(const staleness *s, const ir_node *node) {
     for (unsigned i = 0; i < s->certain.count; i++)
@@ -218,18 +265,30 @@ static bool is_subscript_of_bare_update(const staleness *s, const ir_node *node)
     return false;
 }
 
+/** A member, or an element with a constant subscript, of a variable of the iteration's own: it is
+ *  there whatever the conditions say. */
+static bool is_fixed_part(const ir_node *node) {
+    for (; node->kind != IR_VARIABLE; node = node->children[0]) {
+        const bool is_element = node->kind == IR_INDEX && node->children[1]->flags & IR_HAS_VALUE;
+        if ((!is_element && node->kind != IR_MEMBER) || !node->children[0]->type ||
+            node->children[0]->type->kind == IR_POINTER)
+            return false;
+    }
+    return node->variable->storage == IR_LOCAL;
+}
+
 static void check_access(staleness *s, const ir_node *node, control how) {
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
         const bool is_address = child->type && child->type->kind == IR_POINTER;
         const bool is_subscript = node->kind == IR_INDEX && i == 1;
-        s->is_harmful |= (is_address || is_subscript) && is_stale(s, child);
+        s->is_harmful |= (is_address || is_subscript) && stale_value(s, child);
     }
     if (!reads_memory(node) || (node->parent && is_address_of(node->parent)))
         return;
     if (how.is_certain)
         VECTOR_PUSH(s->loop->arena, &s->certain, node);
-    else if (how.is_stale)
+    else if (how.is_stale && !is_fixed_part(node))
         s->is_harmful |= !is_evaluated_anyway(s, node) && !is_subscript_of_bare_update(s, node);
 }
 
@@ -255,15 +314,18 @@ static void check_callee(staleness *s, const ir_node *call) {
         return;
     }
     staleness inner = {.loop = s->loop,
+                       .is_suspect = s->is_suspect,
                        .is_stale =
                            ARENA_ARRAY(s->loop->arena, bool, s->loop->unit->variable_count + 1),
                        .in_callee = true,
+                       .in_slice = s->in_slice && !passes_private_memory(s, call),
                        .depth = s->depth + 1};
     for (unsigned i = 0; i < count; i++)
         inner.is_stale[callee->parameters[i]->id] =
-            callee->parameters[i]->type->kind != IR_POINTER && is_stale(s, call->children[i + 1]);
-    spread_all(&inner, callee->body);
-    check(&inner, callee->body, (control){false, false});
+            callee->parameters[i]->type->kind != IR_POINTER &&
+            stale_value(s, call->children[i + 1]);
+    stale_spread(&inner, callee->body);
+    stale_check(&inner, callee->body, (control){false, false});
     s->is_harmful |= inner.is_harmful;
 }
 
@@ -273,7 +335,7 @@ static bool is_harmless_unseen(const staleness *s, const ir_node *call, control 
     const bool is_known = callee_of(call)->is_from_system;
     for (unsigned i = 1; i < call->child_count; i++)
         if (is_address_like(call->children[i]->type) ||
-            (!is_known && is_stale(s, call->children[i])))
+            (!is_known && stale_value(s, call->children[i])))
             return false;
     return is_known || !how.is_stale;
 }
@@ -286,7 +348,7 @@ static void check_call(staleness *s, const ir_node *call, control how) {
     }
     for (unsigned i = 1; i < call->child_count; i++)
         s->is_harmful |= call->children[i]->type && call->children[i]->type->kind == IR_POINTER &&
-                         is_stale(s, call->children[i]);
+                         stale_value(s, call->children[i]);
     if (callee->body)
         check_callee(s, call);
     else
@@ -299,30 +361,42 @@ static bool is_jump(const ir_node *node) {
 }
 
 /** How control comes to the parts of a node: `first` is evaluated with it. */
-static control control_below(const staleness *s, const ir_node *node, control how, bool first) {
+control stale_below(const staleness *s, const ir_node *node, control how, bool first) {
     const bool decides =
         node->kind == IR_IF || node->kind == IR_CONDITIONAL || node->kind == IR_SWITCH ||
         ir_is_loop(node) ||
         (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR));
     if (!decides || (first && node->kind != IR_DO))
         return how;
-    return (control){how.is_stale || condition_is_stale(s, node), false};
+    return (control){how.is_stale || stale_condition(s, node), false};
 }
 
-static void check(staleness *s, const ir_node *node, control how) {
+/** `continue` of the loop itself. */
+static bool is_next_iteration(const staleness *s, const ir_node *node) {
+    if (node->kind != IR_CONTINUE || s->in_callee)
+        return false;
+    while (!ir_is_loop(node))
+        node = node->parent;
+    return node == s->loop->facts->loop;
+}
+
+void stale_check(staleness *s, const ir_node *node, control how) {
+    how.is_stale |= s->may_have_left;
     if (ir_is_loop(node))
-        s->is_harmful |= condition_is_stale(s, node);
+        s->is_harmful |= stale_condition(s, node);
     if (is_access(node))
         check_access(s, node, how);
     else if (is_division(node))
         check_division(s, node, how);
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
+    else if (s->in_slice && how.is_stale && is_next_iteration(s, node))
+        s->may_have_left = true; /* or not, where the loop goes on */
     else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_stale) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;
     for (unsigned i = 0; i < node->child_count && !s->is_harmful; i++)
-        check(s, node->children[i], control_below(s, node, how, i == 0));
+        stale_check(s, node->children[i], stale_below(s, node, how, i == 0));
 }
 
 /** A jump may pass by what stands below it: nothing is certain then. */
@@ -335,17 +409,39 @@ static bool holds_jump(const ir_node *node) {
     return false;
 }
 
-bool is_harmless_when_stale(loop_text *loop) {
+bool *guarded_sources(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    bool needs_guard = false;
+    bool *is_guarded = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1);
     for (unsigned i = 0; i < facts->source_count; i++)
-        needs_guard |= facts->sources[i].needs_guard;
-    if (!needs_guard)
-        return true;
+        is_guarded[i] = facts->sources[i].needs_guard;
+    return is_guarded;
+}
+
+bool stale_has_suspects(const loop_text *loop, const bool *is_suspect) {
+    for (unsigned i = 0; i < loop->facts->source_count; i++)
+        if (is_suspect[i])
+            return true;
+    return false;
+}
+
+staleness stale_begin(loop_text *loop, const bool *is_suspect, bool in_slice) {
     staleness s = {.loop = loop,
-                   .is_stale = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1)};
-    const ir_node *body = facts->counted.body;
-    spread_all(&s, body);
-    check(&s, body, (control){false, !holds_jump(body)});
+                   .is_suspect = is_suspect,
+                   .is_stale = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1),
+                   .in_slice = in_slice};
+    stale_spread(&s, loop->facts->counted.body);
+    return s;
+}
+
+control stale_in_iteration(const loop_text *loop) {
+    return (control){false, !holds_jump(loop->facts->counted.body)};
+}
+
+bool is_harmless_when_stale(loop_text *loop) {
+    const bool *is_suspect = guarded_sources(loop);
+    if (!stale_has_suspects(loop, is_suspect))
+        return true;
+    staleness s = stale_begin(loop, is_suspect, false);
+    stale_check(&s, loop->facts->counted.body, stale_in_iteration(loop));
     return !s.is_harmful;
 }

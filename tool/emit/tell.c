@@ -100,6 +100,22 @@ static void tell_either(inspector *self, const ir_node *row, bool is_update, uns
                     text);
 }
 
+static bool is_guarded(const loop_text *loop, unsigned number) {
+    for (unsigned i = 0; i < loop->facts->source_count; i++)
+        if (loop->source_number[i] == (int)number && loop->facts->sources[i].needs_guard)
+            return true;
+    return false;
+}
+
+/** A dry run may end after this was told. */
+static void may_end_here(inspector *self, bool is_update, unsigned number) {
+    const loop_text *loop = self->loop;
+    if (is_update && loop->dry_run != DRY_RUN_NONE)
+        writer_line(self->printer.out, "REDCC_RETURN_IF_OVER");
+    if (!is_update && loop->dry_run == DRY_RUN_OF_ALL && is_guarded(loop, number))
+        writer_line(self->printer.out, "REDCC_RETURN_IF_STALE(%u)", number);
+}
+
 /** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
  *  is_numbered, or NULL. */
 void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
@@ -123,6 +139,7 @@ void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned numb
     else
         writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s, sizeof(%s));", what,
                     number, address, text);
+    may_end_here(self, is_update, number);
 }
 
 bool told_is_update(const told_row *item) {
@@ -161,6 +178,7 @@ void tell_up_to(inspector *self, const told_row *item, unsigned row, const ir_va
     else
         writer_line(out, "redcc_read(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
                     bytes);
+    may_end_here(self, told_is_update(item), number);
 }
 
 /* ---- loops of functions that are called ---------------------------------------------------- */

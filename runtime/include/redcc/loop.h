@@ -127,6 +127,16 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
                          (const void *)(redcc_base), (redcc_int)(redcc_row),                       \
                          sizeof((redcc_base)[redcc_row]))
 
+/** After an update, and after a read that may be of what was updated, where the loop needs a dry
+ *  run: it ends here. */
+#define REDCC_RETURN_IF_OVER                                                                       \
+    if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
+        return;
+#define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
+    if (redcc__worker && !redcc__probe && !redcc__told && redcc__worker->alike < 0 &&              \
+        redcc_is_stale(redcc__worker, redcc_source))                                               \
+        return;
+
 /** All from an address to before another. */
 #define REDCC_TOUCH_SPAN(redcc_i, redcc_at, redcc_end)                                             \
     redcc_slice_touch_span(REDCC_SLICE_NAMES, redcc_i, redcc_at, redcc_end)

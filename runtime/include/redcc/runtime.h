@@ -128,7 +128,13 @@ enum {
     /** Times a set of 2, 4 and 8: so many iterations at once can be executed (lanes.h). */
     REDCC_LANES_UNIT = 64,
     /** They are compiled for the processor that all of the program is compiled for. */
-    REDCC_LANES_ANYWHERE = 1024
+    REDCC_LANES_ANYWHERE = 1024,
+    /** Where the slice read by values that the loop has yet to write, it might read what is not
+     *  there. So before an inspection one thread has all iterations told in order; where one would
+     *  update what `known` says is read, worker->last becomes 0, and the slice returns at once; */
+    REDCC_DRY_RUN = 2048,
+    /** the same where redcc_is_stale says of what it has told as read. */
+    REDCC_DRY_RUN_OF_READS = 4096
 };
 
 /** A loop, as the translator knows it; one static object for each. */
@@ -292,6 +298,10 @@ int redcc_inspect(redcc_worker *worker);
 /** Takes in what was told so far; called by redcc_touch and redcc_iteration_done. Cold, or gcc
  * keeps the body's constants in memory: no floating-point register lives across a call. */
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
+
+/** In a dry run (worker->alike < 0): 1 where something that was told of the source has been updated
+ *  before; the dry run is over then, and the slice must use nothing of it. */
+int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
 /** The next chunk to execute, as set in *worker; 0: there is none left (or none at all). Every
  *  thread of the region must call it until it returns 0. */

@@ -151,7 +151,8 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     struct situation now = {.trip = reuse->call->request.trip,
                             .threads = threads,
                             .wake = wake_seconds(),
-                            .start = start_seconds(threads)};
+                            .start = start_seconds(threads),
+                            .dry_run = reuse->call->request.loop->flags & REDCC_DRY_RUN};
     unsigned fits, changed;
     redcc_reuse_sample(reuse);
     redcc_reuse_survey(reuse, came, &fits, &changed);

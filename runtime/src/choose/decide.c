@@ -229,8 +229,9 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
  * one thread, which waits for nobody: most light loops are not worth more than the look. */
 static struct decision look(struct choice_state *state, struct size_state *size,
                             const struct situation *now) {
-    const double cost = size->look > 0 ? size->look : first_look;
     const double usual = redcc_usual(&size->sequential) * (double)now->trip;
+    const double first = now->dry_run ? first_look + usual : first_look;
+    const double cost = size->look > 0 ? size->look : first;
     assert(cost > 0);
     if (redcc_credit(state) < cost ||
         size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)

@@ -50,6 +50,7 @@ struct situation {
                         -1: not known */
     bool verified; /**< all subscripts were compared with those of the call before: they are the
                         same */
+    bool dry_run;  /**< an inspection begins with a dry run: as long as the loop, at the most */
 };
 
 enum action {

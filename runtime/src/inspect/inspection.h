@@ -2,6 +2,8 @@
 /**
  * An inspection, in the threads of the region. Its steps, in this order:
  *
+ *     dry run    all iterations' addresses, in order       where the slice may read stale values
+ *                by one thread                             (REDCC_DRY_RUN)
  *     sample     some iterations' addresses             -> partition: the arrays cut among owners
  *     sweep      all iterations' addresses              -> extents, overlap guard, and by the route
  *                                                          access summaries or an access log
@@ -26,6 +28,13 @@
 
 enum { REDCC_ENTRIES = 1024 };
 
+/** What the thread that makes it has of a dry run. */
+struct dry_run {
+    redcc_owner *window; /* [array_count] a touch in it is none of what is read; it is what was
+                            touched, or, where all that is read is known, as far as that allows */
+    bool stands;         /* nothing updated was found to be read */
+};
+
 /** One thread's part. What only it writes; others look after the barrier. */
 struct inspector {
     int thread;
@@ -40,6 +49,7 @@ struct inspector {
     redcc_entry *entries; /* [REDCC_ENTRIES] */
     struct range *seen;   /* [array_count] */
     redcc_int *executed;  /* [owners] iterations of the own share, by owner */
+    struct dry_run dry_run;
     struct sample sample;
     struct sweep sweep;
     redcc_extent *sources; /* [source_count] told by redcc_read */
@@ -100,6 +110,27 @@ void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int
 
 /** What the threads touched, by group, into inspection->touched. */
 void redcc_gather_touched(struct inspection *inspection);
+
+/* ---- dry run (dry_run.c) --------------------------------------------------------------------- */
+
+/** Begins it, in the one thread that makes it. False: no memory. */
+bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector);
+
+/** Hands out all iterations. */
+void redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
+                            redcc_worker *worker);
+
+/** Takes what was told since: one touch and perhaps an iteration's end. Where it overlaps something
+ *  read, worker->last becomes 0, and what is told after that does not count. */
+void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspector,
+                        redcc_worker *worker);
+
+/** Does what was told of the source overlap what was touched? Then it ends as well. */
+bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
+                            redcc_worker *worker, uint32_t source);
+
+/** It is over, or ended: OVERLAP (and which), NO_MEMORY or NONE. */
+enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
 

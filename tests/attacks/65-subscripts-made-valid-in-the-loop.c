@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Attack 65: what decides where the inspector reads may be an array that the loop updates: its
+// values of before the loop are subscripts of nothing, far outside of all that the program has,
+// until the iterations before make them valid. Neighbours: the same loops, apart and in parallel.
+// METHODS: auto localwrite localwrite-steal graph-localwrite wavefront
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { N = 20000, FAR = 1000000000 };
+
+/* The key: each iteration's own lim[idx[0]]. */
+static __attribute__((noinline)) void keyed(int n, const int *s, const int *by, int *h,
+                                            const int *idx, const int *lim, double *g) {
+    for (int i = 0; i < n; i++) { // EXPECT: refuse
+        h[s[i]] += by[i];
+        g[lim[idx[0]] + s[i]] += 1;
+    }
+}
+
+/* Made valid in the iteration that reads it. */
+static __attribute__((noinline)) void touched(int n, const int *s, const int *by, int *h,
+                                              const int *idx, const int *lim, double *g) {
+    for (int i = 0; i < n; i++) { // EXPECT: parallel
+        h[s[i]] += by[i];
+        g[lim[idx[i]]] += 0.1 * i;
+    }
+}
+
+/* One array of counters, one of subscripts, one map, all of one type. */
+static __attribute__((noinline)) void counted(int n, int *count, const int *map, const int *k) {
+    for (int i = 0; i < n; i++) // EXPECT: parallel
+        count[map[k[i]]] += FAR;
+}
+
+/* How often a loop inside iterates. */
+static __attribute__((noinline)) void bounded(int n, int *count, const int *row,
+                                              const int *column) {
+    for (int i = 0; i < n; i++) // EXPECT: parallel
+        for (int j = row[i]; j < row[i + 1]; j++)
+            count[column[j]] += FAR;
+}
+
+/* A divisor; and a condition without which it is not evaluated. */
+static __attribute__((noinline)) void divided(int n, int *h, const int *s, const int *d,
+                                              double *g) {
+    for (int i = 0; i < n; i++) { // EXPECT: parallel
+        h[s[i]] += 1;
+        g[(i + 1000) / d[i] % 64] += 0.5 * i;
+    }
+}
+
+static __attribute__((noinline)) void decided(int n, int *h, const int *s, const int *is_in,
+                                              const int *map, const long *k, double *g) {
+    for (int i = 0; i < n; i++) { // EXPECT: parallel
+        h[s[i]] -= 9;
+        if (is_in[i] > 0)
+            g[map[k[i]]] += 0.5 * i;
+    }
+}
+
+/* Two steps: nobody knows beforehand where the second table is read; */
+static __attribute__((noinline)) void chained(int n, int *count, const int *map, const int *k,
+                                              const int *far) {
+    for (int i = 0; i < n; i++) // EXPECT: parallel
+        count[map[far[k[i]]]] += FAR;
+}
+
+/* nor where a condition lets it be read. */
+static __attribute__((noinline)) void sifted(int n, int *count, const int *map, const int *k,
+                                             const char *is_in) {
+    for (int i = 0; i < n; i++) // EXPECT: parallel
+        if (is_in[i])
+            count[map[k[i]]] += FAR;
+}
+
+static int s[N], by[N], lim[N], k[N], map[N], row[N + 1], column[4 * N], far[N];
+static int h[N + 1], count[N + 1];
+static long wide[N];
+static char is_in[N];
+static double g[N];
+
+static double sum(const double *x, int n) {
+    double all = 0;
+    for (int i = 0; i < n; i++)
+        all += x[i] * (1 + i % 7);
+    return all;
+}
+
+static unsigned total(const int *x, int n) {
+    unsigned all = 0;
+    for (int i = 0; i < n; i++)
+        all = all * 3 + (unsigned)x[i];
+    return all;
+}
+
+static void fill(int first) {
+    for (int i = 0; i < N; i++) {
+        s[i] = i;
+        h[i] = first;
+        by[i] = -first + i;
+        lim[i] = i % 64;
+        k[i] = (int)((unsigned)i * 7919u % N);
+        map[i] = (int)((unsigned)i * 104729u % 5000u);
+        far[i] = N - 1 - i;
+        is_in[i] = i % 3 != 0;
+        row[i] = 4 * i;
+        count[i] = 0;
+        g[i] = 0;
+    }
+    row[N] = 4 * N;
+    for (int j = 0; j < 4 * N; j++)
+        column[j] = (int)((unsigned)j * 31u % 5000u);
+}
+
+static void show(const char *name) {
+    printf("%s %u %u %a\n", name, total(h, N), total(count, N), sum(g, N));
+}
+
+int main(void) {
+    fill(-FAR);
+    touched(N, s, by, h, h, lim, g);
+    show("touched");
+    fill(-FAR);
+    h[0] = -FAR;
+    by[0] = FAR;
+    for (int i = 1; i < N; i++) {
+        s[i] = i % 64;
+        by[i] = s[i] != 0;
+    }
+    keyed(N - 64, s, by, h, h, lim, g);
+    show("keyed");
+    fill(0);
+    for (int i = 0; i < N; i++) { /* iteration i makes k[i + 1] valid */
+        k[i] = i == 0 ? 0 : i - FAR;
+        map[i] = i + 1;
+    }
+    counted(N - 1, k, map, k);
+    printf("counted %u\n", total(k, N));
+    for (int i = 0; i < N; i++) { /* far[k[i + 1]] */
+        far[i] = i == 0 ? 0 : i - FAR;
+        map[i] = k[i] = i;
+        map[i] = i + 1;
+    }
+    chained(N - 1, far, map, k, far);
+    printf("chained %u\n", total(far, N));
+    for (int i = 0; i < N; i++) { /* k[i + 2], of those that are read at all */
+        k[i] = i < 2 ? i : i - FAR;
+        map[i] = i + 2;
+        is_in[i] = i % 5 != 0 || i % 2;
+    }
+    for (int i = 2; i < N; i++)
+        is_in[i] = is_in[i - 2] && i % 7;
+    sifted(N - 2, k, map, k, is_in);
+    printf("sifted %u\n", total(k, N));
+    for (int i = 0; i < N; i++) { /* and row[i + 2] */
+        row[i] = i < 2 ? i : i - FAR;
+        column[i] = i + 2;
+    }
+    bounded(N - 2, row, row, column);
+    printf("bounded %u\n", total(row, N));
+    fill(0);
+    divided(N, h, s, h, g);
+    show("divided");
+    fill(0);
+    for (int i = 0; i < N; i++) {
+        wide[i] = i % 2 ? 1000L * FAR : i;
+        h[i] = i % 2 ? 5 : 12;
+    }
+    decided(N, h, s, h, map, wide, g);
+    show("decided");
+    for (int again = 0; again < 20; again++) { /* apart */
+        fill(0);
+        for (int i = 0; i < N; i++) {
+            wide[i] = k[i];
+            map[i] = i;
+        }
+        counted(N, count, map, k); /* each once: FAR does not overflow */
+        touched(N, s, lim, h, k, lim, g);
+        show("counted and touched apart");
+        fill(0);
+        for (int j = 0; j < N; j++) {
+            row[j] = j / 2;
+            column[j] = N - 1 - j;
+        }
+        bounded(N - 1, count, row, column);
+        show("bounded apart");
+        by[0] = 1;
+        divided(N, h, s, by, g);
+        decided(N, h, s, by, map, wide, g);
+        keyed(N - 64, s, lim, h, k, lim, g);
+        show("all apart");
+        fill(0);
+        for (int i = 0; i < N; i++)
+            map[i] = i;
+        chained(N, count, map, k, far);
+        show("chained apart");
+        for (int i = 0; i < N; i++)
+            count[i] = 0;
+        sifted(N, count, map, k, is_in);
+        show("sifted apart");
+    }
+    return 0;
+}
