@@ -116,12 +116,12 @@ static void show(const char *name) {
     printf("%s %u %u %a\n", name, total(h, N), total(count, N), sum(g, N));
 }
 
-int main(void) {
+/* What an iteration reads is made valid by those before it. */
+static void in_order(void) {
     fill(-FAR);
     touched(N, s, by, h, h, lim, g);
     show("touched");
     fill(-FAR);
-    h[0] = -FAR;
     by[0] = FAR;
     for (int i = 1; i < N; i++) {
         s[i] = i % 64;
@@ -138,7 +138,7 @@ int main(void) {
     printf("counted %u\n", total(k, N));
     for (int i = 0; i < N; i++) { /* far[k[i + 1]] */
         far[i] = i == 0 ? 0 : i - FAR;
-        map[i] = k[i] = i;
+        k[i] = i;
         map[i] = i + 1;
     }
     chained(N - 1, far, map, k, far);
@@ -168,36 +168,43 @@ int main(void) {
     }
     decided(N, h, s, h, map, wide, g);
     show("decided");
-    for (int again = 0; again < 20; again++) { /* apart */
-        fill(0);
-        for (int i = 0; i < N; i++) {
-            wide[i] = k[i];
-            map[i] = i;
-        }
-        counted(N, count, map, k); /* each once: FAR does not overflow */
-        touched(N, s, lim, h, k, lim, g);
-        show("counted and touched apart");
-        fill(0);
-        for (int j = 0; j < N; j++) {
-            row[j] = j / 2;
-            column[j] = N - 1 - j;
-        }
-        bounded(N - 1, count, row, column);
-        show("bounded apart");
-        by[0] = 1;
-        divided(N, h, s, by, g);
-        decided(N, h, s, by, map, wide, g);
-        keyed(N - 64, s, lim, h, k, lim, g);
-        show("all apart");
-        fill(0);
-        for (int i = 0; i < N; i++)
-            map[i] = i;
-        chained(N, count, map, k, far);
-        show("chained apart");
-        for (int i = 0; i < N; i++)
-            count[i] = 0;
-        sifted(N, count, map, k, is_in);
-        show("sifted apart");
+}
+
+static void apart(void) {
+    fill(0);
+    for (int i = 0; i < N; i++) {
+        wide[i] = k[i];
+        map[i] = i;
     }
+    counted(N, count, map, k); /* each once: FAR does not overflow */
+    touched(N, s, lim, h, k, lim, g);
+    show("counted and touched apart");
+    fill(0);
+    for (int j = 0; j < N; j++) {
+        row[j] = j / 2;
+        column[j] = N - 1 - j;
+    }
+    bounded(N - 1, count, row, column);
+    show("bounded apart");
+    by[0] = 1;
+    divided(N, h, s, by, g);
+    decided(N, h, s, by, map, wide, g);
+    keyed(N - 64, s, lim, h, k, lim, g);
+    show("all apart");
+    fill(0);
+    for (int i = 0; i < N; i++)
+        map[i] = i;
+    chained(N, count, map, k, far);
+    show("chained apart");
+    for (int i = 0; i < N; i++)
+        count[i] = 0;
+    sifted(N, count, map, k, is_in);
+    show("sifted apart");
+}
+
+int main(void) {
+    in_order();
+    for (int again = 0; again < 20; again++)
+        apart();
     return 0;
 }

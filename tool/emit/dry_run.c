@@ -22,8 +22,7 @@
 static void check_row(staleness *s, const ir_node *row, control how) {
     if (row->kind == IR_VARIABLE)
         return;
-    if (row->kind != IR_INDEX && row->kind != IR_MEMBER &&
-        !(row->kind == IR_UNARY && row->op == IR_OP_DEREFERENCE)) {
+    if (!expression_is_lvalue(row)) {
         stale_check(s, row, how);
         return;
     }
@@ -73,13 +72,6 @@ static bool check_updates_at(staleness *s, const ir_node *node, control how) {
     return is_update;
 }
 
-static bool is_span(const loop_facts *facts, const ir_node *loop) {
-    for (unsigned i = 0; i < facts->inspector.span_count; i++)
-        if (facts->inspector.spans[i].loop == loop)
-            return true;
-    return false;
-}
-
 /** What the slice holds of the node, and what it tells there. */
 static void check_held(staleness *s, const ir_node *node, control how) {
     const loop_facts *facts = s->loop->facts;
@@ -93,7 +85,7 @@ static void check_held(staleness *s, const ir_node *node, control how) {
             stale_check(s, node, how);
         return;
     }
-    if (is_held && ir_is_loop(node) && !is_span(facts, node))
+    if (is_held && ir_is_loop(node) && !span_of(facts, node))
         s->is_harmful |= stale_condition(s, node);
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
@@ -182,8 +174,8 @@ void check_stale_slice(loop_text *loop) {
     }
     if (!slice_is_harmed(loop, is_suspect))
         return;
-    for (unsigned i = 0; i < facts->source_count;
-         i++) /* the others are known to stay as they are */
+    /* what is known beforehand is seen to by a dry run of the updates */
+    for (unsigned i = 0; i < facts->source_count; i++)
         is_suspect[i] &= facts->sources[i].extent == EXTENT_TOUCHED;
     loop->dry_run = slice_is_harmed(loop, is_suspect) ? DRY_RUN_OF_ALL : DRY_RUN_OF_UPDATES;
 }

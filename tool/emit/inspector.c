@@ -55,8 +55,7 @@ static bool before_statement(printer *p, const ir_node *statement) {
 
 /* ---- loops told at once -------------------------------------------------------------------- */
 
-static const loop_span *span_of(const inspector *self, const ir_node *loop) {
-    const loop_facts *facts = self->loop->facts;
+const loop_span *span_of(const loop_facts *facts, const ir_node *loop) {
     for (unsigned i = 0; i < facts->inspector.span_count; i++)
         if (facts->inspector.spans[i].loop == loop)
             return &facts->inspector.spans[i];
@@ -64,7 +63,7 @@ static const loop_span *span_of(const inspector *self, const ir_node *loop) {
 }
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
-    return span_of((const inspector *)p, loop) != NULL;
+    return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
 static void list_row(inspector *self, row_list *rows, told_row item) {
@@ -104,7 +103,7 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
 /** The counter has its first value; afterwards it has the one that the loop leaves it with. */
 static void tell_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
-    const counted_loop *counted = &span_of(self, loop)->counted;
+    const counted_loop *counted = &span_of(self->loop->facts, loop)->counted;
     const char *counter = origin_variable(p->arena, counted->counter);
     const row_list rows = rows_of_span(self, counted->body);
     for (unsigned i = 0; i < rows.count; i++)

@@ -139,9 +139,9 @@ static bool call_is_stale(const staleness *s, const ir_node *call) {
     const ir_function *callee = callee_of(call);
     if (!callee || (callee->body && has_stale_read(s, callee->body)))
         return true;
+    const bool sees_memory = !callee->body || !s->in_slice || passes_private_memory(s, call);
     for (unsigned i = 1; i < call->child_count; i++)
-        if ((is_address_like(call->children[i]->type) &&
-             (!callee->body || !s->in_slice || passes_private_memory(s, call))) ||
+        if ((sees_memory && is_address_like(call->children[i]->type)) ||
             stale_value(s, call->children[i]))
             return true;
     return false;
@@ -157,7 +157,7 @@ static bool variable_is_stale(const staleness *s, const ir_node *node) {
 }
 
 /** Of an object only the address: what it is computed from. */
-bool stale_address(const staleness *s, const ir_node *object) {
+static bool stale_address(const staleness *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
     if (!is_access(object))
@@ -240,7 +240,7 @@ static void spread(staleness *s, const ir_node *node, bool control_is_stale) {
         spread(s, node->children[i], below);
 }
 
-void stale_spread(staleness *s, const ir_node *body) {
+static void stale_spread(staleness *s, const ir_node *body) {
     do {
         s->changed = false;
         spread(s, body, false);

@@ -37,6 +37,7 @@ typedef struct control {
 /** By source: may it overlap what the loop writes, as far as the analysis knows? */
 bool *guarded_sources(const loop_text *loop);
 
+/** Is there any source of which that is said? */
 bool stale_has_suspects(const loop_text *loop, const bool *is_suspect);
 
 /** Marks the variables of the body, where what those sources read may be stale; in_slice: it is
@@ -48,14 +49,9 @@ control stale_in_iteration(const loop_text *loop);
 /** and to the parts of a node: `first` is evaluated with it. */
 control stale_below(const staleness *s, const ir_node *node, control how, bool first);
 
-/** Does the node's value depend on stale ones? Of an object: does its address? Of a statement: does
- *  what decides its parts? */
+/** Does the node's value depend on stale ones? Of a statement: does what decides its parts? */
 bool stale_value(const staleness *s, const ir_node *node);
-bool stale_address(const staleness *s, const ir_node *object);
 bool stale_condition(const staleness *s, const ir_node *node);
-
-/** Marks variables until nothing new is found. */
-void stale_spread(staleness *s, const ir_node *body);
 
 /** Sets is_harmful where evaluating the node with stale values may do harm. */
 void stale_check(staleness *s, const ir_node *node, control how);

@@ -3,6 +3,8 @@
 #ifndef REDCC_RANGE_H
 #define REDCC_RANGE_H
 
+#include "redcc/runtime.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -23,6 +25,12 @@ static const struct range redcc_nowhere = {UINTPTR_MAX, 0};
 
 static inline bool redcc_range_empty(struct range range) {
     return range.end <= range.first;
+}
+
+/** Where an extent lies; nowhere, as long as that is not known. */
+static inline struct range redcc_range_of(redcc_extent extent) {
+    return extent.end ? (struct range){(uintptr_t)extent.first, (uintptr_t)extent.end}
+                      : redcc_nowhere;
 }
 
 /** Bytes. */

@@ -78,18 +78,13 @@ static struct range written_of(const struct binning *binning, uint32_t array, bo
     return range;
 }
 
-static struct range range_of(redcc_extent extent) {
-    return extent.end ? (struct range){(uintptr_t)extent.first, (uintptr_t)extent.end}
-                      : redcc_nowhere;
-}
-
 /* What the loop is known to read, or the round was told to have read: [source_count]. */
 static void find_read(const struct binning *binning, struct range *read) {
     for (uint32_t source = 0; source < binning->loop->loop.source_count; source++) {
-        read[source] = range_of(binning->call->request.known[source]);
+        read[source] = redcc_range_of(binning->call->request.known[source]);
         for (int t = 0; t < binning->call->threads; t++)
-            read[source] =
-                redcc_range_union(read[source], range_of(binning->binner[t]->sources[source]));
+            read[source] = redcc_range_union(read[source],
+                                             redcc_range_of(binning->binner[t]->sources[source]));
     }
 }
 

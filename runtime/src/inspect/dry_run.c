@@ -16,8 +16,7 @@ bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *
         .window = redcc_memory_take_zeroed(arrays, sizeof *inspector->dry_run.window)};
     inspector->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *inspector->entries);
     inspector->failed = !inspector->dry_run.window || !inspector->entries;
-    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
-        inspector->sources[s] = (redcc_extent){0, 0};
+    redcc_forget_sources(inspection, inspector);
     return !inspector->failed;
 }
 
@@ -37,15 +36,20 @@ void redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     inspector->dry_run.stands = true;
 }
 
-/* Of a source, as far as it is known or told. */
-static struct range range_read(const struct inspection *inspection,
-                               const struct inspector *inspector, uint32_t source) {
-    const redcc_extent *known = &inspection->call->request.known[source];
-    const redcc_extent *read = known->end ? known : &inspector->sources[source];
-    return read->end ? (struct range){(uintptr_t)read->first, (uintptr_t)read->end} : redcc_nowhere;
+/* Is all that matters of what is read known beforehand? */
+static bool is_all_known(const struct inspection *inspection) {
+    return !(inspection->call->request.loop->flags & REDCC_DRY_RUN_OF_READS);
 }
 
-static struct range range_of(const redcc_owner *window) {
+/* Of a source, as far as it is known or, where that matters, told. */
+static struct range range_read(const struct inspection *inspection,
+                               const struct inspector *inspector, uint32_t source) {
+    const redcc_extent known = inspection->call->request.known[source];
+    return redcc_range_of(known.end || is_all_known(inspection) ? known
+                                                                : inspector->sources[source]);
+}
+
+static struct range range_of_window(const redcc_owner *window) {
     return window->size > 0
                ? (struct range){(uintptr_t)window->first, (uintptr_t)window->first + window->size}
                : redcc_nowhere;
@@ -63,8 +67,7 @@ static struct range gap_around(const struct inspection *inspection, struct range
     const struct request *request = &inspection->call->request;
     struct range gap = {1, UINTPTR_MAX};
     for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const struct range read = {(uintptr_t)request->known[s].first,
-                                   (uintptr_t)request->known[s].end};
+        const struct range read = redcc_range_of(request->known[s]);
         if (redcc_range_empty(read))
             continue;
         if (read.end <= touched.first && read.end > gap.first)
@@ -78,14 +81,12 @@ static struct range gap_around(const struct inspection *inspection, struct range
 static void take_touch(struct inspection *inspection, struct inspector *inspector,
                        redcc_worker *worker, const redcc_entry *entry) {
     redcc_owner *window = &inspector->dry_run.window[entry->array];
-    const redcc_loop *loop = inspection->call->request.loop;
-    const bool all_known = !(loop->flags & REDCC_DRY_RUN_OF_READS);
+    const bool all_known = is_all_known(inspection);
     struct range touched = {(uintptr_t)entry->address, (uintptr_t)entry->address + entry->bytes};
     if (!all_known)
-        touched = redcc_range_union(touched, range_of(window));
-    for (uint32_t s = 0; s < loop->source_count; s++)
-        if ((!all_known || inspection->call->request.known[s].end) &&
-            redcc_ranges_overlap(range_read(inspection, inspector, s), touched)) {
+        touched = redcc_range_union(touched, range_of_window(window));
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
+        if (redcc_ranges_overlap(range_read(inspection, inspector, s), touched)) {
             end_run(inspection, inspector, worker, (struct overlap){s, entry->array});
             return;
         }
@@ -97,7 +98,7 @@ bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *ins
                             redcc_worker *worker, uint32_t source) {
     const struct range read = range_read(inspection, inspector, source);
     for (uint32_t array = 0; array < inspection->partition.array_count; array++)
-        if (redcc_ranges_overlap(read, range_of(&inspector->dry_run.window[array]))) {
+        if (redcc_ranges_overlap(read, range_of_window(&inspector->dry_run.window[array]))) {
             end_run(inspection, inspector, worker, (struct overlap){source, array});
             return true;
         }

@@ -104,6 +104,11 @@ void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int
     worker->entry_end = inspector->entries + REDCC_ENTRIES;
 }
 
+void redcc_forget_sources(const struct inspection *inspection, struct inspector *inspector) {
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
+        inspector->sources[s] = (redcc_extent){0, 0};
+}
+
 void redcc_gather_touched(struct inspection *inspection) {
     for (uint32_t group = 0; group < inspection->partition.array_count; group++) {
         struct range touched = redcc_nowhere;

@@ -108,6 +108,9 @@ redcc_int redcc_own_end(const struct inspection *inspection, const struct inspec
 void redcc_hand_out(struct inspector *inspector, redcc_worker *worker, redcc_int first,
                     redcc_int last, redcc_int stride, const redcc_owner *window);
 
+/** Nothing was told as read. */
+void redcc_forget_sources(const struct inspection *inspection, struct inspector *inspector);
+
 /** What the threads touched, by group, into inspection->touched. */
 void redcc_gather_touched(struct inspection *inspection);
 

@@ -66,8 +66,7 @@ static bool begin_sample(const struct inspection *inspection, struct inspector *
         return false;
     for (uint32_t array = 0; array < partition->array_count; array++)
         inspector->seen[array] = redcc_nowhere;
-    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
-        inspector->sources[s] = (redcc_extent){0, 0};
+    redcc_forget_sources(inspection, inspector);
     return true;
 }
 
@@ -133,12 +132,8 @@ static void regroup_seen(struct inspection *inspection) {
 /* Where the others lie the sweep tells. */
 static void place_known_sources(struct inspection *inspection) {
     const struct request *request = &inspection->call->request;
-    for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const redcc_extent known = request->known[s];
-        inspection->sources[s] = known.end
-                                     ? (struct range){(uintptr_t)known.first, (uintptr_t)known.end}
-                                     : redcc_nowhere;
-    }
+    for (uint32_t s = 0; s < request->loop->source_count; s++)
+        inspection->sources[s] = redcc_range_of(request->known[s]);
 }
 
 bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {

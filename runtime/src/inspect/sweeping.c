@@ -102,12 +102,9 @@ static void gather_sources(struct inspection *inspection) {
         if (request->known[s].end)
             continue;
         *range = redcc_nowhere;
-        for (int thread = 0; thread < inspection->call->threads; thread++) {
-            const redcc_extent told = inspection->inspector[thread]->sources[s];
-            if (told.end)
-                *range = redcc_range_union(
-                    *range, (struct range){(uintptr_t)told.first, (uintptr_t)told.end});
-        }
+        for (int thread = 0; thread < inspection->call->threads; thread++)
+            *range = redcc_range_union(*range,
+                                       redcc_range_of(inspection->inspector[thread]->sources[s]));
     }
 }
 
