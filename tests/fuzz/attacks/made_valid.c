@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Arrays that may be the one that the loop updates, and whose values of before the loop are no
+ * subscripts, bounds or divisors: the iterations before make them valid. Each call fills the arrays
+ * anew, and some calls get arrays that lie apart. */
+#include "fuzz/attacks/attack.h"
+
+enum { SIZE = 1024 /* of each array, a power of two above all positions */ };
+
+static const char *const types[] = {"int", "int", "unsigned", "long"};
+
+/* What is missing from a value until it is valid: outside of all memory, or only elsewhere. */
+static const char *const missing[] = {"1000000000", "1000000000", "300", "7"};
+
+/* Declares `s`, which is updated, `k`, which may lie in it, and `m` (int), all with `$`, and what
+ * fills them before a call: k[t] = `value`, less `lacks` where it is s and t >= `from`. */
+static void put_arrays(attack *a, const char *type, int shift, const char *value, const char *lacks,
+                       int from) {
+    put(a, PART_GLOBALS,
+        "static %s state$[%d], apart$[%d], *pair$[2];\nstatic int m$[%d];\n"
+        "static %s **fresh$(int is_one) {\nfor (int t = 0; t < %d; t++)\nstate$[t] = 0;\n",
+        type, SIZE, SIZE, SIZE, type, SIZE);
+    put(a, PART_GLOBALS,
+        "for (int t = 0; t < %d - %d; t++) {\nconst int v = %s;\napart$[t] = v;\nif (is_one)\n"
+        "state$[t + %d] = t < %d ? v : v - (%s)%s;\n}\n",
+        SIZE, shift, value, shift, from, type, lacks);
+    put(a, PART_GLOBALS, "pair$[0] = state$;\npair$[1] = is_one ? state$ + %d : apart$;\n", shift);
+    put(a, PART_GLOBALS, "return pair$;\n}\n");
+    put(a, PART_PARAMETERS, ", %s *const *pair$, const int *m$", type);
+    put(a, PART_ARGUMENTS, ", fresh$(%s), m$", chance(a, 70) ? "1" : "attack_below(2)");
+    put(a, PART_BEFORE, "%s *s$ = pair$[0];\nconst %s *k$ = pair$[1];\n", type, type);
+    put(a, PART_AFTER, "for (int i$ = 0; i$ < %d; i$++)\nattack_note((double)s$[i$]);\n",
+        a->trips / 2);
+}
+
+/* s[m[k[t]]] += ...: iteration t makes k[t + ahead] valid. No iteration may be left out. */
+static operand chain(attack *a) {
+    const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
+    const int ahead = 6 * (1 + below(a, 9)), shift = chance(a, 60) ? 0 : below(a, SPARE);
+    const int factor = 2 * below(a, SIZE / 2) + 1, first = below(a, SIZE);
+    const bool is_inner = chance(a, 30);
+    note(a, is_inner ? "made-valid/bounds" : "made-valid/chain");
+    put_arrays(a, type, shift,
+               is_inner ? "t" : text(a, "(t * %d + %d) & %d", factor, first, SIZE - 1), lacks,
+               ahead);
+    put(a, PART_SETUP, "for (int t = 0; t < %d; t++)\nm$[%s] = (t + %d) & %d;\n", SIZE,
+        is_inner ? "t" : text(a, "(t * %d + %d) & %d", factor, first, SIZE - 1), shift + ahead,
+        SIZE - 1);
+    if (is_inner)
+        put(a, PART_BODY,
+            "for (int j$ = (int)k$[t]; j$ <= (int)k$[t]; j$++)\n"
+            "s$[m$[j$]] += %s;\n",
+            lacks);
+    else if (chance(a, 50))
+        put(a, PART_BODY, "s$[m$[k$[t]]] += %s;\n", lacks);
+    else
+        put(a, PART_BODY, "const int i$ = m$[k$[t]];\ns$[i$] = s$[i$] + %s;\n", lacks);
+    return (operand){chance(a, 50) ? NULL : "1", true, false, NULL};
+}
+
+/* Each iteration makes what it reads itself valid: a subscript, a divisor, a condition. */
+static operand own(attack *a) {
+    const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
+    const char *to = chance(a, 70) ? text(a, "m$[t]") : text(a, "(m$[t] + 0)");
+    const int factor = 2 * below(a, SIZE / 2) + 1;
+    const int form = below(a, 4);
+    static const char *const names[] = {"made-valid/subscript", "made-valid/key",
+                                        "made-valid/divisor", "made-valid/condition"};
+    note(a, names[form]);
+    put_table(a, "look", a->elements, 0);
+    put_arrays(a, type, 0,
+               form == 2   ? text(a, "1 + t %% 3")
+               : form == 3 ? text(a, "t & 1")
+                           : text(a, "(unsigned)t * %du %% %du", factor, a->trips),
+               form == 2   ? text(a, "(1 + t %% 3)")
+               : form == 3 ? "1"
+                           : lacks,
+               0);
+    put(a, PART_SETUP, "for (int t = 0; t < %d; t++)\nm$[t] = t;\n", SIZE);
+    put(a, PART_BODY, "s$[%s] += %s;\n", to,
+        form == 2   ? "1 + (int)t % 3"
+        : form == 3 ? "1"
+                    : lacks);
+    switch (form) {
+    case 0:
+        return (operand){text(a, "look$[k$[t]]"), true, true, NULL};
+    case 1:
+        return (operand){text(a, "look$[k$[0]]"), true, true, NULL};
+    case 2:
+        return (operand){text(a, "look$[(t + 1) / k$[t]]"), true, true, NULL};
+    default:
+        return (operand){text(a, "look$[t]"), true, true, text(a, "k$[t] > 0")};
+    }
+}
+
+operand made_valid(attack *a) {
+    /* Features before this one may have left the iteration. */
+    return a->features == 0 && a->parts[PART_BODY].length == 0 && chance(a, 60) ? chain(a) : own(a);
+}
