@@ -8,6 +8,7 @@ enum { N = 5000, K = 60 };
 static int k[N];
 static double h[K], v[N];
 
+#define EARLIER PRAGMA(omp atomic) /* it names what is defined behind it */
 #define PRAGMA(text) _Pragma(#text)
 #define ATOMIC PRAGMA(omp atomic)
 #define PASTED(which) ATO##which
@@ -23,6 +24,13 @@ static void single(int n) {
 static void atomic(int n) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse directive-in-range
         ATOMIC
+        h[k[t]] += v[t];
+    }
+}
+
+static void earlier(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse directive-in-range
+        EARLIER
         h[k[t]] += v[t];
     }
 }
@@ -52,7 +60,7 @@ int main(void) {
         v[t] = 1.0 / (1 + t);
     }
     for (int round = 0; round < 3; round++)
-        (single(N), atomic(N), pasted(N), held(N), none(N));
+        (single(N), atomic(N), earlier(N), pasted(N), held(N), none(N));
     for (int i = 0; i < K; i++)
         printf("%a\n", (double)h[i]);
     return 0;

@@ -28,12 +28,11 @@ int main(void) {
         for (int i = 0; i < K; i++)
             low[i] = -2147483647;
         copies(N, k, more);
-        /* each element is 63 until it is updated, before it is read as a shift */
+        /* the shift by both[200] has a meaning once the first iteration has added to it */
         for (int i = 0; i < N; i++) {
-            k[i] = i == 0 ? 0 : K - 1;
-            both[i] = i == 0 ? 63 : i % 20;
+            k[i] = i == 0 ? 200 : K - 1;
+            both[i] = i == 0 ? 2 : i == 200 ? 60 : i % 20;
         }
-        both[0] = 2;
         stale(N - K, k, both, both);
         for (int i = 0; i < K; i++)
             sum[i] = low[i] * 3L + both[i];

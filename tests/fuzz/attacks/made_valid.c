@@ -32,6 +32,11 @@ static void put_arrays(attack *a, const char *type, int shift, const char *value
         a->trips / 2);
 }
 
+/* Features before this one may leave the iteration before it makes anything valid. */
+static bool is_first(const attack *a) {
+    return a->parts[PART_BODY].length == 0;
+}
+
 /* s[m[k[t]]] += ...: iteration t makes k[t + ahead] valid. No iteration may be left out. */
 static operand chain(attack *a) {
     const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
@@ -62,7 +67,9 @@ static operand own(attack *a) {
     const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
     const char *to = chance(a, 70) ? text(a, "m$[t]") : text(a, "(m$[t] + 0)");
     const int factor = 2 * below(a, SIZE / 2) + 1;
-    const int form = below(a, 4);
+    int form = below(a, 4);
+    if (form == 1 && !is_first(a))
+        form = 0;
     static const char *const names[] = {"made-valid/subscript", "made-valid/key",
                                         "made-valid/divisor", "made-valid/condition"};
     note(a, names[form]);
@@ -93,6 +100,5 @@ static operand own(attack *a) {
 }
 
 operand made_valid(attack *a) {
-    /* Features before this one may have left the iteration. */
-    return a->features == 0 && a->parts[PART_BODY].length == 0 && chance(a, 60) ? chain(a) : own(a);
+    return is_first(a) && chance(a, 60) ? chain(a) : own(a);
 }
