@@ -162,3 +162,13 @@ void not_counted_whole(int n, float k) {
         k += 1;
     }
 }
+
+/* The step lies where an update may store. */
+void by_address(int n, int k, int by, int **out, int *q) {
+    *out = &by;
+    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
+        q[s[i]] += 3;
+        h[s[i]] += e[k];
+        k += by;
+    }
+}
