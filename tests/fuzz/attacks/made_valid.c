@@ -44,12 +44,10 @@ static operand chain(attack *a) {
     const int factor = 2 * below(a, SIZE / 2) + 1, first = below(a, SIZE);
     const bool is_inner = chance(a, 30);
     note(a, is_inner ? "made-valid/bounds" : "made-valid/chain");
-    put_arrays(a, type, shift,
-               is_inner ? "t" : text(a, "(t * %d + %d) & %d", factor, first, SIZE - 1), lacks,
-               ahead);
-    put(a, PART_SETUP, "for (int t = 0; t < %d; t++)\nm$[%s] = (t + %d) & %d;\n", SIZE,
-        is_inner ? "t" : text(a, "(t * %d + %d) & %d", factor, first, SIZE - 1), shift + ahead,
-        SIZE - 1);
+    const char *order = is_inner ? "t" : text(a, "(t * %d + %d) & %d", factor, first, SIZE - 1);
+    put_arrays(a, type, shift, order, lacks, ahead);
+    put(a, PART_SETUP, "for (int t = 0; t < %d; t++)\nm$[%s] = (t + %d) & %d;\n", SIZE, order,
+        shift + ahead, SIZE - 1);
     if (is_inner)
         put(a, PART_BODY,
             "for (int j$ = (int)k$[t]; j$ <= (int)k$[t]; j$++)\n"
@@ -62,41 +60,44 @@ static operand chain(attack *a) {
     return (operand){chance(a, 50) ? NULL : "1", true, false, NULL};
 }
 
+/* What an iteration makes valid for itself. */
+typedef struct own_form {
+    const char *kind;
+    const char *value; /* of k[t], and what it lacks before the loop; NULL: a subscript, any */
+    const char *lacks;
+    const char *added; /* by the iteration */
+    const char *reads, *guard;
+} own_form;
+
+enum { OWN_SUBSCRIPT, OWN_KEY, OWN_COUNT = 4 };
+
+static const own_form own_forms[OWN_COUNT] = {
+    [OWN_SUBSCRIPT] = {"made-valid/subscript", NULL, NULL, NULL, "look$[k$[t]]", NULL},
+    [OWN_KEY] = {"made-valid/key", NULL, NULL, NULL, "look$[k$[0]]", NULL},
+    {"made-valid/divisor", "1 + t % 3", "(1 + t % 3)", "1 + (int)t % 3", "look$[(t + 1) / k$[t]]",
+     NULL},
+    {"made-valid/condition", "t & 1", "1", "1", "look$[t]", "k$[t] > 0"},
+};
+
 /* Each iteration makes what it reads itself valid: a subscript, a divisor, a condition. */
 static operand own(attack *a) {
     const char *type = one_of(a, 4, types), *lacks = one_of(a, 4, missing);
-    const char *to = chance(a, 70) ? text(a, "m$[t]") : text(a, "(m$[t] + 0)");
+    const char *to = chance(a, 70) ? "m$[t]" : "(m$[t] + 0)";
     const int factor = 2 * below(a, SIZE / 2) + 1;
-    int form = below(a, 4);
-    if (form == 1 && !is_first(a))
-        form = 0;
-    static const char *const names[] = {"made-valid/subscript", "made-valid/key",
-                                        "made-valid/divisor", "made-valid/condition"};
-    note(a, names[form]);
+    int which = below(a, OWN_COUNT);
+    if (which == OWN_KEY && !is_first(a))
+        which = OWN_SUBSCRIPT;
+    const own_form *form = &own_forms[which];
+    note(a, form->kind);
     put_table(a, "look", a->elements, 0);
-    put_arrays(a, type, 0,
-               form == 2   ? text(a, "1 + t %% 3")
-               : form == 3 ? text(a, "t & 1")
-                           : text(a, "(unsigned)t * %du %% %du", factor, a->trips),
-               form == 2   ? text(a, "(1 + t %% 3)")
-               : form == 3 ? "1"
-                           : lacks,
-               0);
+    if (form->value)
+        put_arrays(a, type, 0, form->value, form->lacks, 0);
+    else
+        put_arrays(a, type, 0, text(a, "(unsigned)t * %du %% %du", factor, a->trips), lacks, 0);
     put(a, PART_SETUP, "for (int t = 0; t < %d; t++)\nm$[t] = t;\n", SIZE);
-    put(a, PART_BODY, "s$[%s] += %s;\n", to,
-        form == 2   ? "1 + (int)t % 3"
-        : form == 3 ? "1"
-                    : lacks);
-    switch (form) {
-    case 0:
-        return (operand){text(a, "look$[k$[t]]"), true, true, NULL};
-    case 1:
-        return (operand){text(a, "look$[k$[0]]"), true, true, NULL};
-    case 2:
-        return (operand){text(a, "look$[(t + 1) / k$[t]]"), true, true, NULL};
-    default:
-        return (operand){text(a, "look$[t]"), true, true, text(a, "k$[t] > 0")};
-    }
+    put(a, PART_BODY, "s$[%s] += %s;\n", to, form->added ? form->added : lacks);
+    return (operand){text(a, "%s", form->reads), true, true,
+                     form->guard ? text(a, "%s", form->guard) : NULL};
 }
 
 operand made_valid(attack *a) {
