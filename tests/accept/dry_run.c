@@ -40,6 +40,18 @@ static void one_by_another(int n, int *count, const int *s, const int *add, cons
     }
 }
 
+/* The slice stands in place: the loop leaves a value. */
+static int in_place(int n, int *count, const int *m, const int *at, int one) {
+    int last = -1;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        if (at[t] < 0)
+            continue;
+        last = m[at[t]];
+        count[last] += one;
+    }
+    return last;
+}
+
 static void apart(void) {
     case_subscripts(k, N, N);
     case_subscripts(map, N, M);
@@ -56,6 +68,7 @@ static void apart(void) {
     in_rows(N, h, row, column, 2);
     where_it_is_positive(N, to, map, weight, deep);
     one_by_another(N, h, k, by, by, to);
+    printf("%d\n", in_place(N, h, map, k, 7));
     CASE_PRINT(h);
     CASE_PRINT(to);
 }
@@ -73,6 +86,10 @@ static void not_apart(void) {
     in_rows(N - 2, row, row, column, far);
     CASE_PRINT(k);
     CASE_PRINT(row);
+    for (int t = 0; t < N; t++)
+        k[t] = t == 0 ? 0 : t - far;
+    printf("%d\n", in_place(N - 1, k, map, k, far));
+    CASE_PRINT(k);
     memset(h, 0, sizeof h);
     for (int t = 0; t < N; t++)
         k[t] = t;

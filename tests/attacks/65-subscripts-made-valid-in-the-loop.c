@@ -73,6 +73,28 @@ static __attribute__((noinline)) void sifted(int n, int *count, const int *map, 
             count[map[k[i]]] += FAR;
 }
 
+/* The same where the slice stands in place, as the loop leaves a value. */
+static __attribute__((noinline)) int left(int n, int *count, const int *map, const int *k) {
+    int last = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: parallel
+        last = map[k[i]];
+        count[last] += FAR;
+    }
+    return last;
+}
+
+static __attribute__((noinline)) int sought(int n, int *count, const int *row, const int *column) {
+    int last = -1;
+    for (int i = 0; i < n; i++) // EXPECT: parallel
+        for (int j = row[i]; j < row[i + 1]; j++) {
+            if (column[j] < 0)
+                continue;
+            last = column[j];
+            count[last] += FAR;
+        }
+    return last;
+}
+
 static int s[N], by[N], lim[N], k[N], map[N], row[N + 1], column[4 * N], far[N];
 static int h[N + 1], count[N + 1];
 static long wide[N];
@@ -136,6 +158,10 @@ static void in_order(void) {
     }
     counted(N - 1, k, map, k);
     printf("counted %u\n", total(k, N));
+    for (int i = 0; i < N; i++)
+        k[i] = i == 0 ? 0 : i - FAR;
+    const int last = left(N - 1, k, map, k);
+    printf("left %d %u\n", last, total(k, N));
     for (int i = 0; i < N; i++) { /* far[k[i + 1]] */
         far[i] = i == 0 ? 0 : i - FAR;
         k[i] = i;
@@ -158,6 +184,10 @@ static void in_order(void) {
     }
     bounded(N - 2, row, row, column);
     printf("bounded %u\n", total(row, N));
+    for (int i = 0; i < N; i++)
+        row[i] = i < 2 ? i : i - FAR;
+    const int found = sought(N - 2, row, row, column);
+    printf("sought %d %u\n", found, total(row, N));
     fill(0);
     divided(N, h, s, h, g);
     show("divided");
@@ -179,6 +209,10 @@ static void apart(void) {
     counted(N, count, map, k); /* each once: FAR does not overflow */
     touched(N, s, lim, h, k, lim, g);
     show("counted and touched apart");
+    for (int i = 0; i < N; i++)
+        count[i] = 0;
+    printf("left apart %d ", left(N, count, map, k));
+    printf("%u\n", total(count, N));
     fill(0);
     for (int j = 0; j < N; j++) {
         row[j] = j / 2;
@@ -186,6 +220,10 @@ static void apart(void) {
     }
     bounded(N - 1, count, row, column);
     show("bounded apart");
+    for (int i = 0; i < N; i++)
+        count[i] = 0;
+    printf("sought apart %d ", sought(N - 1, count, row, column));
+    printf("%u\n", total(count, N));
     by[0] = 1;
     divided(N, h, s, by, g);
     decided(N, h, s, by, map, wide, g);

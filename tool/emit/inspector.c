@@ -246,9 +246,6 @@ void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
 }
 
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
-    if (loop->dry_run != DRY_RUN_NONE)
-        loop_obstacle(loop, loop->facts->loop->range,
-                      "its subscripts need a dry run, but its slice cannot be a function");
     write_statements(loop, out, probes, false,
                      ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1));
     if (probes) {
@@ -256,5 +253,7 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
         writer_line(out, "    break;");
     } else {
         writer_line(out, "redcc_iteration_done(&redcc__worker);");
+        if (loop->dry_run != DRY_RUN_NONE)
+            writer_line(out, "%s:;", dry_run_end(loop));
     }
 }

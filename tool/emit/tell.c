@@ -7,6 +7,7 @@
 #include "analysis/base/row_steps.h"
 #include "emit/origin.h"
 #include "emit/syntax.h"
+#include "ir/ir_position.h"
 
 /** The printer's hook for spellings: notes the variables. */
 const char *inspector_note_variable(const ir_node *node, void *context) {
@@ -107,13 +108,28 @@ static bool is_guarded(const loop_text *loop, unsigned number) {
     return false;
 }
 
+const char *dry_run_end(loop_text *loop) {
+    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
+    return arena_format(loop->arena, "redcc__over_%u_%u", place.line, place.column);
+}
+
 /** A dry run may end after this was told. */
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
-    const loop_text *loop = self->loop;
-    if (is_update && loop->dry_run != DRY_RUN_NONE)
-        writer_line(self->printer.out, "REDCC_RETURN_IF_OVER");
-    if (!is_update && loop->dry_run == DRY_RUN_OF_ALL && is_guarded(loop, number))
-        writer_line(self->printer.out, "REDCC_RETURN_IF_STALE(%u)", number);
+    loop_text *loop = self->loop;
+    writer *out = self->printer.out;
+    if (is_update ? loop->dry_run == DRY_RUN_NONE
+                  : loop->dry_run != DRY_RUN_OF_ALL || !is_guarded(loop, number))
+        return;
+    if (self->is_either && is_update)
+        writer_line(out, "REDCC_RETURN_IF_OVER");
+    else if (self->is_either)
+        writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
+    else if (!self->probes && is_update) /* a dry run probes nothing */
+        writer_line(out, "if (!redcc__worker.last) goto %s;", dry_run_end(loop));
+    else if (!self->probes)
+        writer_line(out,
+                    "if (redcc__worker.alike < 0 && redcc_is_stale(&redcc__worker, %u)) goto %s;",
+                    number, dry_run_end(loop));
 }
 
 /** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of

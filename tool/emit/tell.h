@@ -61,4 +61,8 @@ void tell_update(inspector *self, const reduction_update *update);
 /** and what is read, in the loops of a function that is called where it is there. */
 void tell_read(inspector *self, const loop_source *read, int number);
 
+/** In the text of a loop that is written in place: the label at an iteration's end, where a dry run
+ *  that is over goes on. */
+const char *dry_run_end(loop_text *loop);
+
 #endif
