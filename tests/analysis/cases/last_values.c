@@ -73,6 +73,138 @@ double read_by_the_loop_around(int n, int m, const int *s, const double *w, doub
     return sum;
 }
 
+double read_in_a_later_case(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) last=d
+        d = w[i];
+        h[s[i]] += d;
+    }
+    switch (m) {
+    case 0:
+        d = 1;
+        break;
+    case 1:
+        sum = d;
+    }
+    return sum;
+}
+
+double read_in_a_case_inside(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) last=d
+        d = w[i];
+        h[s[i]] += d;
+    }
+    switch (m) {
+    case 0:
+        if ((d = n) > 0) {
+        case 1:
+            sum = d;
+        }
+    }
+    return sum;
+}
+
+double written_in_the_case_that_reads(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) privates=1
+        d = w[i];
+        h[s[i]] += d;
+    }
+    switch (m) {
+    case 0:
+        d = 1;
+        sum = d;
+        break;
+    case 1:
+        sum = (d = 2);
+    }
+    return sum;
+}
+
+double read_by_another_initialiser(int n, const int *s, const double *w, double *h) {
+    double d = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) last=d
+        d = w[i];
+        h[s[i]] += d;
+    }
+    const double both[2] = {[1] = (d = 1), [0] = d};
+    return both[0] + both[1];
+}
+
+double read_where_a_continue_leads_past(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) privates=1
+        d = w[i];
+        h[s[i]] += d;
+    }
+    for (int j = 0; j < m; j++) {
+        if (s[j] < 0)
+            continue;
+        d = j;
+        sum += d;
+    }
+    return sum;
+}
+
+double read_by_the_step_behind_a_continue(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) last=d
+        d = w[i];
+        h[s[i]] += d;
+    }
+    for (int j = 0; j < m; j++, sum += d) {
+        if (s[j] < 0)
+            continue;
+        d = j;
+    }
+    return sum;
+}
+
+double written_before_each_return(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: transform h(+) privates=1
+        d = w[i];
+        h[s[i]] += d;
+    }
+    if (m)
+        return m;
+    d = 1;
+    return d;
+}
+
+double read_in_the_next_round(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    while (m-- > 0) {
+        if (m == 3)
+            sum += d;
+        for (int i = 0; i < n; i++) { // EXPECT: transform h(+) last=d
+            d = w[i];
+            h[s[i]] += d;
+        }
+        if (m % 2)
+            continue;
+        d = 1;
+    }
+    return sum;
+}
+
+double written_in_the_next_round(int n, int m, const int *s, const double *w, double *h) {
+    double d = 0, sum = 0;
+    while (m-- > 0) {
+        d = m;
+        sum += d;
+        for (int i = 0; i < n; i++) { // EXPECT: transform h(+) privates=1
+            d = w[i];
+            h[s[i]] += d;
+        }
+        if (m % 2)
+            continue;
+        sum += 1;
+    }
+    return sum;
+}
+
 double read_by_way_of_a_label(int n, int m, const int *s, const double *w, double *h) {
     double d = 0, sum = 0;
 again:

@@ -176,7 +176,7 @@ static operand make_feature(attack *a) {
                                         shadowed_in_body, addresses_as_values, block_restrict,
                                         changed_types,    names_like_builtins, values_of_the_thread,
                                         searches,         floating_subscripts, odd_text,
-                                        beside_scalars,   made_valid};
+                                        beside_scalars,   made_valid,          behind_the_loop};
     operand o = features[below(a, (int)(sizeof features / sizeof *features))](a);
     a->features++;
     return o;

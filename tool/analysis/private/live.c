@@ -1,126 +1,180 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Backward liveness of one variable, asked forward: what is the first thing that may be done with
- * it on the ways from the end of the loop? Structured control only; a label anywhere in the
- * function makes every other occurrence count.
+ * Backward liveness of one variable, asked forward: what may be the first thing done with it on the
+ * ways from the end of the loop? Structured control only; a label anywhere in the function makes
+ * every other occurrence count.
  */
 #include "analysis/private/live.h"
 
 #include "analysis/base/expression.h"
 
-typedef enum first_use {
-    USE_NONE, /* some way leads past without a use, none reads */
-    USE_READ, /* some way reads it */
-    USE_WRITE /* every way writes all of it first (or ends the function) */
-} first_use;
+/* The ways that control may go through a piece of the program, up to the first use of the variable.
+ * One that writes all of it first, or ends the function, is none of them. */
+typedef enum way {
+    WAY_READS = 1,    /* reads it first */
+    WAY_PASSES = 2,   /* comes to what follows, with no use */
+    WAY_BREAKS = 4,   /* the same: comes to a break that leads out of the piece */
+    WAY_CONTINUES = 8 /* the same: to a continue */
+} way;
+typedef unsigned ways; /* of enum way */
 
 typedef struct search {
     const ir_variable *variable;
     const ir_node *loop; /* the analysed one: its body reads nothing of before it */
-    bool may_jump;       /* a break or continue was met: later writes may be jumped over */
 } search;
 
-static first_use use_of(search *s, const ir_node *node);
+static ways ways_of(const search *s, const ir_node *node);
 
-static first_use in_sequence(first_use first, first_use second) {
-    return first == USE_NONE ? second : first;
+static ways then(ways first, ways second) {
+    return first & WAY_PASSES ? (first & ~(ways)WAY_PASSES) | second : first;
 }
 
-static first_use either(first_use a, first_use b) {
-    if (a == USE_READ || b == USE_READ)
-        return USE_READ;
-    return a == USE_WRITE && b == USE_WRITE ? USE_WRITE : USE_NONE;
+/* Where such jumps lead to. */
+static ways landed(ways all, ways jumps) {
+    return all & jumps ? (all & ~jumps) | WAY_PASSES : all;
 }
 
-static first_use optional(first_use use) {
-    return use == USE_WRITE ? USE_NONE : use;
+static ways jumps_in(const ir_node *node) {
+    ways jumps = node->kind == IR_BREAK      ? WAY_BREAKS
+                 : node->kind == IR_CONTINUE ? WAY_CONTINUES
+                                             : 0;
+    for (unsigned i = 0; i < node->child_count; i++)
+        jumps |= jumps_in(node->children[i]);
+    return jumps;
 }
 
-static first_use use_of_children(search *s, const ir_node *node, unsigned from) {
-    first_use use = USE_NONE;
-    for (unsigned i = from; i < node->child_count && use == USE_NONE; i++)
-        use = use_of(s, node->children[i]);
-    return use;
+/* Of what is executed in an order that is not known, if at all. */
+static ways any_ways(const search *s, const ir_node *node) {
+    return WAY_PASSES | jumps_in(node) |
+           (expression_mentions(node, s->variable) ? (ways)WAY_READS : 0);
 }
 
-static first_use written(const search *s) {
-    return s->may_jump ? USE_NONE : USE_WRITE;
+/* Does a case of the switch around stand in it? */
+static bool holds_case(const ir_node *node) {
+    if (node->kind == IR_CASE || node->kind == IR_DEFAULT)
+        return true;
+    for (unsigned i = 0; i < node->child_count && node->kind != IR_SWITCH; i++)
+        if (holds_case(node->children[i]))
+            return true;
+    return false;
 }
 
-static first_use use_of_assignment(search *s, const ir_node *node) {
+/* One after another; a switch may lead to its cases from outside. */
+static ways ways_in_order(const search *s, const ir_node *node) {
+    ways all = WAY_PASSES;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ir_node *child = node->children[i];
+        all = then(holds_case(child) ? all | WAY_PASSES : all, ways_of(s, child));
+    }
+    return all;
+}
+
+/* Operands, initialisers: in any order. */
+static ways ways_in_any_order(const search *s, const ir_node *node) {
+    ways all = WAY_PASSES;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        const ways one = ways_of(s, node->children[i]);
+        all = one & all & WAY_PASSES ? all | one : (all | one) & ~(ways)WAY_PASSES;
+    }
+    return all;
+}
+
+static ways ways_of_assignment(const search *s, const ir_node *node) {
     const ir_node *target = node->children[0];
-    bool is_whole =
+    const bool is_whole =
         node->op == IR_OP_NONE && target->kind == IR_VARIABLE && target->variable == s->variable;
-    if (!is_whole)
-        return use_of_children(s, node, 0);
-    return in_sequence(use_of(s, node->children[1]), written(s));
+    return is_whole ? then(ways_of(s, node->children[1]), 0) : ways_in_any_order(s, node);
 }
 
-static first_use use_of_loop(search *s, const ir_node *node) {
-    bool outer_jump = s->may_jump;
-    first_use use;
-    if (node == s->loop && node->kind == IR_FOR)
-        return in_sequence(use_of(s, node->children[0]), use_of(s, node->children[1]));
-    if (node->kind == IR_FOR) {
-        use = in_sequence(use_of(s, node->children[0]), use_of(s, node->children[1]));
-        first_use body = in_sequence(use_of(s, node->children[3]), use_of(s, node->children[2]));
-        use = in_sequence(use, optional(body));
-    } else if (node->kind == IR_WHILE) {
-        use = in_sequence(use_of(s, node->children[0]), optional(use_of(s, node->children[1])));
-    } else {
-        use = in_sequence(use_of(s, node->children[0]), use_of(s, node->children[1]));
-    }
-    s->may_jump = outer_jump;
-    return use;
+static ways ways_of_choice(const search *s, const ir_node *node) {
+    const ways last = node->child_count > 2 ? ways_of(s, node->children[2]) : WAY_PASSES;
+    return then(ways_of(s, node->children[0]), ways_of(s, node->children[1]) | last);
 }
 
-static first_use use_of(search *s, const ir_node *node) {
+/* ---- loops --------------------------------------------------------------------------------- */
+
+static const ir_node *body_of(const ir_node *loop) {
+    return loop->children[loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0];
+}
+
+/* From the end of the body until the loop ends or the body begins again. */
+static ways ways_of_step(const search *s, const ir_node *loop) {
+    if (loop->kind == IR_FOR)
+        return then(ways_of(s, loop->children[2]), ways_of(s, loop->children[1]));
+    return ways_of(s, loop->children[loop->kind == IR_WHILE ? 0 : 1]);
+}
+
+/* From somewhere in the body until the loop ends; `all`: the ways from there to the body's end. */
+static ways ways_out(const search *s, const ir_node *loop, ways all) {
+    const ways step = ways_of_step(s, loop);
+    all = then(landed(all, WAY_CONTINUES), step);
+    if (all & WAY_PASSES)
+        all |= then(landed(ways_of(s, body_of(loop)), WAY_CONTINUES), step);
+    return landed(all, WAY_BREAKS);
+}
+
+static ways ways_of_loop(const search *s, const ir_node *loop) {
+    if (loop->kind == IR_DO)
+        return ways_out(s, loop, ways_of(s, body_of(loop)));
+    const ways head = loop->kind == IR_FOR
+                          ? then(ways_of(s, loop->children[0]), ways_of(s, loop->children[1]))
+                          : ways_of(s, loop->children[0]);
+    if (loop == s->loop && loop->kind == IR_FOR)
+        return head;
+    return then(head, WAY_PASSES | ways_out(s, loop, ways_of(s, body_of(loop))));
+}
+
+static ways ways_of_switch(const search *s, const ir_node *node) {
+    return then(ways_of(s, node->children[0]),
+                WAY_PASSES | landed(ways_of(s, node->children[1]), WAY_BREAKS));
+}
+
+/* ---- all kinds ----------------------------------------------------------------------------- */
+
+static ways ways_of_statement(const search *s, const ir_node *node) {
     switch (node->kind) {
-    case IR_VARIABLE:
-        return node->variable == s->variable ? USE_READ : USE_NONE;
-    case IR_DECLARATOR:
-        if (node->variable == s->variable && node->child_count)
-            return in_sequence(use_of(s, node->children[0]), written(s));
-        return use_of_children(s, node, 0);
-    case IR_ASSIGN:
-        return use_of_assignment(s, node);
-    case IR_CONDITIONAL:
-    case IR_IF: {
-        first_use use = use_of(s, node->children[0]);
-        if (use != USE_NONE)
-            return use;
-        first_use then = use_of(s, node->children[1]);
-        return either(then, node->child_count > 2 ? use_of(s, node->children[2]) : USE_NONE);
-    }
-    case IR_BINARY:
-        if (node->op == IR_OP_AND || node->op == IR_OP_OR)
-            return in_sequence(use_of(s, node->children[0]),
-                               optional(use_of(s, node->children[1])));
-        return use_of_children(s, node, 0);
+    case IR_IF:
+        return holds_case(node) ? any_ways(s, node) : ways_of_choice(s, node);
     case IR_FOR:
     case IR_WHILE:
     case IR_DO:
-        return use_of_loop(s, node);
-    case IR_SWITCH: {
-        bool outer_jump = s->may_jump;
-        first_use use =
-            in_sequence(use_of(s, node->children[0]), optional(use_of(s, node->children[1])));
-        s->may_jump = outer_jump;
-        return use;
-    }
+        return holds_case(node) ? any_ways(s, node) : ways_of_loop(s, node);
+    case IR_SWITCH:
+        return ways_of_switch(s, node);
     case IR_BREAK:
+        return WAY_BREAKS;
     case IR_CONTINUE:
-        s->may_jump = true;
-        return USE_NONE;
-    case IR_RETURN: {
-        /* Later statements are reached by other ways only; taking them in is on the safe side. */
-        first_use use = use_of_children(s, node, 0);
-        return use;
-    }
+        return WAY_CONTINUES;
+    case IR_RETURN:
+        return then(ways_in_order(s, node), 0);
     default:
-        return use_of_children(s, node, 0);
+        return ways_in_order(s, node);
     }
 }
+
+static ways ways_of(const search *s, const ir_node *node) {
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return node->variable == s->variable ? WAY_READS : WAY_PASSES;
+    case IR_DECLARATOR:
+        return then(ways_in_order(s, node),
+                    node->variable == s->variable && node->child_count ? 0 : WAY_PASSES);
+    case IR_ASSIGN:
+        return ways_of_assignment(s, node);
+    case IR_CONDITIONAL:
+        return ways_of_choice(s, node);
+    case IR_BINARY:
+        if (node->op == IR_OP_AND || node->op == IR_OP_OR)
+            return then(ways_of(s, node->children[0]), WAY_PASSES | ways_of(s, node->children[1]));
+        return node->op == IR_OP_COMMA ? ways_in_order(s, node) : ways_in_any_order(s, node);
+    case IR_OPAQUE:
+        return any_ways(s, node);
+    default:
+        return node->kind < IR_BLOCK ? ways_in_any_order(s, node) : ways_of_statement(s, node);
+    }
+}
+
+/* ---- behind the loop ----------------------------------------------------------------------- */
 
 static bool has_label(const ir_node *node) {
     if (node->kind == IR_LABEL || node->kind == IR_GOTO)
@@ -140,55 +194,36 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
     return false;
 }
 
-/* Once more around an enclosing loop, from its increment and condition to the analysed loop. */
-static first_use use_around(search *s, const ir_node *enclosing) {
-    first_use use = USE_NONE;
-    if (enclosing->kind == IR_FOR)
-        use = in_sequence(use_of(s, enclosing->children[2]), use_of(s, enclosing->children[1]));
-    else
-        use = use_of(s, enclosing->children[enclosing->kind == IR_WHILE ? 0 : 1]);
-    const ir_node *body = enclosing->children[enclosing->kind == IR_FOR     ? 3
-                                              : enclosing->kind == IR_WHILE ? 1
-                                                                            : 0];
-    /* All of the body counts, also what stands after the analysed loop: on the safe side. */
-    return in_sequence(use, use_of(s, body));
+/* The ways from the end of `node` to the end of what it stands in. */
+static ways ways_behind(const search *s, const ir_node *node, ways all) {
+    const ir_node *parent = node->parent;
+    if (ir_is_loop(parent) && node == body_of(parent))
+        return ways_out(s, parent, all);
+    const bool is_in_order = parent->kind == IR_BLOCK || parent->kind == IR_DECLARATION;
+    const bool is_chosen = parent->kind == IR_IF || parent->kind == IR_SWITCH;
+    if (is_chosen && node != parent->children[0])
+        return parent->kind == IR_SWITCH ? landed(all, WAY_BREAKS) : all;
+    for (unsigned i = 0; i < parent->child_count; i++) {
+        const ir_node *child = parent->children[i];
+        if (is_in_order ? child->id > node->id : child != node)
+            all = then(all, is_in_order ? ways_of(s, child) : any_ways(s, child));
+    }
+    return all;
 }
 
 bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
+    const search s = {variable, loop};
     /* The loop itself may be reached again, by a jump or in a loop around it. */
-    search again = {variable, loop, false};
-    if (!occurs_elsewhere(facts, loop, variable) && use_of(&again, loop) != USE_READ)
+    if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))
         return false;
     const ir_node *body = loop;
     while (body->parent)
         body = body->parent;
     if (has_label(body))
         return true;
-    search s = {variable, loop, false};
-    bool is_finished = false; /* the way straight on has met a write */
-    for (const ir_node *node = loop; node->parent; node = node->parent) {
-        const ir_node *parent = node->parent;
-        bool is_sequence = parent->kind == IR_BLOCK || parent->kind == IR_DECLARATION;
-        for (unsigned i = 0; is_sequence && i < parent->child_count && !is_finished; i++) {
-            if (parent->children[i]->id <= node->id)
-                continue;
-            first_use use = use_of(&s, parent->children[i]);
-            if (use == USE_READ)
-                return true;
-            is_finished = use == USE_WRITE;
-        }
-        if (parent->kind == IR_SWITCH)
-            s.may_jump = false;
-        if (ir_is_loop(parent)) {
-            search around = {variable, loop, s.may_jump};
-            if (!is_finished && use_around(&around, parent) == USE_READ)
-                return true;
-            /* The loop may end before or after: what follows it is asked in any case, unless it
-             * was written on the straight way and no break led around that. */
-            is_finished = false;
-            s.may_jump = false;
-        }
-    }
-    return false;
+    ways all = WAY_PASSES;
+    for (const ir_node *node = loop; node->parent && !(all & WAY_READS); node = node->parent)
+        all = ways_behind(&s, node, all);
+    return all & WAY_READS;
 }
