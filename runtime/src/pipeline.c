@@ -53,29 +53,35 @@ static enum progress verify(struct thread_state *thread, redcc_worker *worker) {
 
 static enum stage begin_inspection(struct execution *execution) {
     const bool named = execution->call.method != NULL;
+    const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
     redcc_reuse_drop_found(&execution->reuse);
     if (!named && execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
         return refuse(execution, REASON_CHANGED);
     execution->inspected = true;
-    execution->inspection.deadline = 0; /* the sample has none; auto sets it, after that */
+    /* The sample has none; auto sets it, after that. */
+    execution->inspection.deadline =
+        is_dry && !named ? redcc_seconds() + execution->advice.deadline : 0;
     if (!redcc_inspection_begin(&execution->inspection, !named))
         return refuse(execution, REASON_NO_MEMORY);
-    return execution->call.request.loop->flags & REDCC_DRY_RUN ? STAGE_DRY_RUN : STAGE_SAMPLE;
+    return is_dry ? STAGE_DRY_RUN : STAGE_SAMPLE;
 }
 
 /* ---- dry run --------------------------------------------------------------------------------- */
 
 static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) {
     const struct inspection *inspection = &thread->execution->inspection;
-    if (thread->thread > 0 || thread->telling ||
-        !redcc_dry_run_start(inspection, &thread->inspector))
+    if (!thread->telling &&
+        (thread->thread > 0 || !redcc_dry_run_start(inspection, &thread->inspector)))
         return PROGRESS_MEET;
-    redcc_dry_run_hand_out(inspection, &thread->inspector, worker);
-    return PROGRESS_TELL;
+    return redcc_dry_run_hand_out(inspection, &thread->inspector, worker) ? PROGRESS_TELL
+                                                                          : PROGRESS_MEET;
 }
 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
+    execution->inspection.deadline = 0;
+    if (reason == REASON_DEADLINE) /* nothing is swept so far */
+        execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }
 

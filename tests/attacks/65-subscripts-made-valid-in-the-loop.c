@@ -96,7 +96,7 @@ static __attribute__((noinline)) int sought(int n, int *count, const int *row, c
 }
 
 static int s[N], by[N], lim[N], k[N], map[N], row[N + 1], column[4 * N], far[N];
-static int h[N + 1], count[N + 1];
+static int h[N + 1], count[N + 1], both[2 * N];
 static long wide[N];
 static char is_in[N];
 static double g[N];
@@ -213,6 +213,13 @@ static void apart(void) {
         count[i] = 0;
     printf("left apart %d ", left(N, count, map, k));
     printf("%u\n", total(count, N));
+    for (int i = 0; i < N; i++) { /* neighbours, updated upwards and read downwards */
+        k[i] = N - 1 - i;
+        both[i] = 0;
+        both[N + i] = N - 1 - i;
+    }
+    counted(N, both, both + N, k);
+    printf("neighbours %u\n", total(both, N));
     fill(0);
     for (int j = 0; j < N; j++) {
         row[j] = j / 2;

@@ -72,6 +72,7 @@ static struct situation situation_of(struct simulation *it, const struct simulat
                             .threads = THREADS,
                             .wake = it->trace->wake,
                             .start = start_left(it),
+                            .dry_run = it->trace->dry_run > 0,
                             .steady = it->steady,
                             .verified = it->trace->compared && same};
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
@@ -161,11 +162,20 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
     const struct trace *trace = it->trace;
     struct prospect prospect[WAY_COUNT] = {{0}};
     const double team = entry.alone || it->started ? 0 : trace->start + trace->late;
-    const double spent = trace->look + team;
+    const double dry_run = trace->dry_run * (double)call->trip;
+    const double spent = dry_run + trace->look + team;
     struct situation there = *now;
+    there.dried = dry_run;
     if (!entry.alone) {
         it->started = true;
         there.start = 0;
+    }
+    if (dry_run > 0 && dry_run > entry.deadline) {
+        it->so_far.stopped++;
+        tell(it, (struct outcome){RESULT_STOPPED, entry.way, call->trip,
+                                  team + entry.deadline + trace->block, 0, 0});
+        run_sequentially(it, call, true);
+        return;
     }
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++) {
         const double trip = (double)call->trip;
@@ -225,7 +235,7 @@ static double best_in_hindsight(const struct trace *trace, double sequential) {
             const struct simulated_call *call = &trace->call[c], *before = call - 1;
             total += call->execution[way];
             if (c == 0 || before->subscripts != call->subscripts || before->trip != call->trip)
-                total += trace->set_up[way] * (double)call->trip;
+                total += (trace->set_up[way] + trace->dry_run) * (double)call->trip;
         }
         if (trace->possible[way] && total < best)
             best = total;

@@ -27,6 +27,7 @@ struct trace {
     double set_up_error;      /**< estimated over true */
     double execution_error;   /**< the same, of executions */
     double look;              /**< seconds of a sample */
+    double dry_run;           /**< seconds an iteration, before each sample; 0: there is none */
     double check;             /**< of a sequential execution: to find that subscripts changed */
     double wake;              /**< seconds */
     double start;             /**< seconds that starting the threads takes, once, */

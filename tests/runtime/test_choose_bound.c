@@ -177,6 +177,34 @@ static void loops_that_never_gain(void **unused) {
     check(trace, "short", (struct asked){1, 2, 1});
 }
 
+/* Each sample comes after a dry run of so many executions, which nobody can foretell: one that does
+ * not end within the credit is given up. */
+static void check_dry_run(double executions, double parallel, double best, int stopped) {
+    struct trace *trace = ordinary(2000);
+    char name[64];
+    trace->dry_run = executions * 10e-9;
+    for (int c = 0; c < trace->count; c++)
+        scale(&trace->call[c], 1, parallel);
+    const struct simulated it = simulate(trace);
+    snprintf(name, sizeof name, "dry runs of %.1f executions%s", executions,
+             parallel > 1 ? ", no gain" : "");
+    if (it.slowest > 1 / 0.95)
+        fail_msg("%s: %.4f times the sequential program's time", name, it.slowest);
+    assert_int_equal(it.stopped, stopped);
+    check(trace, name, (struct asked){1 + share, best, 2});
+}
+
+static void dry_runs(void **unused) {
+    (void)unused;
+    check_dry_run(0.3, 1, 1.06, 0);
+    check_dry_run(0.9, 1, 1.06, 0);
+    check_dry_run(2, 1, 1.07, 1);
+    check_dry_run(5, 1, 1.3, 3);
+    check_dry_run(0.3, 2, 1.01, 0);
+    check_dry_run(2, 2, 1.01, 1);
+    check_dry_run(5, 2, 1.02, 3);
+}
+
 /* A loop of 2.5 ms, whose sample takes half a millisecond and whose threads take 6 to start; plans
  * are expected to take 0.63 of it, and take `execution`, after set-ups that take `error` times what
  * is expected; other subscripts every `every` calls. It is to be no slower from the first call on.
@@ -423,6 +451,7 @@ int main(void) {
         cmocka_unit_test(bins_on_trial),
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
+        cmocka_unit_test(dry_runs),
         cmocka_unit_test(light_loops),
         cmocka_unit_test(a_light_loop_whose_subscripts_stay),
         cmocka_unit_test(threads_that_start_late),

@@ -127,9 +127,8 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
     else if (!self->probes && is_update) /* a dry run probes nothing */
         writer_line(out, "if (!redcc__worker.last) goto %s;", dry_run_end(loop));
     else if (!self->probes)
-        writer_line(out,
-                    "if (redcc__worker.alike < 0 && redcc_is_stale(&redcc__worker, %u)) goto %s;",
-                    number, dry_run_end(loop));
+        writer_line(out, "if (redcc_is_over(&redcc__worker, %u)) goto %s;", number,
+                    dry_run_end(loop));
 }
 
 /** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of

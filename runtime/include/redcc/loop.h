@@ -133,8 +133,8 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
     if (redcc__worker && !redcc__probe && !redcc__told && !redcc__worker->last)                    \
         return;
 #define REDCC_RETURN_IF_STALE(redcc_source)                                                        \
-    if (redcc__worker && !redcc__probe && !redcc__told && redcc__worker->alike < 0 &&              \
-        redcc_is_stale(redcc__worker, redcc_source))                                               \
+    if (redcc__worker && !redcc__probe && !redcc__told &&                                          \
+        redcc_is_over(redcc__worker, redcc_source))                                                \
         return;
 
 /** All from an address to before another. */

@@ -133,7 +133,7 @@ enum {
      *  there. So before an inspection one thread has all iterations told in order; where one would
      *  update what `known` says is read, worker->last becomes 0, and the slice returns at once; */
     REDCC_DRY_RUN = 2048,
-    /** the same where redcc_is_stale says of what it has told as read. */
+    /** the same where redcc_is_over says of what it has told as read. */
     REDCC_DRY_RUN_OF_READS = 4096
 };
 
@@ -239,7 +239,8 @@ typedef struct redcc_worker {
     const redcc_run *run;
     const redcc_run *run_end;
     void *const *base;        /* where to write, as if it were the array; indexed as arrays */
-    const redcc_owner *owner; /* indexed as arrays */
+    const redcc_owner *owner; /* indexed as arrays; in a dry run, as sources: what was found to be
+                                 none of what is updated */
     void *execution;          /* the runtime's, as what follows */
     int thread;
     redcc_manner manner; /* set by redcc_next */
@@ -299,7 +300,7 @@ int redcc_inspect(redcc_worker *worker);
  * keeps the body's constants in memory: no floating-point register lives across a call. */
 void redcc_flush(redcc_worker *worker) __attribute__((__cold__));
 
-/** In a dry run (worker->alike < 0): 1 where something that was told of the source has been updated
+/** Called by redcc_is_over: 1 where something that was told of the source has been updated
  *  before; the dry run is over then, and the slice must use nothing of it. */
 int redcc_is_stale(redcc_worker *worker, redcc_u32 source) __attribute__((__cold__));
 
@@ -417,6 +418,20 @@ static __inline__ void redcc_read(redcc_worker *worker, redcc_u32 source, const 
         extent->first = first;
     if (first + bytes > extent->end)
         extent->end = first + bytes;
+}
+
+/** Inspector: 1 in a dry run (worker->alike < 0) where something that was told of the source has
+ * been updated before; the dry run is over then, and the slice must use nothing of it. */
+static __inline__ int redcc_is_over(redcc_worker *worker, redcc_u32 source) {
+    const redcc_extent *told = &worker->sources[source];
+    const redcc_owner *clear;
+    redcc_size into;
+    if (worker->alike >= 0)
+        return 0;
+    clear = &worker->owner[source];
+    into = (redcc_size)told->first - (redcc_size)clear->first;
+    return !(into < clear->size && (redcc_size)(told->end - told->first) <= clear->size - into) &&
+           redcc_is_stale(worker, source);
 }
 
 /** Inspector: the addresses of one iteration are told. */

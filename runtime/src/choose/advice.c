@@ -169,6 +169,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     struct advice advice = {.action = decision.action,
                             .way = decision.way,
                             .alone = decision.alone,
+                            .deadline = decision.deadline,
                             .timed = decision.timed,
                             .trial = decision.trial,
                             .skipped_calls = chooser->skipped,
@@ -291,9 +292,11 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
         redcc_note_prospects(&chooser->state, findings.trip, prospect, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
+    const bool is_dry = call->request.loop->flags & REDCC_DRY_RUN;
     const struct situation now = {.trip = findings.trip,
                                   .threads = call->planned,
                                   .wake = wake_seconds(),
+                                  .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified};
     return redcc_pick_way(&chooser->state, &now, prospect, findings.spent);

@@ -40,6 +40,7 @@ struct advice {
     enum way way;       /* REUSE; INSPECT: as soon as it is decided */
     bool timed;         /* SEQUENTIAL */
     bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
+    double deadline;    /* INSPECT: seconds that a dry run may take */
     struct trial trial; /* REUSE */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
     enum reason reason; /* for SEQUENTIAL */

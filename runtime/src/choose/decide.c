@@ -103,9 +103,8 @@ static bool are_new(const struct situation *now) {
 static double cost_of(const struct size_state *size, const struct situation *now, enum way way) {
     const struct prospect *it = &size->prospect[way];
     const double body = redcc_usual(&size->sequential) * (double)now->trip / now->threads;
-    const double all = set_up_of(it), left = all - now->spent;
-    return (left > all / 2 ? left : all / 2) + now->start +
-           (are_new(now) && it->learned == 0 ? body : 0);
+    const double all = set_up_of(it), left = all - now->spent, half = (all - now->dried) / 2;
+    return (left > half ? left : half) + now->start + (are_new(now) && it->learned == 0 ? body : 0);
 }
 
 /* How many executions a plan made now may serve: as many as there were (rent or buy), or this one
@@ -239,9 +238,11 @@ static struct decision look(struct choice_state *state, struct size_state *size,
     if (redcc_credit(state) < cost + now->start && now->verified && may_borrow(state, size) &&
         cost + now->start <= started_most * usual)
         lend(state, now->start);
+    const bool alone = !is_sure(now) || redcc_credit(state) < cost + now->start;
     size->rule = RULE_LOOKING;
     return (struct decision){.action = ACTION_INSPECT,
-                             .alone = !is_sure(now) || redcc_credit(state) < cost + now->start,
+                             .alone = alone,
+                             .deadline = redcc_credit(state) - (alone ? 0 : now->start),
                              .rule = RULE_LOOKING};
 }
 

@@ -44,13 +44,14 @@ struct situation {
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
     double start;   /**< seconds that starting those that are not there takes; 0: all are */
-    double spent;   /**< seconds of the inspection that this is asked in, so far */
+    double spent;   /**< seconds of the inspection that this is asked in, so far; */
+    double dried;   /**< those of its dry run among them */
     enum kept_match kept[WAY_COUNT];
     int steady;    /**< calls in a row whose sampled subscripts were those of one of the last calls;
                         -1: not known */
     bool verified; /**< all subscripts were compared with those of the call before: they are the
                         same */
-    bool dry_run;  /**< an inspection begins with a dry run: as long as the loop, at the most */
+    bool dry_run;  /**< an inspection begins with a dry run, perhaps as long as the loop */
 };
 
 enum action {
@@ -64,7 +65,8 @@ struct decision {
     enum way way;
     bool alone;      /**< INSPECT: by one thread, for redcc_note_prospects; no thread is started */
     bool timed;      /**< SEQUENTIAL: tell redcc_observe what it took */
-    double deadline; /**< of redcc_pick_way: seconds after which the set-up must be given up */
+    double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
+                          redcc_pick_way: the set-up */
     struct trial trial; /**< REUSE of WAY_BINS, where it may turn out to be slower */
     enum rule rule;
 };

@@ -1,22 +1,51 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The dry run: does the loop update what decides where its slice reads? What was touched and what
- *  was read are ranges, as for the guard that follows. Where all that matters of what is read is
- *  known, a touch in the gap between two such ranges needs no other look. */
+/**
+ * The dry run: does the loop update what decides where its slice reads? What was touched and what
+ * was read are ranges, as for the guard that follows.
+ *
+ * Most touches and reads ask nothing of the runtime. A touch of an array is inside the array's
+ * window, and a read of a source in what is clear for that source; no window and no clear range
+ * overlap. Where all that matters of what is read is known, a window is the gap between two such
+ * ranges. Else it is what was touched and a margin about it, that much again and no more than half
+ * the way to what was read; and what is clear lies between two windows. So a range that grows with
+ * each iteration is looked at a logarithm of times. A read in a margin may be of nothing that was
+ * touched: then there is a second run without margins.
+ */
 #include "inspect/inspection.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 
 #include <assert.h>
 
 static const redcc_int never_settled = -((redcc_int)1 << 62); /* all are told, none is probed */
 
+/* From the first iteration on, with nothing touched or read. */
+static void begin_run(const struct inspection *inspection, struct inspector *inspector) {
+    struct dry_run *run = &inspector->dry_run;
+    for (uint32_t array = 0; array < inspection->partition.array_count; array++)
+        run->window[array] = (redcc_owner){.size = 0};
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
+        run->clear[s] = (redcc_owner){.size = 0};
+    redcc_forget_sources(inspection, inspector);
+    inspector->next = 0;
+    inspector->late = false;
+    run->ended_in_margin = false;
+    run->stands = true;
+}
+
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector) {
     const uint32_t arrays = inspection->partition.array_count;
-    inspector->dry_run = (struct dry_run){
-        .window = redcc_memory_take_zeroed(arrays, sizeof *inspector->dry_run.window)};
+    const uint32_t sources = inspection->call->request.loop->source_count;
+    struct dry_run *run = &inspector->dry_run;
+    *run = (struct dry_run){.window = redcc_memory_take(arrays * sizeof *run->window),
+                            .clear = redcc_memory_take(sources * sizeof *run->clear),
+                            .has_margins = true,
+                            .seconds = -redcc_seconds()};
     inspector->entries = redcc_memory_take(REDCC_ENTRIES * sizeof *inspector->entries);
-    inspector->failed = !inspector->dry_run.window || !inspector->entries;
-    redcc_forget_sources(inspection, inspector);
+    inspector->failed = !run->window || !run->clear || !inspector->entries;
+    if (!inspector->failed)
+        begin_run(inspection, inspector);
     return !inspector->failed;
 }
 
@@ -28,12 +57,26 @@ static void expect_one(const struct inspector *inspector, redcc_worker *worker) 
     worker->alike = never_settled;
 }
 
-void redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
+bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker) {
-    redcc_hand_out(inspector, worker, 0, inspection->call->request.trip, 1,
-                   inspector->dry_run.window);
+    struct dry_run *run = &inspector->dry_run;
+    const redcc_int trip = inspection->call->request.trip;
+    if (run->ended_in_margin) {
+        run->has_margins = false;
+        begin_run(inspection, inspector);
+    }
+    const redcc_int first = inspector->next;
+    if (!run->stands || first == trip)
+        return false;
+    inspector->late = redcc_inspection_is_late(inspection);
+    if (inspector->late)
+        return false;
+    const bool at_once = inspection->deadline == 0 || trip - first <= REDCC_BLOCK_BEFORE_DEADLINE;
+    inspector->next = at_once ? trip : first + REDCC_BLOCK_BEFORE_DEADLINE;
+    redcc_hand_out(inspector, worker, first, inspector->next, 1, run->window);
+    worker->owner = run->clear;
     expect_one(inspector, worker);
-    inspector->dry_run.stands = true;
+    return true;
 }
 
 /* Is all that matters of what is read known beforehand? */
@@ -62,20 +105,53 @@ static void end_run(struct inspection *inspection, struct inspector *inspector,
     worker->last = 0;
 }
 
-/* The gap between what is known to be read that `touched` lies in. */
-static struct range gap_around(const struct inspection *inspection, struct range touched) {
-    const struct request *request = &inspection->call->request;
-    struct range gap = {1, UINTPTR_MAX};
-    for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const struct range read = redcc_range_of(request->known[s]);
-        if (redcc_range_empty(read))
+/* What lies around `range` up to the next one that a bound was given for. */
+struct gap {
+    struct range range, free;
+};
+
+static struct gap gap_around(struct range range) {
+    return (struct gap){range, {1, UINTPTR_MAX}};
+}
+
+static void bound_gap(struct gap *gap, struct range other) {
+    if (redcc_range_empty(other))
+        return;
+    if (other.end <= gap->range.first && other.end > gap->free.first)
+        gap->free.first = other.end;
+    if (other.first >= gap->range.end && other.first < gap->free.end)
+        gap->free.end = other.first;
+}
+
+static uintptr_t least(uintptr_t a, uintptr_t b) {
+    return a < b ? a : b;
+}
+
+/* The range and a margin about it. */
+static struct range with_margin(const struct gap *gap) {
+    const size_t size = redcc_range_size(gap->range);
+    return (struct range){gap->range.first - least(size, (gap->range.first - gap->free.first) / 2),
+                          gap->range.end + least(size, (gap->free.end - gap->range.end) / 2)};
+}
+
+static redcc_owner window_of(struct range range) {
+    return (redcc_owner){.first = (const char *)range.first, .size = range.end - range.first};
+}
+
+/* A window has grown: what is clear ends before it. What was read lies on one side of it. */
+static void clear_of(struct inspection *inspection, struct inspector *inspector,
+                     struct range window) {
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {
+        redcc_owner *clear = &inspector->dry_run.clear[s];
+        struct range range = range_of_window(clear);
+        if (!redcc_ranges_overlap(range, window))
             continue;
-        if (read.end <= touched.first && read.end > gap.first)
-            gap.first = read.end;
-        if (read.first >= touched.end && read.first < gap.end)
-            gap.end = read.first;
+        if (range_read(inspection, inspector, s).end <= window.first)
+            range.end = window.first;
+        else
+            range.first = window.end;
+        *clear = window_of(range);
     }
-    return gap;
 }
 
 static void take_touch(struct inspection *inspection, struct inspector *inspector,
@@ -85,23 +161,38 @@ static void take_touch(struct inspection *inspection, struct inspector *inspecto
     struct range touched = {(uintptr_t)entry->address, (uintptr_t)entry->address + entry->bytes};
     if (!all_known)
         touched = redcc_range_union(touched, range_of_window(window));
-    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++)
-        if (redcc_ranges_overlap(range_read(inspection, inspector, s), touched)) {
+    struct gap gap = gap_around(touched);
+    for (uint32_t s = 0; s < inspection->call->request.loop->source_count; s++) {
+        const struct range read = range_read(inspection, inspector, s);
+        if (redcc_ranges_overlap(read, touched)) {
             end_run(inspection, inspector, worker, (struct overlap){s, entry->array});
             return;
         }
-    const struct range within = all_known ? gap_around(inspection, touched) : touched;
-    *window = (redcc_owner){.first = (const char *)within.first, .size = within.end - within.first};
+        bound_gap(&gap, read);
+    }
+    if (all_known)
+        touched = gap.free;
+    else if (inspector->dry_run.has_margins)
+        touched = with_margin(&gap);
+    *window = window_of(touched);
+    if (!all_known)
+        clear_of(inspection, inspector, touched);
 }
 
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source) {
-    const struct range read = range_read(inspection, inspector, source);
-    for (uint32_t array = 0; array < inspection->partition.array_count; array++)
-        if (redcc_ranges_overlap(read, range_of_window(&inspector->dry_run.window[array]))) {
+    struct dry_run *run = &inspector->dry_run;
+    struct gap gap = gap_around(range_read(inspection, inspector, source));
+    for (uint32_t array = 0; array < inspection->partition.array_count; array++) {
+        const struct range window = range_of_window(&run->window[array]);
+        if (redcc_ranges_overlap(gap.range, window)) {
+            run->ended_in_margin = run->has_margins;
             end_run(inspection, inspector, worker, (struct overlap){source, array});
             return true;
         }
+        bound_gap(&gap, window);
+    }
+    run->clear[source] = window_of(gap.free);
     return false;
 }
 
@@ -116,10 +207,14 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
 enum reason redcc_dry_run_finish(struct inspection *inspection) {
     struct inspector *inspector = inspection->inspector[0];
     redcc_memory_give(inspector->dry_run.window);
+    redcc_memory_give(inspector->dry_run.clear);
     redcc_memory_give(inspector->entries);
-    inspector->dry_run.window = NULL;
+    inspector->dry_run.window = inspector->dry_run.clear = NULL;
     inspector->entries = NULL;
+    inspector->dry_run.seconds += redcc_seconds();
     if (inspector->failed)
         return REASON_NO_MEMORY;
+    if (inspector->late)
+        return REASON_DEADLINE;
     return inspector->dry_run.stands ? REASON_NONE : REASON_OVERLAP;
 }

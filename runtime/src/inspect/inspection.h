@@ -30,9 +30,13 @@ enum { REDCC_ENTRIES = 1024 };
 
 /** What the thread that makes it has of a dry run. */
 struct dry_run {
-    redcc_owner *window; /* [array_count] a touch in it is none of what is read; it is what was
-                            touched, or, where all that is read is known, as far as that allows */
-    bool stands;         /* nothing updated was found to be read */
+    redcc_owner *window;  /* [array_count] holds what was touched; a touch in it is none of what
+                             was read, or may be read in what is clear */
+    redcc_owner *clear;   /* [source_count] a read in it is of nothing that a window holds */
+    bool has_margins;     /* windows hold more than what was touched */
+    bool ended_in_margin; /* by a read, perhaps of nothing that was touched */
+    bool stands;          /* nothing updated was found to be read */
+    double seconds;       /* what it took, in the end */
 };
 
 /** One thread's part. What only it writes; others look after the barrier. */
@@ -119,8 +123,9 @@ void redcc_gather_touched(struct inspection *inspection);
 /** Begins it, in the one thread that makes it. False: no memory. */
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** Hands out all iterations. */
-void redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
+/** Hands out the next iterations, all in order by and by. False: none is left, or the run is over.
+ */
+bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker);
 
 /** Takes what was told since: one touch and perhaps an iteration's end. Where it overlaps something
@@ -132,7 +137,7 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
 
-/** It is over, or ended: OVERLAP (and which), NO_MEMORY or NONE. */
+/** It is over, or ended: OVERLAP (and which), DEADLINE, NO_MEMORY or NONE. */
 enum reason redcc_dry_run_finish(struct inspection *inspection);
 
 /* ---- sample (sampling.c) --------------------------------------------------------------------- */
