@@ -78,8 +78,10 @@ static enum way way_concerned(const struct execution *execution) {
 /* The part of the set-up that was done when its deadline came. */
 static double part_done(const struct execution *execution) {
     const struct inspection *inspection = &execution->inspection;
-    if (execution->reason != REASON_DEADLINE || inspection->route == ROUTE_SERIAL)
+    if (execution->reason != REASON_DEADLINE)
         return 0;
+    if (inspection->route == ROUTE_SERIAL)
+        return redcc_dry_run_done(inspection);
     const double swept = redcc_sweep_done(inspection);
     return execution->advice.way == WAY_GRAPH ? swept / 3 : swept;
 }

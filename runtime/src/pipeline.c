@@ -80,7 +80,7 @@ static enum progress dry_run(struct thread_state *thread, redcc_worker *worker) 
 static enum stage after_dry_run(struct execution *execution) {
     const enum reason reason = redcc_dry_run_finish(&execution->inspection);
     execution->inspection.deadline = 0;
-    if (reason == REASON_DEADLINE) /* nothing is swept so far */
+    if (reason == REASON_DEADLINE) /* the way is not decided */
         execution->inspection.route = ROUTE_SERIAL;
     return reason == REASON_NONE ? STAGE_SAMPLE : refuse(execution, reason);
 }

@@ -173,7 +173,8 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
     if (dry_run > 0 && dry_run > entry.deadline) {
         it->so_far.stopped++;
         tell(it, (struct outcome){RESULT_STOPPED, entry.way, call->trip,
-                                  team + entry.deadline + trace->block, 0, 0});
+                                  team + entry.deadline / 16 + trace->block, 0,
+                                  entry.deadline / 16 / dry_run});
         run_sequentially(it, call, true);
         return;
     }

@@ -198,11 +198,11 @@ static void dry_runs(void **unused) {
     (void)unused;
     check_dry_run(0.3, 1, 1.06, 0);
     check_dry_run(0.9, 1, 1.06, 0);
-    check_dry_run(2, 1, 1.07, 1);
-    check_dry_run(5, 1, 1.3, 3);
+    check_dry_run(2, 1, 1.06, 1);
+    check_dry_run(5, 1, 1.1, 1);
     check_dry_run(0.3, 2, 1.01, 0);
     check_dry_run(2, 2, 1.01, 1);
-    check_dry_run(5, 2, 1.02, 3);
+    check_dry_run(5, 2, 1.02, 1);
 }
 
 /* A loop of 2.5 ms, whose sample takes half a millisecond and whose threads take 6 to start; plans

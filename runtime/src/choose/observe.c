@@ -179,12 +179,12 @@ static void observe_left(struct choice_state *state, struct size_state *size,
 
 static void observe_stop(struct size_state *size, const struct outcome *outcome) {
     size->rule = RULE_STOPPED;
-    if (outcome->way == WAY_SEQUENTIAL) { /* a look, by its dry run */
-        size->look = 2 * outcome->seconds;
-        return;
-    }
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
+    if (outcome->way == WAY_SEQUENTIAL) { /* a look, by its dry run */
+        size->look = whole > twice ? whole : twice;
+        return;
+    }
     count_set_up(size, outcome->way, outcome->seconds);
     size->prospect[outcome->way].learned = whole > twice ? whole : twice;
     if (size->stand != STAND_PARALLEL)

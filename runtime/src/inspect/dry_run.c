@@ -57,6 +57,16 @@ static void expect_one(const struct inspector *inspector, redcc_worker *worker) 
     worker->alike = never_settled;
 }
 
+/* Will it be late, as far as it can be told? After a sixteenth of the time it has that is asked. */
+static bool will_be_late(const struct inspection *inspection, const struct inspector *inspector) {
+    if (inspection->deadline == 0)
+        return false;
+    const double left = inspection->deadline - redcc_seconds();
+    const double spent = redcc_seconds() + inspector->dry_run.seconds;
+    const double done = redcc_dry_run_done(inspection);
+    return left < 0 || (15 * spent > left && spent * (1 - done) > left * done);
+}
+
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker) {
     struct dry_run *run = &inspector->dry_run;
@@ -68,7 +78,7 @@ bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspecto
     const redcc_int first = inspector->next;
     if (!run->stands || first == trip)
         return false;
-    inspector->late = redcc_inspection_is_late(inspection);
+    inspector->late = will_be_late(inspection, inspector);
     if (inspector->late)
         return false;
     const bool at_once = inspection->deadline == 0 || trip - first <= REDCC_BLOCK_BEFORE_DEADLINE;
@@ -202,6 +212,10 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
         if (worker->last > 0 && entry->array != REDCC_END_OF_ITERATION)
             take_touch(inspection, inspector, worker, entry);
     expect_one(inspector, worker);
+}
+
+double redcc_dry_run_done(const struct inspection *inspection) {
+    return (double)inspection->inspector[0]->next / (double)inspection->call->request.trip;
 }
 
 enum reason redcc_dry_run_finish(struct inspection *inspection) {

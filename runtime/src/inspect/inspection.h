@@ -123,8 +123,8 @@ void redcc_gather_touched(struct inspection *inspection);
 /** Begins it, in the one thread that makes it. False: no memory. */
 bool redcc_dry_run_start(const struct inspection *inspection, struct inspector *inspector);
 
-/** Hands out the next iterations, all in order by and by. False: none is left, or the run is over.
- */
+/** Hands out the next iterations, all in order by and by. False: none is left, or the run is over,
+ * or it will not end before the deadline. */
 bool redcc_dry_run_hand_out(const struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker);
 
@@ -136,6 +136,9 @@ void redcc_dry_run_take(struct inspection *inspection, struct inspector *inspect
 /** Does what was told of the source overlap what was touched? Then it ends as well. */
 bool redcc_dry_run_is_stale(struct inspection *inspection, struct inspector *inspector,
                             redcc_worker *worker, uint32_t source);
+
+/** The part of the iterations that were told. */
+double redcc_dry_run_done(const struct inspection *inspection);
 
 /** It is over, or ended: OVERLAP (and which), DEADLINE, NO_MEMORY or NONE. */
 enum reason redcc_dry_run_finish(struct inspection *inspection);
