@@ -300,12 +300,40 @@ static ir_node *convert_member(converter *c, CXCursor cursor) {
     return node;
 }
 
+/* Does the builtin ask the compiler about its operands, and evaluate none of them? */
+static bool evaluates_nothing(const ir_node *callee) {
+    static const char *const names[] = {
+        "__builtin_constant_p",     "__builtin_object_size", "__builtin_dynamic_object_size",
+        "__builtin_classify_type",  "__builtin_assume",      "__builtin_nondeterministic_value",
+        "__builtin_counted_by_ref",
+    };
+    for (size_t i = 0; callee->kind == IR_FUNCTION && i < sizeof names / sizeof *names; i++)
+        if (strcmp(callee->function->name, names[i]) == 0)
+            return true;
+    return false;
+}
+
+static bool has_effect(const ir_node *node) {
+    if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+        ir_is_increment(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_effect(node->children[i]))
+            return true;
+    return false;
+}
+
 static ir_node *convert_call(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     int count = clang_Cursor_getNumArguments(cursor);
     if (count < 0 || parts.count != (unsigned)count + 1)
         return opaque_expression(c, cursor, "call");
-    return convert_parts(c, cursor, IR_CALL, &parts);
+    ir_node *call = convert_parts(c, cursor, IR_CALL, &parts);
+    const bool is_asked = call->kind == IR_CALL && evaluates_nothing(call->children[0]);
+    for (unsigned i = 1; is_asked && i < call->child_count; i++)
+        if (has_effect(call->children[i]))
+            return opaque_expression(c, cursor, "operand that is not evaluated");
+    return call;
 }
 
 /* ---- casts, literals ----------------------------------------------------------------------- */

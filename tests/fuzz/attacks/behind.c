@@ -48,8 +48,10 @@ static void put_plain(attack *a) {
         "x += 1;\n",
         "{\nunsigned v = x;\ny += v;\n}\n",
         "y += (x = 7) + " CHOICE ";\n",
+        "(void)__builtin_constant_p(x = 1);\n",
+        "y += (unsigned)sizeof(x = 1);\n",
     };
-    put(a, PART_GLOBALS, "%s", text(a, "%s", statements[below(a, 12)]));
+    put(a, PART_GLOBALS, "%s", text(a, "%s", statements[below(a, 14)]));
 }
 
 static void put_jump(attack *a, place p) {
