@@ -80,6 +80,10 @@ variable_facts *variable_facts_new(arena *a, const ir_unit *unit, must_write *pr
     return all;
 }
 
+const ir_unit *variable_facts_unit(const variable_facts *facts) {
+    return facts->unit;
+}
+
 const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable) {
     return &facts->facts[variable->id];
 }

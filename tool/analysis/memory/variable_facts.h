@@ -24,6 +24,8 @@ typedef struct variable_facts variable_facts;
 
 variable_facts *variable_facts_new(arena *a, const ir_unit *unit, must_write *prover);
 
+const ir_unit *variable_facts_unit(const variable_facts *facts);
+
 /** Facts of one variable; of locals and parameters complete, of others as far as this file goes. */
 const variable_fact *variable_fact_of(variable_facts *facts, const ir_variable *variable);
 

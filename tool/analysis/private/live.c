@@ -2,11 +2,13 @@
 /*
  * Backward liveness of one variable, asked forward: what may be the first thing done with it on the
  * ways from the end of the loop? Structured control only; a label anywhere in the function makes
- * every other occurrence count.
+ * every other occurrence count. So does a directive of OpenMP: its clauses read variables and give
+ * constructs copies of their own, of which the tree tells nothing.
  */
 #include "analysis/private/live.h"
 
 #include "analysis/base/expression.h"
+#include "analysis/base/loop_text.h"
 
 /* The ways that control may go through a piece of the program, up to the first use of the variable.
  * One that writes all of it first, or ends the function, is none of them. */
@@ -214,6 +216,9 @@ static ways ways_behind(const search *s, const ir_node *node, ways all) {
 bool variable_is_live_after(variable_facts *facts, const ir_node *loop,
                             const ir_variable *variable) {
     const search s = {variable, loop};
+    const ir_unit *unit = variable_facts_unit(facts);
+    if (!variable->function || text_openmp_in(unit->arena, unit, variable->function))
+        return true;
     /* The loop itself may be reached again, by a jump or in a loop around it. */
     if (!occurs_elsewhere(facts, loop, variable) && !(ways_of(&s, loop) & WAY_READS))
         return false;
