@@ -48,7 +48,8 @@ static bool read_one(redcc_worker *worker, redcc_u32 source, int place) {
     redcc_read(worker, source, &pool[place], sizeof *pool);
     if (redcc_is_over(worker, source))
         return false;
-    stale_reads += is_dry(worker) && updated[place];
+    if (is_dry(worker) && updated[place])
+        stale_reads++;
     return true;
 }
 
@@ -73,7 +74,6 @@ static bool run(int threads) {
     void *const bases[] = {pool, pool};
     const redcc_extent known[] = {{(const char *)pool, 0}, {(const char *)pool, 0}};
     redcc_call call;
-    redcc_loop_forget(&loop);
     assert_true(redcc_enter(&call, &loop, TRIP, bases, known, 0, threads, 0));
 #pragma omp parallel num_threads(call.threads)
     {
@@ -87,7 +87,9 @@ static bool run(int threads) {
         while (redcc_next(&worker))
             continue;
     }
-    return redcc_leave(&call);
+    const bool is_done = redcc_leave(&call);
+    redcc_loop_forget(&loop);
+    return is_done;
 }
 
 static unsigned long random_state = 7;
