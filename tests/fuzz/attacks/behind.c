@@ -25,8 +25,7 @@ static place inside(place p) {
 static void put_loop(attack *a) {
     static const char *const loops[] = {
         "for (int t = 0; t < n; t++) {\nx = s[t] & 7;\nh[s[t]] += x;\n}\n",
-        "for (int t = 0; t < n; t++) {\nif (s[t] & 1)\ncontinue;\nx = s[t] & 7;\nh[s[t]] += "
-        "x;\n}\n",
+        "for (int t = 0; t < n; t++) {\nif (s[t] & 1)\ncontinue;\nx = s[t];\nh[x] += 1;\n}\n",
         "for (int t = 0; t < n; t++) {\nif (s[t] %% 3 == 0)\nx = s[t];\nh[s[t]] += 1;\n}\n",
         "for (x = 0; x < (unsigned)n; x++)\nh[s[x]] += 1;\n",
         "for (int t = 0; t < n; t++)\nfor (x = 0; x < 3; x++)\nh[s[t + x]] += x;\n",
