@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Attack 68: behind the loop the program has OpenMP directives of its own, whose clauses read what
+// Attack 68: behind the loop the program itself has OpenMP directives, whose clauses read what
 // the loop leaves, or give a construct its own copy, so that an assignment in it writes another
 // variable. Neighbours: the same function without directives.
 // CFLAGS: -O2 -fopenmp

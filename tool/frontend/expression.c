@@ -313,16 +313,6 @@ static bool evaluates_nothing(const ir_node *callee) {
     return false;
 }
 
-static bool has_effect(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
-        ir_is_increment(node))
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_effect(node->children[i]))
-            return true;
-    return false;
-}
-
 static ir_node *convert_call(converter *c, CXCursor cursor) {
     cursor_list parts = children_of(c, cursor);
     int count = clang_Cursor_getNumArguments(cursor);
@@ -331,7 +321,7 @@ static ir_node *convert_call(converter *c, CXCursor cursor) {
     ir_node *call = convert_parts(c, cursor, IR_CALL, &parts);
     const bool is_asked = call->kind == IR_CALL && evaluates_nothing(call->children[0]);
     for (unsigned i = 1; is_asked && i < call->child_count; i++)
-        if (has_effect(call->children[i]))
+        if (ir_has_effect(call->children[i]))
             return opaque_expression(c, cursor, "operand that is not evaluated");
     return call;
 }

@@ -18,6 +18,16 @@ bool ir_is_increment(const ir_node *node) {
            node->op <= IR_OP_POST_DECREMENT;
 }
 
+bool ir_has_effect(const ir_node *node) {
+    if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
+        ir_is_increment(node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (ir_has_effect(node->children[i]))
+            return true;
+    return false;
+}
+
 /* Is the value that `child` gives to its parent used there? */
 static bool parent_uses_value(const ir_node *parent, const ir_node *child) {
     switch (parent->kind) {

@@ -356,6 +356,9 @@ bool ir_is_expression(const ir_node *node);
 bool ir_is_loop(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
+/** May evaluating the expression do more than give a value: does it assign, call, or hold what is
+ *  opaque? */
+bool ir_has_effect(const ir_node *node);
 /** Is the value of this expression used by what is around it? (not: an expression statement, the
  *  left side of a comma, the header's initialisation and increment, a cast to void) */
 bool ir_value_is_used(const ir_node *node);

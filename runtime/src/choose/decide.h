@@ -44,8 +44,8 @@ struct situation {
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
     double start;   /**< seconds that starting those that are not there takes; 0: all are */
-    double spent;   /**< seconds of the inspection that this is asked in, so far; */
-    double dried;   /**< those of its dry run among them */
+    double spent;   /**< seconds of the inspection that this is asked in, so far */
+    double dried;   /**< seconds of `spent` that its dry run took */
     enum kept_match kept[WAY_COUNT];
     int steady;    /**< calls in a row whose sampled subscripts were those of one of the last calls;
                         -1: not known */

@@ -181,12 +181,13 @@ static void observe_stop(struct size_state *size, const struct outcome *outcome)
     size->rule = RULE_STOPPED;
     const double whole = outcome->done > 0.01 ? outcome->seconds / outcome->done : 0;
     const double twice = 2 * outcome->seconds;
+    const double expected = whole > twice ? whole : twice;
     if (outcome->way == WAY_SEQUENTIAL) { /* a look, by its dry run */
-        size->look = whole > twice ? whole : twice;
+        size->look = expected;
         return;
     }
     count_set_up(size, outcome->way, outcome->seconds);
-    size->prospect[outcome->way].learned = whole > twice ? whole : twice;
+    size->prospect[outcome->way].learned = expected;
     if (size->stand != STAND_PARALLEL)
         size->stand = STAND_SAVING;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* A variable that the loop assigns, and behind the loop, or around it, statements of all kinds that
- * may read it or write it first: a function of its own, with a loop somewhere in it. */
+ * may read it or write it first: a separate function, with a loop somewhere in it. */
 #include "fuzz/attacks/attack.h"
 
 enum { DEEPEST = 4 };

@@ -75,13 +75,7 @@ bool expression_mentions(const ir_node *node, const ir_variable *variable) {
 }
 
 bool expression_is_plain(const ir_node *node) {
-    if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
-        ir_is_increment(node))
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!expression_is_plain(node->children[i]))
-            return false;
-    return true;
+    return !ir_has_effect(node);
 }
 
 static bool is_array(const ir_node *node) {
