@@ -157,15 +157,18 @@ static void put_pair(kernel *k, const char *counter, buffer *b) {
 /* The bound is set in the header; the counter's address may be known, and not used in the loop. */
 static void put_bound(kernel *k, const char *counter, buffer *b) {
     const char *end = new_name(k, "a");
-    k->has_plain_header = k->may_continue = k->has_outer_counter = true;
+    const bool is_known = chance(k, 50);
+    // A body that counts up as well would never bring a loop downwards to its end.
+    k->has_plain_header = chance(k, 50);
+    k->may_continue = k->has_outer_counter = true;
     k->counter_type = "int";
     put(k, &k->locals, "    int %s%s, %s;\n", counter, k->without ? " = 0" : "", end);
-    if (chance(k, 50)) {
+    if (is_known) {
         const char *at = new_name(k, "at");
         put(k, &k->locals, "    int *const %s = &%s;\n", at, counter);
         put(k, &k->after, "    live[%d] = (double)*%s;\n", k->live++ % 8, at);
     }
-    if (chance(k, 50))
+    if (k->has_plain_header)
         put(k, b, "for (%s = 0, %s = (int)%s; %s < %s; %s++) ", counter, end, k->trip, counter, end,
             counter);
     else
