@@ -172,11 +172,11 @@ static void put_update(attack *a, const char *subscript, const char *value) {
 }
 
 static operand make_feature(attack *a) {
-    static feature *const features[] = {wrapped_extents,  wrapped_extents,     hidden_names,
-                                        shadowed_in_body, addresses_as_values, block_restrict,
-                                        changed_types,    names_like_builtins, values_of_the_thread,
-                                        searches,         floating_subscripts, odd_text,
-                                        beside_scalars,   made_valid,          behind_the_loop};
+    static feature *const features[] = {
+        wrapped_extents,      wrapped_extents, hidden_names,        shadowed_in_body,
+        addresses_as_values,  block_restrict,  changed_types,       names_like_builtins,
+        values_of_the_thread, searches,        floating_subscripts, odd_text,
+        beside_scalars,       made_valid,      behind_the_loop,     slices};
     operand o = features[below(a, (int)(sizeof features / sizeof *features))](a);
     a->features++;
     return o;

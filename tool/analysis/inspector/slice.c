@@ -124,9 +124,11 @@ static bool is_of_iteration(const slicer *s, const ir_variable *variable) {
     return declarator && ir_contains(s->j->loop, declarator);
 }
 
-/* An occurrence of a variable in memory: does it only read or write it in place, or hand it to a
- * call? What is kept in pointers is not followed. */
-static bool is_followed(const ir_node *node) {
+/* What becomes of a variable in memory where it occurs. What is kept in pointers is not followed.
+ */
+typedef enum use_kind { USE_IN_PLACE, USE_BY_CALL, USE_UNKNOWN } use_kind;
+
+static use_kind use_kind_of(const ir_node *node) {
     const ir_node *parent = node->parent;
     while (parent && ((parent->kind == IR_INDEX && parent->children[0] == node && node->type &&
                        node->type->kind == IR_ARRAY) ||
@@ -134,22 +136,14 @@ static bool is_followed(const ir_node *node) {
         node = parent;
         parent = node->parent;
     }
-    bool is_array = node->type && node->type->kind == IR_ARRAY;
+    bool is_address = node->type && node->type->kind == IR_ARRAY;
     if (parent && parent->kind == IR_UNARY && parent->op == IR_OP_ADDRESS) {
-        node = parent;
-        parent = node->parent;
-        is_array = true;
+        parent = parent->parent;
+        is_address = true;
     }
-    return !is_array || (parent && parent->kind == IR_CALL);
-}
-
-static bool hands_over(const ir_node *node) {
-    while (node->parent && ir_is_expression(node->parent)) {
-        if (node->parent->kind == IR_CALL)
-            return true;
-        node = node->parent;
-    }
-    return false;
+    if (!is_address)
+        return USE_IN_PLACE;
+    return parent && parent->kind == IR_CALL ? USE_BY_CALL : USE_UNKNOWN;
 }
 
 static bool is_in_memory(const ir_variable *variable) {
@@ -216,9 +210,10 @@ static void need_part(slicer *s, needed_part part) {
         const ir_node *use = fact->occurrences.items[i];
         if (!ir_contains(loop, use) || !concerns(part.field, part_of(use)))
             continue;
-        if (!is_followed(use))
+        const use_kind kind = use_kind_of(use);
+        if (kind == USE_UNKNOWN)
             fail(s, use);
-        else if (hands_over(use))
+        else if (kind == USE_BY_CALL)
             keep_statement(s, expression_place(use), NULL);
     }
 }
@@ -248,6 +243,19 @@ static void need_call(slicer *s, const ir_node *call) {
                            !s->is_integer_only && !unit_text_has_own_options(s->j->an->text));
 }
 
+/* What the loop leaves is the executor's to write: the slice is executed as well. */
+static bool writes_shared(const slicer *s, const ir_node *node) {
+    if (node->kind != IR_CALL && !expression_written(node))
+        return false;
+    for (unsigned i = 0; i < s->j->access_count; i++) {
+        const loop_access *a = &s->j->accesses[i];
+        if (a->access.kind != ACCESS_READ && a->class != CLASS_SCALAR &&
+            ir_contains(node, a->access.node))
+            return true;
+    }
+    return false;
+}
+
 /* The value is needed, and when it is stored; not the element. */
 static void need_forward(slicer *s, const forwarded_store *store) {
     if (s->keep[store->statement->id])
@@ -267,6 +275,8 @@ static void need_expression(slicer *s, const ir_node *node) {
         fail(s, node); /* data, which another execution may find changed */
     if (expression_is_floating_work(node))
         need_floating_work(s, node, is_repeatable(s, node));
+    if (writes_shared(s, node))
+        fail(s, node);
     if (node->kind == IR_CALL)
         need_call(s, node);
     if (node->kind == IR_VARIABLE)
