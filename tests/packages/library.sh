@@ -57,6 +57,9 @@ make_all() {
   { time "$@" >>build.log 2>&1; } 2>>build-seconds
 }
 
+# compile FILE...: each with $CC and the words of $flags, $jobs at once; objects go to the current folder.
+compile() { printf '%s\0' "$@" | flags="-O2 ${flags:-}" xargs -0 -n 1 -P "$jobs" sh -c '$CC $flags -c "$0"'; }
+
 # build_with KIND COMPILER: a fresh copy of the source, built. KIND names the folder.
 build_with() {
   local folder=$PACKAGES_FOLDER/builds/$package/$1
