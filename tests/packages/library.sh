@@ -90,8 +90,12 @@ time_work() {
 median() { sort -g | awk '{v[NR]=$1} END {if (NR) printf "%.3g\n", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2}'; }
 seconds_of() { awk '{s += $1 + $2} END {printf "%.2f\n", s}' "$PACKAGES_FOLDER/builds/$package/$1/build-seconds"; }
 
-# Loops of the build's report, files compiled twice counted once.
-loops() { jq -rs '[.[] | {file} + .loops[]] | unique | .[] | '"$1" "$PACKAGES_FOLDER/builds/$package/loops.jsonl"; }
+# Loops of the build's report. A file compiled more than once, with other macros or names of functions
+# too, counts once for each answer that a loop gets.
+loops() {
+  jq -rs '[.[] | {file} + .loops[]] | unique_by([.file, .line, .column, .verdict, .reason.slug]) | .[] | '"$1" \
+    "$PACKAGES_FOLDER/builds/$package/loops.jsonl"
+}
 
 # One build by each compiler, one after the other: processor seconds with redcc-cc and without.
 build_round() {
