@@ -12,8 +12,8 @@ build() {
 }
 fann_programs() {
   local flags="-DFANN_NO_SEED -I../src/include" program
-  cd examples && compile ../src/floatfann.c || return
-  for program in $fann_examples; do "$CC" -O2 $flags $program.c floatfann.o -lm -o $program || return; done
+  cd examples && compile ../src/fann.c ../src/fann_{cascade,error,io,train,train_data}.c || return
+  for program in $fann_examples; do "$CC" -O2 $flags $program.c fann*.o -lm -o $program || return; done
 }
 check() {
   local program
