@@ -5,11 +5,14 @@
 # of redcc-cc's at 1 and 2 threads, in turns; ratios are of one round. What is printed must be the
 # same to the byte, in every run. Sources of SuiteSparse come from Debian (build/packages; the first
 # time by network). The share of a run that its loops take is found by perf where that is there.
-#   ROUNDS=5 PROGRAMS="molecules bricks euler transport plate"
+#   ROUNDS=5 PROGRAMS="molecules bricks euler transport plate" SMALL= (1: the tests' sizes)
 . bench/common.sh
 . bench/real/library.sh
 rounds=${ROUNDS:-5}
 read -r -a programs <<<"${PROGRAMS:-${real_programs[*]}}"
+if [ -n "${SMALL:-}" ]; then
+  for name in "${real_programs[@]}"; do real_size[$name]=${test_size[$name]}; done
+fi
 export PACKAGES_FOLDER=${PACKAGES_FOLDER:-$PWD/build/packages} OMP_WAIT_POLICY=passive
 csv=$results/real.csv
 prefix=$work/prefix

@@ -37,7 +37,8 @@ build_real() {
       "$folder"/SuiteSparse_config/libsuitesparseconfig.a -lm -o "$folder/$name" ;;
   plate) cp -r "$PACKAGES_FOLDER"/sources/suitesparse/{CSparse,SuiteSparse_config} "$folder" &&
     make -C "$folder"/CSparse/Lib -j "$(nproc)" CC="$compiler" CFLAGS="${flags[*]}" static &&
-    "$compiler" "${flags[@]}" -I"$folder"/CSparse/Include "$source" "$folder"/CSparse/Lib/libcsparse.a -lm -o "$folder/$name" ;;
+    "$compiler" "${flags[@]}" -I"$folder"/CSparse/Include "$source" "$folder"/CSparse/Lib/libcsparse.a -lm \
+      -o "$folder/$name" ;;
   *) "$compiler" "${flags[@]}" "$source" -lm -o "$folder/$name" ;;
   esac
 }
