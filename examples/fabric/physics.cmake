@@ -4,7 +4,7 @@ set(FABRIC_PHYSICS_SOURCES)
 foreach(source
     simulation.c team.c simulation_state.c simulation_archive.c archive.c integrator.c newton.c forces.c motion.c collision.c pin.c shape.c constraint.c solver.c solver_precondition.c
     solver_factor.c solver_domains.c solver_domains_layout.c solver_domains_passes.c solver_packed.c solver_direct.c solver_fallback.c
-    system.c sparse_product.c full_product.c
+    system.c sparse_product.c
     effects/triangle.c effects/triangle_elements.c effects/hinge.c effects/hinge_elements.c
     effects/drag.c effects/drag_along.c effects/drag_work.c effects/damping.c
     effects/strain_limit.c effects/strain_limit_list.c
@@ -14,9 +14,3 @@ endforeach()
 # Built without OpenMP, its pragmas on regular loops mean nothing.
 set_source_files_properties(${FABRIC_PHYSICS_SOURCES} PROPERTIES
                             COMPILE_OPTIONS -Wno-unknown-pragmas)
-
-# Measures one of its choices; by hand: cmake --build ... --target bench_product.
-if(CMAKE_CURRENT_LIST_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
-  add_executable(bench_product EXCLUDE_FROM_ALL bench_product.c)
-  target_link_libraries(bench_product PRIVATE fabric_physics redcc_warnings)
-endif()

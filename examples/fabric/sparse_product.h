@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Products of a matrix of 3x3 blocks with a vector. */
+/** The product of a matrix of 3x3 blocks with a vector. */
 #ifndef FABRIC_SPARSE_PRODUCT_H
 #define FABRIC_SPARSE_PRODUCT_H
 
@@ -7,8 +7,5 @@
 
 /** y += A x, A symmetric and given by its half. x, y [A->row_count], apart from each other. */
 void half_product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
-
-/** y = F x, every block of F stored. x, y [F->row_count], apart from each other. */
-void full_product(const block_matrix *F, const double (*x)[3], double (*y)[3]);
 
 #endif

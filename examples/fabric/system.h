@@ -45,9 +45,6 @@ void system_reset(linear_system *s, const double *mass, const double gravity[3],
  *  [count * size (size + 1) / 2], (i,i) (i,j) ... (j,j) ... of one element after the other. */
 void block_matrix_locate(const block_matrix *A, const element_list *list, int *block);
 
-/** All blocks, above and below the diagonal, of the matrix whose half is given: for comparing
- *  products. 0, or -1: out of memory. */
-int block_matrix_complete(const block_matrix *half, block_matrix *full);
 void block_matrix_free(block_matrix *A);
 
 #endif

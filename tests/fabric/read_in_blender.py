@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Within Blender: the exports of a run in the folder at hand, read back and compared, vertex by vertex,
-with the OBJ files of the same frames, which it reads by itself. Exits 1 where one is off."""
+with the VTK files of the same frames, which it reads by itself. Exits 1 where one is off."""
 import math
 import os
 import sys
+import xml.etree.ElementTree
 
 import bpy
 import numpy
@@ -12,9 +13,9 @@ numpy.bool = bool  # Debian 12's Blender asks for a name that its numpy has no m
 NEAREST_FLOAT = 1e-6  # m: glTF has differences of floats
 
 
-def obj_points(path):
-    with open(path, encoding="ascii") as file:
-        return [tuple(map(float, line.split()[1:4])) for line in file if line.startswith("v ")]
+def vtu_points(path):
+    numbers = xml.etree.ElementTree.parse(path).find(".//Points/DataArray").text.split()
+    return [tuple(map(float, numbers[k : k + 3])) for k in range(0, len(numbers), 3)]
 
 
 def points(thing):
@@ -39,13 +40,19 @@ def at(time):
     bpy.context.scene.frame_set(math.floor(time), subframe=time % 1)
 
 
-def read_gltf(name):
+def import_gltf(name):
+    """The cloth of such a file, beside its two colliders."""
     clear()
     bpy.ops.import_scene.gltf(filepath=os.path.abspath(name), merge_vertices=False)
     meshes = [thing for thing in bpy.data.objects if thing.type == "MESH"]
     cloth = next(thing for thing in meshes if thing.data.shape_keys)
     if len(cloth.data.shape_keys.key_blocks) != len(frames) or len(meshes) != 3:
         sys.exit(f"{name}: expected {len(frames)} shapes of the cloth, and two colliders")
+    return cloth
+
+
+def read_gltf(name):
+    cloth = import_gltf(name)
     animation = cloth.data.shape_keys.animation_data
     animation.action = animation.action or animation.nla_tracks[0].strips[0].action
     for time, expected in zip(animation.action.frame_range, ends):
@@ -53,34 +60,22 @@ def read_gltf(name):
         compare(name, points(cloth), expected)
 
 
-def read_cache(form):
-    clear()
-    path = os.path.join("obj", frames[0])
-    bpy.ops.wm.obj_import(filepath=os.path.abspath(path), forward_axis="Y", up_axis="Z")
-    cloth = bpy.data.objects[0]
+def read_cache(name):
+    cloth = import_gltf("cloth.glb")
+    cloth.shape_key_clear()
     cache = cloth.modifiers.new("cache", "MESH_CACHE")
-    cache.cache_format = form.upper()
-    cache.filepath = os.path.abspath(f"cloth.{form}")
+    cache.cache_format = "PC2"
+    cache.filepath = os.path.abspath(name)
     cache.forward_axis, cache.up_axis = "POS_Y", "POS_Z"
     cache.frame_start = 0
     for time, expected in zip((0, len(frames) - 1), ends):
         at(time)
-        compare(form, points(cloth), expected)
+        compare(name, points(cloth), expected)
 
 
-def read_ply():
-    for name, expected in zip((frames[0], frames[-1]), ends):
-        clear()
-        path = os.path.join("ply", name.replace(".obj", ".ply"))
-        bpy.ops.import_mesh.ply(filepath=os.path.abspath(path))
-        compare(path, points(bpy.data.objects[0]), expected)
-
-
-frames = sorted(name for name in os.listdir("obj") if name.endswith(".obj"))
-ends = [obj_points(os.path.join("obj", name)) for name in (frames[0], frames[-1])]
+frames = sorted(name for name in os.listdir("vtu") if name.endswith(".vtu"))
+ends = [vtu_points(os.path.join("vtu", name)) for name in (frames[0], frames[-1])]
 read_gltf("cloth.glb")
 read_gltf("cloth.gltf")
-read_cache("pc2")
-read_cache("mdd")
-read_ply()
+read_cache("cloth.pc2")
 print("Blender has read all back")

@@ -163,11 +163,15 @@ static const char integrator_plot[] =
     "set xlabel 'CPU time of the run, s'\nset xtics @nice\n" \
     "set ylabel 'error of the algebra alone, mm (root mean square)'\nset format y '10^{%L}'\n" \
     "set xrange [fast / 1.5 : slow * 2]\n" \
-    "coarse(k) = is(k) && column(6) == 1e-2\nset yrange [* : 1e5]\n" \
+    "stats '" NAME ".csv' skip 2 using ($6 > 0 ? $6 : NaN) nooutput\nfinest = STATS_min\n" \
+    "stats '" NAME ".csv' skip 2 using ($14 > 0 ? $14 * 1e3 : NaN) nooutput\n" \
+    "least = STATS_min / 3\nmost = STATS_max * 10\n" \
+    "stats '" NAME ".csv' skip 2 using ($6 > 0 && $14 > 0 ? $14 * 1e3 : NaN) nooutput\n" \
+    "room = STATS_min / 2e4 # for the labels\nset yrange [least < room ? least : room : most]\n" \
     "plot for [k in names] '" NAME ".csv' skip 2 using 11:(is(k) ? $14 * 1e3 : NaN) " \
     "with linespoints lw 2 pt 7 lc rgb color(words(names[1:strstrt(names, k)])), " \
-    "for [k in names] '' skip 2 using (coarse(k) ? $11 : NaN):($14 * 1e3):(k) " \
-    "with labels left rotate by 50 offset 0.3,0.7 tc rgb color(words(names[1:strstrt(names, k)])), " \
+    "for [k in names] '' skip 2 using (is(k) && $6 == finest ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels left rotate by -50 offset 0.3,-0.7 tc rgb color(words(names[1:strstrt(names, k)])), " \
     "'' skip 2 using (is('direct') ? $11 : NaN):($14 * 1e3):('direct') with labels left offset 1,0\n"
 
 static const char mesh_plot[] =
@@ -225,7 +229,7 @@ static const char horizon_plot[] =
     "set xlabel 'time, s'\nset ylabel 'distance from the run that was not moved, mm'\n"
     "set xrange [0 : end]\nset yrange [* : 1e3]\n"
     "set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead dt 2 lc 'black'\n"
-    "set label 1 '1 mm' at graph 0.01, first 1 offset 0,0.7\n"
+    "set label 1 '1 mm' at graph 0.99, first 1 right offset 0,0.7\n"
     "set label 2 'each of 16 runs whose starts are 1e-6 mm apart' at graph 0.98, graph 0.08 right "
     "tc rgb '#777777'\n"
     "set label 3 'mean of all' at graph 0.98, graph 0.15 right tc rgb color(2)\n"

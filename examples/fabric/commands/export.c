@@ -13,17 +13,16 @@
 
 enum { FORMAT, OUTPUT, WIDTH, HEIGHT };
 static const option export_options[] = {
-    [FORMAT] = {"--format", "FORMAT", "pc2, mdd, obj, ply, vtu, gltf, glb or mp4 (default pc2)"},
+    [FORMAT] = {"--format", "FORMAT", "pc2, vtu, gltf, glb or mp4 (default pc2)"},
     [OUTPUT] = {"-o", "PATH",
-                "where to: a folder for obj, ply and vtu (default DIR/FORMAT), a file "
-                "for the others (default DIR/cloth.FORMAT)"},
+                "where to: a folder for vtu (default DIR/vtu), a file for the others (default "
+                "DIR/cloth.FORMAT)"},
     [WIDTH] = {"--width", "N", "mp4: of the pictures, in pixels, even (default 960)"},
     [HEIGHT] = {"--height", "N", "mp4: of the pictures, in pixels, even (default 720)"},
     {NULL, NULL, NULL}};
 
-typedef enum format { PC2, MDD, OBJ, PLY, VTU, GLTF, GLB, MP4 } format;
-static const char *const formats[] = {"pc2",  "mdd", "obj", "ply", "vtu",
-                                      "gltf", "glb", "mp4", NULL};
+typedef enum format { PC2, VTU, GLTF, GLB, MP4 } format;
+static const char *const formats[] = {"pc2", "vtu", "gltf", "glb", "mp4", NULL};
 
 /** A run's folder being exported. */
 typedef struct job {
@@ -79,25 +78,21 @@ static void close_job(job *j) {
     frames_close(&j->frames);
 }
 
-/** A file for each frame, NNNN.FORMAT; of vtu a collection, cloth.pvd, as well. */
-static int write_files(job *j, format as) {
-    static int (*const write_file[])(const cloth_frames *, const state *, const char *) = {
-        [OBJ] = obj_frame_write, [PLY] = ply_write, [VTU] = vtu_write};
+/** A file for each frame, NNNN.vtu, and the collection of them, cloth.pvd. */
+static int write_vtu(job *j) {
     char path[FILE_PATH_SIZE];
     if (files_make_folder(j->path) != 0)
         return -1;
     for (int k = 0; k < j->frames.count; k++) {
         state s;
-        snprintf(j->name[k], sizeof j->name[k], "%04ld.%s", j->frames.steps[k], formats[as]);
+        snprintf(j->name[k], sizeof j->name[k], "%04ld.vtu", j->frames.steps[k]);
         if (files_join(path, j->path, j->name[k]) != 0 || frames_read(&j->frames, k, &s) != 0)
             return -1;
-        const int status = write_file[as](&j->of, &s, path);
+        const int status = vtu_write(&j->of, &s, path);
         state_free(&s);
         if (status != 0)
             return -1;
     }
-    if (as != VTU)
-        return 0;
     return files_join(path, j->path, "cloth.pvd") == 0 ? pvd_write(&j->of, j->name, path) : -1;
 }
 
@@ -118,19 +113,16 @@ static int write_all(job *j, format as) {
         return write_gltf(j, as == GLB);
     case MP4:
         return video_write(j->folder, j->width, j->height, j->path);
-    case PC2:
-        return pc2_write(&j->of, j->path);
-    case MDD:
-        return mdd_write(&j->of, j->path);
+    case VTU:
+        return write_vtu(j);
     default:
-        return write_files(j, as);
+        return pc2_write(&j->of, j->path);
     }
 }
 
 static int choose_path(job *j, format as, const char *given) {
     char name[32];
-    const int is_folder = as == OBJ || as == PLY || as == VTU;
-    snprintf(name, sizeof name, is_folder ? "%s" : "cloth.%s", formats[as]);
+    snprintf(name, sizeof name, as == VTU ? "%s" : "cloth.%s", formats[as]);
     if (!given)
         return files_join(j->path, j->folder, name);
     if (snprintf(j->path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
@@ -182,10 +174,10 @@ static int run(const command *self, int argc, char **argv) {
     return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-const command export_command = {"export", "DIR [options]",
-                                "Writes the frames of a run for other programs: point caches (pc2, "
-                                "mdd: Blender's\nmesh cache), "
-                                "one animated file with the colliders (gltf, glb), a film (mp4, by "
-                                "ffmpeg),\nor a file for each "
-                                "frame (obj, ply; vtu with a collection, for ParaView).",
-                                export_options, run};
+const command export_command = {
+    "export", "DIR [options]",
+    "Writes the frames of a run for other programs: a point cache (pc2: "
+    "Blender's mesh\ncache), one animated file with the colliders "
+    "(gltf, glb), a film (mp4, by ffmpeg), or\na file for each frame "
+    "with a collection of them (vtu, for ParaView).",
+    export_options, run};

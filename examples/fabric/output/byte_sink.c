@@ -25,7 +25,7 @@ static void put_byte(byte_sink *to, unsigned char byte) {
 
 void byte_sink_word(byte_sink *to, uint32_t word) {
     for (int k = 0; k < 4; k++)
-        put_byte(to, (unsigned char)(word >> (to->order == BIG ? 24 - 8 * k : 8 * k)));
+        put_byte(to, (unsigned char)(word >> 8 * k));
 }
 
 void byte_sink_float(byte_sink *to, double number) {

@@ -1,18 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Numbers into a file, byte by byte in an order that is not the machine's to choose; as they are,
- *  or as base64 (RFC 4648). Errors are the file's (ferror). */
+/** Numbers into a file, byte by byte, the lowest first whatever the machine's order is; as they
+ * are, or as base64 (RFC 4648). Errors are the file's (ferror). */
 #ifndef FABRIC_OUTPUT_BYTE_SINK_H
 #define FABRIC_OUTPUT_BYTE_SINK_H
 
 #include <stdint.h>
 #include <stdio.h>
 
-typedef enum byte_order { LITTLE, BIG } byte_order;
-
-/** Start with {file, order, is_base64, {0}, 0}. */
+/** Start with {file, is_base64, {0}, 0}. */
 typedef struct byte_sink {
     FILE *file;
-    byte_order order;
     int is_base64;
     unsigned char pending[3]; /* of base64, until there are three */
     int count;

@@ -20,7 +20,7 @@ int pc2_write(const cloth_frames *frames, const char *path) {
     fresh_file f;
     if (fresh_file_open(&f, path) != 0)
         return -1;
-    byte_sink to = {f.file, LITTLE, 0, {0}, 0};
+    byte_sink to = {f.file, 0, {0}, 0};
     fwrite("POINTCACHE2", 1, 12, f.file); /* with its 0 */
     byte_sink_word(&to, 1);
     byte_sink_word(&to, (uint32_t)frames->vertex_count);
@@ -28,49 +28,6 @@ int pc2_write(const cloth_frames *frames, const char *path) {
     byte_sink_float(&to, 1); /* frames a sample */
     byte_sink_word(&to, (uint32_t)frames->count);
     return fresh_file_close(&f, put_positions(frames, &to));
-}
-
-int mdd_write(const cloth_frames *frames, const char *path) {
-    fresh_file f;
-    if (fresh_file_open(&f, path) != 0)
-        return -1;
-    byte_sink to = {f.file, BIG, 0, {0}, 0};
-    byte_sink_word(&to, (uint32_t)frames->count);
-    byte_sink_word(&to, (uint32_t)frames->vertex_count);
-    for (int number = 0; number < frames->count; number++)
-        byte_sink_float(&to, frames->time[number]);
-    return fresh_file_close(&f, put_positions(frames, &to));
-}
-
-int ply_write(const cloth_frames *frames, const state *s, const char *path) {
-    fresh_file f;
-    if (fresh_file_open(&f, path) != 0)
-        return -1;
-    fprintf(f.file, "ply\nformat ascii 1.0\ncomment time %.9g s\n", s->time);
-    fprintf(f.file, "element vertex %d\nproperty float x\nproperty float y\nproperty float z\n",
-            frames->vertex_count);
-    fprintf(f.file, "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
-            frames->triangle_count);
-    for (int v = 0; v < frames->vertex_count; v++)
-        fprintf(f.file, "%.9g %.9g %.9g\n", s->position[3 * v], s->position[3 * v + 1],
-                s->position[3 * v + 2]);
-    for (int t = 0; t < frames->triangle_count; t++)
-        fprintf(f.file, "3 %d %d %d\n", frames->triangle[3 * t], frames->triangle[3 * t + 1],
-                frames->triangle[3 * t + 2]);
-    return fresh_file_close(&f, 0);
-}
-
-int obj_frame_write(const cloth_frames *frames, const state *s, const char *path) {
-    fresh_file f;
-    if (fresh_file_open(&f, path) != 0)
-        return -1;
-    for (int v = 0; v < frames->vertex_count; v++)
-        fprintf(f.file, "v %.17g %.17g %.17g\n", s->position[3 * v], s->position[3 * v + 1],
-                s->position[3 * v + 2]);
-    for (int t = 0; t < frames->triangle_count; t++)
-        fprintf(f.file, "f %d %d %d\n", frames->triangle[3 * t] + 1,
-                frames->triangle[3 * t + 1] + 1, frames->triangle[3 * t + 2] + 1);
-    return fresh_file_close(&f, 0);
 }
 
 static void put_cells(const cloth_frames *frames, FILE *file) {

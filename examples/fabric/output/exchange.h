@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Frames of a run in formats of other programs: point caches, which hold the positions of all
- * frames of a mesh, and files of one frame each. All are written beside, then renamed. Functions
- * return 0, or -1 after a message on standard error.
+ * Frames of a run in formats of other programs: a point cache, which holds the positions of all
+ * frames of a mesh, and VTK's files of one frame each. All are written beside, then renamed.
+ * Functions return 0, or -1 after a message on standard error.
  */
 #ifndef FABRIC_OUTPUT_EXCHANGE_H
 #define FABRIC_OUTPUT_EXCHANGE_H
@@ -24,16 +24,6 @@ typedef struct cloth_frames {
 /** A PC2 point cache: "POINTCACHE2", version 1, vertices, first frame, rate, frames; then positions
  *  as float [frames][vertices][3], little-endian. */
 int pc2_write(const cloth_frames *frames, const char *path);
-
-/** An MDD point cache: frames, vertices, the frames' times; positions as float, big-endian. */
-int mdd_write(const cloth_frames *frames, const char *path);
-
-/** A frame as Stanford PLY, ASCII: vertices with 9 digits, which give each float back. */
-int ply_write(const cloth_frames *frames, const state *s, const char *path);
-
-/** A frame as Wavefront OBJ, vertices with 17 digits, which give each number back to readers that
- *  keep doubles, and triangles. */
-int obj_frame_write(const cloth_frames *frames, const state *s, const char *path);
 
 /** A frame as an unstructured grid of VTK's XML, ASCII. */
 int vtu_write(const cloth_frames *frames, const state *s, const char *path);

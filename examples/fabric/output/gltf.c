@@ -164,7 +164,7 @@ static int put_buffer(const gltf *g, byte_sink *to) {
 }
 
 static int write_text(const gltf *g, const char *json, FILE *file) {
-    byte_sink to = {file, LITTLE, 1, {0}, 0};
+    byte_sink to = {file, 1, {0}, 0};
     fprintf(file, "%s,\"uri\":\"data:application/octet-stream;base64,", json);
     const int status = put_buffer(g, &to);
     fputs("\"}]}\n", file);
@@ -175,7 +175,7 @@ static int write_text(const gltf *g, const char *json, FILE *file) {
  *  numbers. */
 static int write_binary(const gltf *g, const char *json, size_t length, FILE *file) {
     const uint32_t text = (uint32_t)(length + 3 + 3) / 4 * 4, bytes = (uint32_t)g->bytes;
-    byte_sink to = {file, LITTLE, 0, {0}, 0};
+    byte_sink to = {file, 0, {0}, 0};
     const uint32_t head[] = {0x46546C67, 2, 12 + 8 + text + 8 + bytes, text, 0x4E4F534A};
     for (int k = 0; k < 5; k++)
         byte_sink_word(&to, head[k]);
