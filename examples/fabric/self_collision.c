@@ -87,18 +87,34 @@ static int stay_apart(double apart, const self_pair *pair, const double start[4]
     return 0;
 }
 
+/* Are the features nearer than the gap in the rest shape, as those of thin triangles are? They are
+ * only kept from passing. */
+static int rest_near(const self_collision *s, const self_pair *pair) {
+    const mesh *m = s->mesh;
+    double at[4][3] = {{0}};
+    self_contact found;
+    for (int k = 0; k < 4; k++)
+        if (m->rest_in_space)
+            memcpy(at[k], m->position[pair->vertex[k]], sizeof at[k]);
+        else
+            memcpy(at[k], m->material[pair->vertex[k]], sizeof m->material[0]);
+    return self_pair_is_near(pair->is_edges, (const double(*)[3])at, s->gap, &found);
+}
+
 /* The change of the normal velocity that this contact asks for, m/s; 0: none. */
 static double asked(const self_collision *s, const self_pair *pair, double h, const double (*v)[3],
                     const double start[4][3], const double end[4][3], self_contact *found) {
     double speed = 0, least = 0;
     if (stay_apart(s->gap, pair, start, end))
         return 0;
-    if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found))
+    if (!pair->near_at_rest && self_pair_is_near(pair->is_edges, start, s->gap, found) &&
+        !rest_near(s, pair))
         least = drawing_apart * (s->gap - found->distance) / s->step;
     else if (self_pair_passes(pair->is_edges, start, end, found))
         least = -(1 - kept_away) * found->distance / h;
     else if (!pair->near_at_rest &&
-             self_pair_ends_near(pair->is_edges, start, end, kept_away * s->gap, found))
+             self_pair_ends_near(pair->is_edges, start, end, kept_away * s->gap, found) &&
+             !rest_near(s, pair))
         least = (kept_away * s->gap - found->distance) / h;
     else
         return 0;
