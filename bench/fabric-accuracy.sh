@@ -19,12 +19,7 @@ parallel=$build/examples/fabric/fabric
 csv=$results/fabric-accuracy.csv
 whole=$results/fabric-preconditioners.csv
 load_note
-# Of one thread, as all that is measured here.
-for folder in /usr/lib/*/openblas-serial; do
-  [ ! -d "$folder" ] || export LD_LIBRARY_PATH=$folder
-done
-[ -n "${LD_LIBRARY_PATH:-}" ] || ldconfig -p | grep -q openblas ||
-  echo "note: no OpenBLAS (libopenblas0-serial): the direct solution is several times slower than it need be"
+use_openblas
 
 mesh=(--set mesh.boundary="${BOUNDARY:-220}" --set mesh.vertices="${VERTICES:-2602}")
 failed=0

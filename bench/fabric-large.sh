@@ -4,7 +4,7 @@
 # of several lengths, at two tolerances: what makes it step. One core, seconds a step (stepping only,
 # the mesh is made before), iterations a step, steps taken again at half the length, most memory.
 # A run that takes longer than LIMIT seconds is given up; its line has no figures.
-# The direct solution is given one step.
+# The direct solution is given one step, and OpenBLAS where it is installed.
 #   STEPS=2 LIMIT=400 STEP_LENGTHS="0.001 0.01 0.033" TOLERANCES="1e-2 1e-6"
 . bench/common.sh
 steps=${STEPS:-2}
@@ -14,6 +14,7 @@ read -r -a tolerances <<<"${TOLERANCES:-1e-2 1e-6}"
 export FABRIC_SCENES=$PWD/examples/fabric/scenes
 csv=$results/fabric-large.csv
 load_note
+use_openblas
 
 # run LENGTH TOLERANCE NAME SETTING...: one line of the table
 run() {

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The scenes of the gallery, made small: every bit is the serial program's at 1, 2, 3, 8 and 16
-# threads. Arguments: SERIAL PARALLEL SCENES FOLDER.
+# Every scene that comes with the program, made small: every bit is the serial program's at 1, 2, 3, 8
+# and 16 threads. Arguments: SERIAL PARALLEL SCENES FOLDER.
 export OMP_WAIT_POLICY=passive # a thread that waits does not take the core of one that works
 serial=$1 parallel=$2
 shift
 source "$(dirname "$0")/app_common.sh"
 
-for scene in tablecloth hanging flag ball curtain ring scarf; do
+for scene in tablecloth hanging flag ball curtain ring scarf flap patch sheet218k; do
   run=(run $scene --steps 8 --frames 0 --progress none --set mesh.boundary=40
     --set mesh.vertices=150)
   case $scene in
@@ -24,6 +24,7 @@ for scene in tablecloth hanging flag ball curtain ring scarf; do
     same_bits serial-$scene "$parallel" "${run[@]}" --threads $threads
   done
 done
+holds "no scene is left out" test "$(ls -d serial-* | wc -l)" = "$(ls "$scenes"/*.yaml | wc -l)"
 holds "the ball is met" jq -e '[.effects[] | select(.name == "contact")][0].visited > 0' \
   serial-ball/summary.json >/dev/null
 holds "the flag is blown" jq -e '[.effects[] | select(.name == "wind")][0].visited > 0' \

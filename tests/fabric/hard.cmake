@@ -15,6 +15,27 @@ target_sources(test_fabric_hard_demand PRIVATE ${PROJECT_SOURCE_DIR}/examples/fa
 target_compile_definitions(test_fabric_hard_decisions PRIVATE
                            SCENES_FOLDER="${PROJECT_SOURCE_DIR}/examples/fabric/scenes")
 
+# Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads.
+if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
+  foreach(name simulation motion contact shape effects self piles rules resume bodies)
+    set(folder hard)
+    if(name STREQUAL simulation)
+      set(folder physics)
+      set(test test_fabric_simulation)
+    else()
+      set(test test_fabric_hard_${name})
+    endif()
+    add_executable(test_fabric_bits_${name} ${folder}/test_${name}.c hard/stage.c hard/crossings.c)
+    target_include_directories(test_fabric_bits_${name} PRIVATE hard)
+    target_link_libraries(test_fabric_bits_${name} PRIVATE fabric_physics_tests fabric_scene
+                          fabric_physics_parallel redcc_warnings)
+    add_test(NAME fabric.hard.bits_${name}
+             COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/hard/bits.sh $<TARGET_FILE:${test}>
+                     $<TARGET_FILE:test_fabric_bits_${name}>
+                     ${CMAKE_CURRENT_BINARY_DIR}/hard/bits_${name})
+  endforeach()
+endif()
+
 # script/fuzz runs many more of them.
 add_executable(random_scenes hard/random_scenes.c)
 target_link_libraries(random_scenes PRIVATE fabric_stage redcc_warnings)

@@ -158,6 +158,7 @@ static const char integrator_plot[] =
 /* Error of the algebra against time, for names in the fourth column. */
 #define AGAINST_TIME(NAME, TITLE, NAMES) \
     "names = " NAMES "\n" \
+    "hue(k) = strstrt(names, k) ? color(words(names[1:strstrt(names, k)])) : color(1)\n" \
     "stats '" NAME ".csv' skip 2 using 11 nooutput\nfast = STATS_min\nslow = STATS_max\n" \
     "set logscale xy\nset output '" NAME ".png'\nset title '" TITLE ": '.scene\n" \
     "set xlabel 'CPU time of the run, s'\nset xtics @nice\n" \
@@ -165,13 +166,16 @@ static const char integrator_plot[] =
     "set xrange [fast / 1.5 : slow * 2]\n" \
     "stats '" NAME ".csv' skip 2 using ($6 > 0 ? $6 : NaN) nooutput\nfinest = STATS_min\n" \
     "stats '" NAME ".csv' skip 2 using ($14 > 0 ? $14 * 1e3 : NaN) nooutput\n" \
-    "least = STATS_min / 3\nmost = STATS_max * 10\n" \
-    "stats '" NAME ".csv' skip 2 using ($6 > 0 && $14 > 0 ? $14 * 1e3 : NaN) nooutput\n" \
-    "room = STATS_min / 2e4 # for the labels\nset yrange [least < room ? least : room : most]\n" \
+    "set yrange [STATS_min / 10 : STATS_max * 10]\n" \
+    "at(k) = k eq 'gauss-seidel' ? 1e-4 : strstrt('none double float incomplete-cholesky', k) ? 1e-6 : 1e-8\n" \
+    "named(k) = is(k) && $6 == (at(k) < finest ? finest : at(k))\n" \
     "plot for [k in names] '" NAME ".csv' skip 2 using 11:(is(k) ? $14 * 1e3 : NaN) " \
-    "with linespoints lw 2 pt 7 lc rgb color(words(names[1:strstrt(names, k)])), " \
-    "for [k in names] '' skip 2 using (is(k) && $6 == finest ? $11 : NaN):($14 * 1e3):(k) " \
-    "with labels left rotate by -50 offset 0.3,-0.7 tc rgb color(words(names[1:strstrt(names, k)])), " \
+    "with linespoints lw 2 pt 7 lc rgb hue(k), " \
+    "for [k in 'none jacobi double'] '' skip 2 using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels left offset 1,(k eq 'jacobi' ? -0.9 : 0.4) tc rgb hue(k), " \
+    "for [k in 'block-jacobi gauss-seidel incomplete-cholesky float mixed'] '' skip 2 " \
+    "using (named(k) ? $11 : NaN):($14 * 1e3):(k) " \
+    "with labels right offset -0.7,(k eq 'block-jacobi' ? -1.7 : -0.7) tc rgb hue(k), " \
     "'' skip 2 using (is('direct') ? $11 : NaN):($14 * 1e3):('direct') with labels left offset 1,0\n"
 
 static const char mesh_plot[] =

@@ -19,6 +19,8 @@ stage stage_of(mesh m, scene s);
 
 /** Makes the simulation; the stage must stay where it is from now on. */
 void stage_begin(stage *on);
+/** Frees cloth and simulation. Where the environment has FABRIC_STAGE_BITS, a line in that file
+ * tells the bits in which the run ended: hard/bits.sh compares them. */
 void stage_end(stage *on);
 
 /** After a test changed the state: what the monitor compares with. */
