@@ -239,6 +239,27 @@ static void test_thin_triangles_stay(void **state) {
     }
 }
 
+/* A mesh not much wider than the gap, pressed together: neighbours are nearer than the gap, and are
+ * not pushed apart. */
+static void test_neighbours_stay(void **state) {
+    (void)state;
+    const double h = 0.02, gap = 0.005;
+    stage on = stage_of(cloth_sheet(4, 4, 1.5 * gap, 0, 1), cloth_scene());
+    double x[16][3], v[16][3] = {{0}}, work = 0;
+    self_collision s;
+    stage_begin(&on);
+    for (int i = 0; i < 16; i++)
+        for (int a = 0; a < 3; a++)
+            x[i][a] = on.m.position[i][a] / 2;
+    assert_int_equal(self_collision_init(&s, &on.m, gap, 0, h), 0);
+    assert_int_equal(self_collision_find(&s, h, (const double(*)[3])x, (const double(*)[3])v), 0);
+    assert_true(s.pair_count > 0);
+    const movable of = {on.sim->mass, &on.sim->collisions};
+    assert_true(self_collision_push(&s, &of, h, (const double(*)[3])x, v, &work) == 0);
+    self_collision_free(&s);
+    stage_end(&on);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_vertex_through_triangle),
@@ -248,6 +269,7 @@ int main(void) {
         cmocka_unit_test(test_momentum_stays),
         cmocka_unit_test(test_flat_cloth_has_its_bits),
         cmocka_unit_test(test_thin_triangles_stay),
+        cmocka_unit_test(test_neighbours_stay),
         cmocka_unit_test(test_cloth_folds_on_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
