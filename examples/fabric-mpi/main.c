@@ -9,7 +9,10 @@
 #include <stdlib.h>
 
 #include "assembly.h"
+#include "bits.h"
 #include "part_layout.h"
+#include "part_picture.h"
+#include "petsc_options.h"
 #include "solution.h"
 #include "solver_direct.h"
 #include "solver_fallback.h"
@@ -18,10 +21,12 @@
 /** What the leader asks for; the rest of it follows in what each function sends. */
 enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END };
 
+static bits_order bits;
 static part mine;
-/* the leader's: the simulation that all have parts of; has a step begun? */
+/* the leader's: the simulation that all have parts of; has a step begun? has a system been solved,
+ * so that all that reads options of PETSc has done so? */
 static simulation *current;
-static int started;
+static int started, solved;
 
 static void ask(enum request what) {
     int word = what;
@@ -35,7 +40,7 @@ static int answer(int what) {
     long iterations = 0;
     switch (what) {
     case MAKE:
-        part_make(&mine, NULL, NULL);
+        part_make(&mine, bits, NULL, NULL);
         return 1;
     case START:
         assembly_start(&mine, NULL);
@@ -95,14 +100,15 @@ static const char *obstacle(const mesh *m, const scene *s, int ranks) {
     if (s->method != METHOD_CONJUGATE_GRADIENTS)
         return "solution.method: over ranks only conjugate-gradients, since CHOLMOD, which direct "
                "calls, factors on one machine";
-    if (s->preconditioner != PRECONDITIONER_GAUSS_SEIDEL &&
+    if (bits == BITS_SERIAL && s->preconditioner != PRECONDITIONER_GAUSS_SEIDEL &&
         s->preconditioner != PRECONDITIONER_BLOCK_JACOBI)
-        return "solution.preconditioner: over ranks only gauss-seidel and block-jacobi";
+        return "solution.preconditioner: over ranks only gauss-seidel and block-jacobi; --bits=any "
+               "has others";
     if (s->precision != PRECISION_DOUBLE)
         return "solution.precision: over ranks only double; float and mixed go through all "
                "vertices in one order";
-    if (part_block_count(s, m->vertex_count) < ranks)
-        return s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL
+    if (part_block_count(s, bits, m->vertex_count) < ranks)
+        return part_has_domains(s, bits)
                    ? "solution.preconditioner: gauss-seidel has fewer domains than there are "
                      "ranks; block-jacobi has more blocks"
                    : "fewer blocks of 64 vertices than ranks";
@@ -122,7 +128,7 @@ simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error) {
         return NULL;
     assembly_thin(sim);
     ask(MAKE);
-    part_make(&mine, m, s);
+    part_make(&mine, bits, m, s);
     current = sim;
     started = 0;
     return sim;
@@ -130,6 +136,7 @@ simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error) {
 
 void __wrap_simulation_free(simulation *sim) {
     if (sim && sim == current) {
+        part_picture_write(mine.picture, (const double(*)[3])sim->x);
         ask(FREE);
         part_free(&mine);
         current = NULL;
@@ -169,6 +176,13 @@ int __wrap_solver_choose(solver *s, const block_matrix *A, const solver_options 
 
 /* Where the sequential program turns to a direct solution, which is not done over ranks. */
 static void check_iterations(solver_status status, long iterations) {
+    if (bits == BITS_ANY) {
+        if (status == SOLVER_TOO_MANY_ITERATIONS)
+            part_give_up("PETSc's solver does not converge, or its preconditioner fails "
+                         "(-ksp_converged_reason in PETSC_OPTIONS says why): raise "
+                         "solution.max_iterations, or choose another -pc_type");
+        return;
+    }
     if (!direct_solver_available())
         return;
     if (status == SOLVER_TOO_MANY_ITERATIONS)
@@ -188,6 +202,9 @@ solver_status __wrap_solver_fallback_solve(solver_fallback *f, solver *s,
     (void)f;
     ask(SOLVE);
     const solver_status status = solution_solve(&mine, &whole, limits, iterations);
+    if (!solved && petsc_options_unread(bits) > 0)
+        part_give_up("an option of PETSc has no effect: take it out of PETSC_OPTIONS");
+    solved = 1;
     check_iterations(status, *iterations - before);
     return status;
 }
@@ -211,9 +228,14 @@ int __wrap_main(int argc, char **argv) {
     if (PetscInitializeNoArguments() != 0)
         return EXIT_FAILURE;
     PetscPopSignalHandler();
+    petsc_errors_short();
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank == LEADER) {
+    const int wrong = bits_take(&argc, argv, rank == LEADER, &bits);
+    if (wrong != 0)
+        status = wrong;
+    else if (rank == LEADER) {
         status = __real_main(argc, argv);
+        bits_help(argc, argv);
         ask(END);
     } else
         serve();

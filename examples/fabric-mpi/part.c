@@ -8,6 +8,8 @@
 
 #include "mesh_parts.h"
 #include "part_layout.h"
+#include "part_picture.h"
+#include "solution_petsc.h"
 #include "solver_domains_parts.h"
 #include "solver_parts.h"
 
@@ -150,16 +152,19 @@ static void spread_scene(scene *s, const scene *of) {
     s->limits.off = 1;
 }
 
-int part_block_count(const scene *s, int vertices) {
-    return s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL
-               ? domain_count(vertices)
-               : (vertices + SOLVER_CHUNK - 1) / SOLVER_CHUNK;
+int part_has_domains(const scene *s, bits_order bits) {
+    return bits == BITS_SERIAL && s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL;
+}
+
+int part_block_count(const scene *s, bits_order bits, int vertices) {
+    return part_has_domains(s, bits) ? domain_count(vertices)
+                                     : (vertices + SOLVER_CHUNK - 1) / SOLVER_CHUNK;
 }
 
 static void divide(const part *p, const mesh *whole, division *d) {
-    const int domains = p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL;
+    const int domains = part_has_domains(&p->scene, p->bits);
     const int vertices = whole->vertex_count;
-    d->count = part_block_count(&p->scene, vertices);
+    d->count = part_block_count(&p->scene, p->bits, vertices);
     d->first = part_memory((size_t)d->count + 1, sizeof *d->first);
     d->of = part_memory((size_t)vertices, sizeof *d->of);
     d->owner = part_memory((size_t)d->count, sizeof *d->owner);
@@ -187,11 +192,11 @@ static void make_domains(part *p, const division *d) {
     MPI_Allreduce(MPI_IN_PLACE, &p->domains->has_between, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
 }
 
-void part_make(part *p, const mesh *whole, const scene *of) {
+void part_make(part *p, bits_order bits, const mesh *whole, const scene *of) {
     division d;
     char error[256];
     mesh all;
-    *p = (part){0};
+    *p = (part){.bits = bits};
     MPI_Comm_rank(MPI_COMM_WORLD, &p->rank);
     MPI_Comm_size(MPI_COMM_WORLD, &p->ranks);
     spread_scene(&p->scene, of);
@@ -200,13 +205,16 @@ void part_make(part *p, const mesh *whole, const scene *of) {
     divide(p, &all, &d);
     part_take(p, &all, &d);
     part_connect(p, &d);
+    p->picture = part_picture_new(p, &all, &d);
     if (!whole)
         mesh_free(&all);
     p->sim = __real_simulation_new(&p->mesh, &p->scene, error);
     if (!p->sim)
         part_give_up(error);
-    if (p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL)
+    if (part_has_domains(&p->scene, bits))
         make_domains(p, &d);
+    if (bits == BITS_ANY)
+        p->petsc = petsc_solver_new(p);
     free(d.first);
     free(d.of);
     free(d.owner);
@@ -215,6 +223,8 @@ void part_make(part *p, const mesh *whole, const scene *of) {
 
 void part_free(part *p) {
     domain_solver_free(p->domains);
+    petsc_solver_free(p->petsc);
+    part_picture_free(p->picture);
     __real_simulation_free(p->sim);
     mesh_free(&p->mesh);
     free(p->global);

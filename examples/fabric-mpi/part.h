@@ -8,7 +8,8 @@
  *
  * Vertices are owned by blocks: of SOLVER_CHUNK vertices with block-Jacobi, the domains with
  * Gauss-Seidel (solver_domains.h). Dot products are sums of a block, and the blocks' sums in order,
- * as in the sequential program; and what is in one domain is swept by one rank.
+ * as in the sequential program; and what is in one domain is swept by one rank. With --bits=any
+ * they are of SOLVER_CHUNK vertices whatever the preconditioner, and PETSc solves the system.
  *
  * Rank 0 leads: it has the whole cloth and runs fabric. Functions below that take a `whole` are
  * called by all ranks at once; only the leader's is read or written, the others pass NULL.
@@ -18,6 +19,7 @@
 
 #include <petscsf.h>
 
+#include "bits.h"
 #include "scene.h"
 #include "simulation_state.h"
 
@@ -42,11 +44,14 @@ typedef struct block_sums {
 typedef struct part {
     int rank, ranks;
     int vertices; /* of the whole cloth */
-    scene scene;  /* the cloth's material and surroundings, without pins and bodies */
+    bits_order bits;
+    scene scene; /* the cloth's material and surroundings, without pins and bodies */
     mesh mesh;
     simulation *sim; /* of `mesh`: its elements, system, and the solver's arrays */
     struct domain_solver
-        *domains;     /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
+        *domains;                 /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
+    struct petsc_solver *petsc;   /* --bits=any (solution_petsc.h); else NULL */
+    struct part_picture *picture; /* of the division, which the leader draws; else NULL */
     int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
     int *hinge;       /* [mesh.hinge_count] the same for hinges */
     own_block *block; /* [blocks] ascending */
@@ -60,16 +65,18 @@ typedef struct part {
 
 /** Lays out every rank's part. Collective; whole and of: the leader's, else NULL. Ends the program
  *  where memory is out. */
-void part_make(part *p, const mesh *whole, const scene *of);
+void part_make(part *p, bits_order bits, const mesh *whole, const scene *of);
 void part_free(part *p);
 
+/** Are the blocks Gauss-Seidel's domains? */
+int part_has_domains(const scene *s, bits_order bits);
 /** How many blocks a cloth of so many vertices has: at most so many ranks can have a part. */
-int part_block_count(const scene *s, int vertices);
+int part_block_count(const scene *s, bits_order bits, int vertices);
 
 /** From the leader to the vertices whose diagonal and constraints a solution uses: Gauss-Seidel
- *  scales the blocks of a row by both vertices. */
+ *  scales the blocks of a row by both vertices, and PETSc's matrix has their constraints. */
 static inline PetscSF part_solved(const part *p) {
-    return p->domains ? p->all : p->own;
+    return p->domains || p->petsc ? p->all : p->own;
 }
 
 /* ---- exchange; the unit is of `size` doubles a vertex ---- */
@@ -84,7 +91,8 @@ void part_return(const part *p, int size, const void *local, void *whole);
 void part_update_ghosts(const part *p, double (*value)[3]);
 /** Those in odd domains alone, or in even ones. */
 void part_update_kind(const part *p, int odd, double (*value)[3]);
-/** The sum over all blocks of the cloth, in order, of own [blocks]: the same on all ranks. */
+/** The sum over all blocks of the cloth, in order, of own [blocks]: the same on all ranks. With
+ *  --bits=any in an order that is MPI's. */
 double part_sum(const part *p, const double *own);
 /** The same, by SOLVER_CHUNK vertices, of one term a vertex, term [mesh.vertex_count], where blocks
  *  are others. */

@@ -97,7 +97,7 @@ void part_connect(part *p, const division *d) {
     connect(&p->own, offered, n, leaf, root);
     ask_places(p, place);
     connect_ghosts(p, d, place, ANY, &p->ghosts);
-    for (int odd = 0; odd < 2 && p->scene.preconditioner == PRECONDITIONER_GAUSS_SEIDEL; odd++)
+    for (int odd = 0; odd < 2 && part_has_domains(&p->scene, p->bits); odd++)
         connect_ghosts(p, d, place, odd, &p->kind[odd]);
     order_sums(&p->sums, p->ranks, d);
     free(leaf);
@@ -146,8 +146,17 @@ void part_update_kind(const part *p, int odd, double (*value)[3]) {
     part_receive(p->kind[odd], 3, value, value);
 }
 
+static double sum_in_any_order(const part *p, const double *own) {
+    const double mine = solver_sum(own, p->blocks);
+    double sum;
+    MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    return sum;
+}
+
 double part_sum(const part *p, const double *own) {
     const block_sums *s = &p->sums;
+    if (p->bits == BITS_ANY)
+        return sum_in_any_order(p, own);
     MPI_Allgatherv(own, p->blocks, MPI_DOUBLE, s->came, s->counts, s->starts, MPI_DOUBLE,
                    MPI_COMM_WORLD);
     for (int n = 0; n < s->count; n++)

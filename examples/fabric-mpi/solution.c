@@ -10,6 +10,7 @@
 #include "assembly.h"
 #include "part_layout.h"
 #include "solution_parts.h"
+#include "solution_petsc.h"
 #include "solver_parts.h"
 #include "sparse_product.h"
 #include "vector.h"
@@ -52,6 +53,18 @@ void solution_residual(part *p, double (*x)[3]) {
         vector_subtract(p->sim->system.b[i], s->product[i], s->residual[i]);
 }
 
+void solution_reference(part *p, int which) {
+    solver *s = &p->sim->solver;
+    const constraints *c = &p->sim->constraints;
+    if (which != DRIVEN) { /* z is 0 */
+        memcpy(s->residual, p->sim->system.b, (size_t)s->count * sizeof *s->residual);
+        return;
+    }
+    for (int i = 0; i < s->count; i++)
+        memcpy(s->residual[i], constraint_change(c, i), sizeof *s->residual);
+    solution_residual(p, s->residual);
+}
+
 /* System, constraints, and dv made to meet them; returns solver_apply's, of the whole cloth. */
 static int receive(part *p, const whole_system *whole) {
     simulation *sim = p->sim;
@@ -77,10 +90,11 @@ solver_status solution_solve(part *p, const whole_system *whole, const solver_li
         now = *limits;
     MPI_Bcast(&now, (int)sizeof now, MPI_BYTE, LEADER, MPI_COMM_WORLD);
     const int which = receive(p, whole);
-    const solver_status status = p->domains ? domains_solve(p, &now, which, iterations)
-                                            : jacobi_solve(p, &now, which, iterations);
+    const solver_status status = p->petsc     ? petsc_solve(p, &now, which, iterations)
+                                 : p->domains ? domains_solve(p, &now, which, iterations)
+                                              : jacobi_solve(p, &now, which, iterations);
     /* Block-Jacobi's own residual is as good where nothing is constrained. */
-    if (status != SOLVER_NOT_FINITE && (p->domains || which != UNCONSTRAINED))
+    if (status != SOLVER_NOT_FINITE && (p->petsc || p->domains || which != UNCONSTRAINED))
         solution_residual(p, p->sim->dv);
     give_back(p, whole);
     part_stage_end();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Conjugate gradients over all parts, in double, with the operations of fabric's solver in their
- *  order. Collective; system, constraints, dv and residual are the leader's whole
- *  ones, else NULL, and what is returned is the same on all ranks. */
+ *  order, or with --bits=any by PETSc's. Collective; system, constraints, dv and residual are the
+ * leader's whole ones, else NULL, and what is returned is the same on all ranks. */
 #ifndef FABRIC_MPI_SOLUTION_H
 #define FABRIC_MPI_SOLUTION_H
 

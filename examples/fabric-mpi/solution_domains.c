@@ -131,22 +131,9 @@ static void add_correction(const part *p) {
     domain_add_correction(d, p->sim->dv);
 }
 
-/* S (b - A z), before it is filtered. */
-static void reference_residual(part *p, int which) {
-    solver *s = &p->sim->solver;
-    const constraints *c = &p->sim->constraints;
-    if (which != DRIVEN) { /* z is 0 */
-        memcpy(s->residual, p->sim->system.b, (size_t)s->count * sizeof *s->residual);
-        return;
-    }
-    for (int i = 0; i < s->count; i++)
-        memcpy(s->residual[i], constraint_change(c, i), sizeof *s->residual);
-    solution_residual(p, s->residual);
-}
-
 solver_status domains_solve(part *p, const solver_limits *limits, int which, long *iterations) {
     domain_build(p->domains, &p->sim->constraints);
-    reference_residual(p, which);
+    solution_reference(p, which);
     const double reference = transform(p);
     if (!isfinite(reference))
         return SOLVER_NOT_FINITE;

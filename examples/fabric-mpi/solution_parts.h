@@ -12,6 +12,9 @@ void solution_product(part *p, double (*x)[3], double (*y)[3]);
 /** The solver's residual = b - A x, with what the constraints take. x may be the residual. */
 void solution_residual(part *p, double (*x)[3]);
 
+/** The solver's residual = b - A z, before it is filtered: what a tolerance is relative to. */
+void solution_reference(part *p, int which);
+
 /** As solver_solve with block-Jacobi, from the guess dv. */
 solver_status jacobi_solve(part *p, const solver_limits *limits, int which, long *iterations);
 

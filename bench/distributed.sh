@@ -1,0 +1,110 @@
+# shellcheck shell=bash source=bench/common.sh disable=SC2154
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What the bits cost over ranks: fabric-mpi with --bits=serial against --bits=any, where PETSc solves, on
+# the large mesh, to the same tolerance; fabric-serial in the same rounds. Block-jacobi is the same
+# preconditioner on both sides. Against gauss-seidel stand PETSc's sor within each rank, and gamg.
+#   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
+# Seconds are those of the steps, wall time: on a machine with other work they say little of several
+# ranks, which wait for each other. Processor seconds, without the set-up's, are of 1 rank alone, since
+# a rank that waits is busy. Runs with --bits=serial must have the bits of fabric-serial.
+. bench/common.sh
+if ! command -v mpirun.openmpi >"$work/found" || ! pkg-config --exists PETSc; then
+  echo "distributed: not measured: it needs Open MPI and PETSc, which script/distributed installs"
+  exit 0
+fi
+rounds=${ROUNDS:-3} steps=${STEPS:-3} tolerance=${TOLERANCE:-1e-6} scene=${SCENE:-sheet218k}
+read -r -a rank_counts <<<"${RANKS:-1 2}"
+build=$PWD/build/distributed
+cmake --preset release -B "$build" -DREDCC_MPI=ON >"$work/log"
+cmake --build "$build" -j "$(nproc)" --target fabric-mpi fabric-serial >>"$work/log"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_WAIT_POLICY=passive OMP_NUM_THREADS=1
+export FABRIC_SCENES=$PWD/examples/fabric/scenes
+serial=$build/examples/fabric/fabric-serial ranked=$build/examples/fabric-mpi/fabric-mpi
+csv=$results/distributed.csv
+load_note
+
+# start NAME PROGRAM STEPS PRECONDITIONER PETSC_OPTIONS COMMAND...: a run in $work/NAME; prints the
+# processor seconds of all its processes
+start() {
+  local name=$1 program=$2 count=$3 kind=$4 chosen=$5 TIMEFORMAT='%U %S'
+  shift 5
+  {
+    time PETSC_OPTIONS=$chosen "$@" "$program" run "$scene" --steps "$count" --frames 0 --progress none \
+      --set mesh.order=hilbert --set solution.tolerance="$tolerance" --set solution.preconditioner="$kind" \
+      ${bits:+--bits=$bits} -o "$work/$name" >"$work/said" 2>&1
+  } 2>"$work/time" || { cat "$work/said" >&2; exit 1; }
+  awk '{print $1 + $2}' "$work/time"
+}
+launch() { echo "mpirun.openmpi --oversubscribe --bind-to none -n $1 -x PETSC_OPTIONS"; }
+
+# measure ROUND VARIANT RANKS KIND OPTIONS: one line of the file; RANKS 0 is fabric-serial
+measure() {
+  local round=$1 variant=$2 ranks=$3 kind=$4 chosen=$5 program=$serial command=() processor distance=0
+  if [ "$ranks" -gt 0 ]; then
+    program=$ranked
+    read -r -a command <<<"$(launch "$ranks")"
+  fi
+  processor=$(start run "$program" "$steps" "$kind" "$chosen" "${command[@]}") || exit 1
+  if [ "$ranks" -le 1 ]; then
+    [ -e "$work/idle-$variant" ] ||
+      start idle "$program" 0 "$kind" "" "${command[@]}" >"$work/idle-$variant" || exit 1
+    processor=$(awk -v a="$processor" -v b="$(cat "$work/idle-$variant")" 'BEGIN {print a - b}')
+  else
+    processor=
+  fi
+  if [ "$ranks" -eq 0 ]; then
+    rm -rf "${work:?}/of-$kind"
+    cp -r "$work/run" "$work/of-$kind"
+  else
+    "$serial" compare "$work/of-$kind/final.state" "$work/run/final.state" >"$work/compared" 2>&1 || true
+    distance=$(awk '$1 == "positions:" {sub(/.* differ, by /, ""); print /equal/ ? 0 : $1 + 0}' "$work/compared")
+    if [ "$bits" = serial ] && [ "$(grep -c 'equal, every bit' "$work/compared")" != 2 ]; then
+      echo "distributed: $variant at $ranks ranks: other bits: $(cat "$work/compared")" >&2
+      exit 1
+    fi
+  fi
+  echo "$variant,$ranks,$round,$(jq -r '[.step_seconds, .cg_iterations] | join(",")' \
+    "$work/run/summary.json"),$processor,$distance" >>"$csv"
+}
+
+echo "solution,ranks,round,seconds,iterations,processor_seconds,distance_m" >"$csv"
+for round in $(seq "$rounds"); do
+  for kind in block-jacobi gauss-seidel; do
+    bits="" measure "$round" "fabric-serial $kind" 0 $kind ""
+    for ranks in "${rank_counts[@]}"; do
+      bits=serial measure "$round" "serial $kind" "$ranks" $kind ""
+      if [ $kind = block-jacobi ]; then
+        bits=any measure "$round" "any pbjacobi" "$ranks" $kind ""
+      else
+        bits=any measure "$round" "any sor" "$ranks" $kind ""
+        bits=any measure "$round" "any gamg" "$ranks" $kind "-pc_type gamg"
+      fi
+    done
+  done
+done
+
+# column VARIANT RANKS NUMBER: this column of all rounds
+column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $c}' "$csv"; }
+# against VARIANT RANKS VARIANT RANKS COLUMN: the first over the second, round by round
+against() { paste <(column_of "$1" "$2" "$5") <(column_of "$3" "$4" "$5") | awk '{print $1 / $2}'; }
+spread() { sort -g | awk '{v[NR] = $1} END {printf "%.3g (%.3g to %.3g)", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2, v[1], v[NR]}'; }
+echo "solution|ranks|seconds|processor seconds|iterations|farthest from fabric-serial"
+cut -d, -f1,2 "$csv" | sed 1d | sort -u | while IFS=, read -r variant ranks; do
+  used=-
+  [ "$ranks" -gt 1 ] || used=$(column_of "$variant" "$ranks" 6 | spread)
+  echo "$variant|$ranks|$(column_of "$variant" "$ranks" 4 | spread)|$used|$(
+    column_of "$variant" "$ranks" 5 | median)|$(column_of "$variant" "$ranks" 7 | maximum) m"
+done | sed 's/|0|/|-|/' >"$work/table"
+column -t -s '|' "$work/table"
+for kind in block-jacobi gauss-seidel; do
+  echo "$kind: 1 rank over fabric-serial, processor time: $(against "serial $kind" 1 "fabric-serial $kind" 0 6 | spread)"
+  for ranks in "${rank_counts[@]}"; do
+    [ "$ranks" -eq 1 ] || echo "$kind: $ranks ranks, times as fast as 1: $(against "serial $kind" 1 "serial $kind" "$ranks" 4 | spread)"
+    others=pbjacobi
+    [ $kind = block-jacobi ] || others="sor gamg"
+    for other in $others; do
+      echo "$kind, $ranks ranks: the bits over any's $other: $(against "serial $kind" "$ranks" "any $other" "$ranks" 4 | spread)"
+    done
+  done
+done
+echo "kept: $csv"

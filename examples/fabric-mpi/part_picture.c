@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "part_picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "files.h"
+#include "output/camera.h"
+#include "raster.h"
+#include "vector.h"
+
+#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
+
+/* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
+enum { PANEL = 720, LEGEND = 64, SWATCH = 28, STEP = 84, FINE = 4 };
+
+/* Of Okabe and Ito's palette, which colour-blind readers tell apart. */
+static const unsigned char colours[PICTURE_RANKS][3] = {
+    {86, 180, 233}, {230, 159, 0}, {0, 158, 115},   {204, 121, 167},
+    {240, 228, 66}, {213, 94, 0},  {120, 130, 220}, {170, 170, 170},
+};
+
+typedef struct part_picture {
+    char path[FILE_PATH_SIZE];
+    int ranks, vertices, triangles;
+    int *owner;         /* [vertices] */
+    int (*triangle)[3]; /* [triangles] */
+    double (*flat)[3];  /* [vertices] the sheet's own coordinates, and 0 */
+} part_picture;
+
+part_picture *part_picture_new(const part *p, const mesh *whole, const division *d) {
+    char path[FILE_PATH_SIZE];
+    PetscBool wanted;
+    CHECK(PetscOptionsGetString(NULL, NULL, "-part_picture", path, sizeof path, &wanted));
+    if (!wanted || p->rank != LEADER)
+        return NULL;
+    part_picture *of = part_memory(1, sizeof *of);
+    memcpy(of->path, path, sizeof path);
+    of->ranks = p->ranks;
+    of->vertices = whole->vertex_count;
+    of->triangles = whole->triangle_count;
+    of->owner = part_memory((size_t)of->vertices, sizeof *of->owner);
+    of->flat = part_memory((size_t)of->vertices, sizeof *of->flat);
+    of->triangle = part_memory((size_t)of->triangles, sizeof *of->triangle);
+    memcpy(of->triangle, whole->triangle, (size_t)of->triangles * sizeof *of->triangle);
+    for (int v = 0; v < of->vertices; v++) {
+        of->owner[v] = d->owner[d->of[v]];
+        memcpy(of->flat[v], whole->material[v], sizeof *whole->material);
+    }
+    return of;
+}
+
+void part_picture_free(part_picture *of) {
+    if (!of)
+        return;
+    free(of->owner);
+    free(of->flat);
+    free(of->triangle);
+    free(of);
+}
+
+/* A panel of the picture: its left edge, and what is seen there. */
+typedef struct panel {
+    int left;
+    const double (*x)[3];
+    camera from;
+    int is_flat;          /* seen from above at an infinite distance, all of it as bright */
+    double low[2], scale; /* of a flat one: its corner, m, and pixels a metre */
+} panel;
+
+static panel flat_panel(const part_picture *of) {
+    panel view = {.x = (const double(*)[3])of->flat, .is_flat = 1};
+    double high[2], size = 0;
+    memcpy(view.low, of->flat[0], sizeof view.low);
+    memcpy(high, of->flat[0], sizeof high);
+    for (int v = 0; v < of->vertices; v++)
+        for (int k = 0; k < 2; k++) {
+            view.low[k] = fmin(view.low[k], of->flat[v][k]);
+            high[k] = fmax(high[k], of->flat[v][k]);
+        }
+    size = fmax(high[0] - view.low[0], high[1] - view.low[1]) * 1.08; /* a margin */
+    for (int k = 0; k < 2; k++)
+        view.low[k] = (view.low[k] + high[k] - size) / 2;
+    view.scale = PANEL * FINE / size;
+    return view;
+}
+
+static panel space_panel(const part_picture *of, const double (*x)[3]) {
+    static const double back[3] = {0.8, -1.0, 0.9};
+    panel view = {.left = PANEL * FINE, .x = x};
+    view.from = camera_frame(back, 1, (double(*)[3])x, of->vertices);
+    return view;
+}
+
+/* Where a vertex is seen. */
+static raster_corner project(const panel *view, int v) {
+    const double *x = view->x[v];
+    if (view->is_flat)
+        return (raster_corner){.x = (x[0] - view->low[0]) * view->scale,
+                               .y = PANEL * FINE - (x[1] - view->low[1]) * view->scale};
+    const camera *c = &view->from;
+    double to[3];
+    vector_subtract(x, c->eye, to);
+    const double depth = -vector_dot(to, c->back);
+    return (raster_corner){
+        .x = view->left + (1 + vector_dot(to, c->right) / depth / c->slope[0]) * PANEL * FINE / 2,
+        .y = (1 - vector_dot(to, c->up) / depth / c->slope[1]) * PANEL * FINE / 2,
+        .depth = depth};
+}
+
+/* Light falls from the eye and a little from above: by the angle to the triangle, either side of
+ * it. */
+static double brightness(const panel *view, const int triangle[3]) {
+    double edge[2][3], normal[3], light[3];
+    if (view->is_flat)
+        return 1;
+    for (int k = 0; k < 2; k++)
+        vector_subtract(view->x[triangle[k + 1]], view->x[triangle[0]], edge[k]);
+    vector_cross(edge[0], edge[1], normal);
+    vector_add_scaled(view->from.back, 0.5, view->from.up, light);
+    const double length = vector_length(normal) * vector_length(light);
+    return 0.45 + 0.55 * (length > 0 ? fabs(vector_dot(normal, light)) / length : 0);
+}
+
+static void draw_triangle(raster *onto, const part_picture *of, const panel *view, int t) {
+    const int *vertex = of->triangle[t];
+    const int is_shared = of->owner[vertex[0]] != of->owner[vertex[1]] ||
+                          of->owner[vertex[0]] != of->owner[vertex[2]];
+    const double bright = brightness(view, vertex) * (is_shared ? 0.5 : 1);
+    raster_corner corner[3];
+    double longest = 0;
+    for (int k = 0; k < 3; k++) {
+        const unsigned char *colour = colours[of->owner[vertex[k]] % PICTURE_RANKS];
+        corner[k] = project(view, vertex[k]);
+        for (int a = 0; a < 3; a++)
+            corner[k].colour[a] = (unsigned char)(colour[a] * bright);
+    }
+    for (int k = 0; k < 3; k++)
+        longest = fmax(longest, hypot(corner[k].x - corner[(k + 1) % 3].x,
+                                      corner[k].y - corner[(k + 1) % 3].y));
+    /* Edges of small triangles would hide them. */
+    raster_triangle(onto, corner, longest > 6 * FINE ? FINE * 0.75 : 0);
+}
+
+static void draw_square(picture *p, int left, int top, int width, const unsigned char colour[3],
+                        double bright) {
+    for (int y = top; y < top + SWATCH; y++)
+        for (int x = left; x < left + width; x++)
+            for (int a = 0; a < 3; a++)
+                p->rgb[3 * ((size_t)y * (size_t)p->width + (size_t)x) + (size_t)a] =
+                    (unsigned char)(colour[a] * bright);
+}
+
+/* Each rank's two colours and its number, in the middle below the panels. */
+static void draw_legend(picture *p, int ranks) {
+    const int shown = ranks < PICTURE_RANKS ? ranks : PICTURE_RANKS;
+    const int left = (p->width - shown * STEP) / 2, top = PANEL + (LEGEND - SWATCH) / 2;
+    for (int r = 0; r < shown; r++) {
+        char number[16];
+        snprintf(number, sizeof number, "%d", r);
+        draw_square(p, left + r * STEP, top, SWATCH / 2, colours[r], 1);
+        draw_square(p, left + r * STEP + SWATCH / 2, top, SWATCH / 2, colours[r], 0.5);
+        picture_text(p, left + r * STEP + SWATCH + 8, top + 4, 3, number);
+    }
+}
+
+/* The panels, four times as large. */
+static int draw_panels(const part_picture *of, const double (*x)[3], picture *large) {
+    const panel panels[] = {flat_panel(of), space_panel(of, x)};
+    raster onto;
+    if (picture_new(large, 2 * PANEL * FINE, (PANEL + LEGEND) * FINE) != 0)
+        return -1;
+    if (raster_init(&onto, large) != 0)
+        return -1;
+    for (size_t k = 0; k < sizeof panels / sizeof *panels; k++)
+        for (int t = 0; t < of->triangles; t++)
+            draw_triangle(&onto, of, &panels[k], t);
+    raster_free(&onto);
+    return 0;
+}
+
+void part_picture_write(const part_picture *of, const double (*x)[3]) {
+    picture large = {0}, half = {0}, done = {0};
+    if (!of)
+        return;
+    if (draw_panels(of, x, &large) != 0 || picture_halve(&large, &half) != 0 ||
+        picture_halve(&half, &done) != 0)
+        part_give_up("out of memory for -part_picture");
+    draw_legend(&done, of->ranks);
+    if (picture_write_png(&done, of->path) != 0)
+        part_give_up("-part_picture: the picture is not written");
+    picture_free(&large);
+    picture_free(&half);
+    picture_free(&done);
+}

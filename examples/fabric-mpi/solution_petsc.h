@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The solution by PETSc's own matrix, conjugate gradients and preconditioners, for --bits=any. Its
+ * bits depend on the ranks. Collective. */
+#ifndef FABRIC_MPI_SOLUTION_PETSC_H
+#define FABRIC_MPI_SOLUTION_PETSC_H
+
+#include "part.h"
+
+/**
+ * A solver for systems of the part's layout. PETSC_OPTIONS decide; by default it is `cg`, with the
+ * residual in the preconditioner's norm, as fabric has it, and the preconditioner is PETSc's
+ * nearest to the scene's: pbjacobi (block-jacobi), sor within each rank (gauss-seidel), jacobi,
+ * none, bjacobi with icc within each rank (incomplete-cholesky). -ksp_rtol, -ksp_atol and
+ * -ksp_max_it go before the scene's. Freed by petsc_solver_free; p keeps it.
+ */
+struct petsc_solver *petsc_solver_new(const part *p);
+void petsc_solver_free(struct petsc_solver *s);
+
+/** As solver_solve, from the guess dv. `which`: solver_apply's, of the whole cloth. */
+solver_status petsc_solve(part *p, const solver_limits *limits, int which, long *iterations);
+
+#endif
