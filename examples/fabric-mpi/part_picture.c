@@ -14,7 +14,7 @@
 #define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
-enum { PANEL = 720, LEGEND = 64, SWATCH = 28, STEP = 84, FINE = 4 };
+enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
 
 /* Of Okabe and Ito's palette, which colour-blind readers tell apart. */
 static const unsigned char colours[PICTURE_RANKS][3] = {

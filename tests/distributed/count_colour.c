@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* count_colour FILE.png R,G,B...: how many pixels of the picture have each colour exactly, a line each. */
+/* count_colour FILE.png R,G,B...: how many pixels of the picture have each colour exactly, a line
+ * each. */
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,8 +8,8 @@
 static long count(const unsigned char *rgb, size_t pixels, const int colour[3]) {
     long found = 0;
     for (size_t k = 0; k < pixels; k++)
-        found += rgb[3 * k] == colour[0] && rgb[3 * k + 1] == colour[1] &&
-                 rgb[3 * k + 2] == colour[2];
+        found +=
+            rgb[3 * k] == colour[0] && rgb[3 * k + 1] == colour[1] && rgb[3 * k + 2] == colour[2];
     return found;
 }
 
