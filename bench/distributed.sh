@@ -97,7 +97,7 @@ cut -d, -f1,2 "$csv" | sed 1d | sort -u | while IFS=, read -r variant ranks; do
 done | sed 's/|0|/|-|/' >"$work/table"
 column -t -s '|' "$work/table"
 for kind in block-jacobi gauss-seidel; do
-  echo "$kind: 1 rank over fabric-serial, processor time: $(against "serial $kind" 1 "fabric-serial $kind" 0 6 | spread)"
+  echo "$kind: 1 rank over fabric-serial: $(against "serial $kind" 1 "fabric-serial $kind" 0 4 | spread)"
   for ranks in "${rank_counts[@]}"; do
     [ "$ranks" -eq 1 ] || echo "$kind: $ranks ranks, times as fast as 1: $(against "serial $kind" 1 "serial $kind" "$ranks" 4 | spread)"
     others=pbjacobi

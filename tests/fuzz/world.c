@@ -284,22 +284,38 @@ static void put_members(kernel *k, buffer *b, const char *variable, storage of) 
     }
 }
 
-/* Does the order of updates show in the object, even of small integers? By whatever name it is
- * updated. */
-static bool shows_order(kernel *k, const char *object) {
+/* Updated in another order, does the array get other bits, even of small integers? */
+static bool is_inexact(const array *a) {
+    return elements[a->type].is_floating &&
+           (a->type == E_FLOAT || *a->operation != '+' || a->is_no_integer);
+}
+
+static bool lies_in(const array *a, const char *object) {
     const size_t length = strlen(object);
+    const bool is_given = strncmp(a->given, object, length) == 0 &&
+                          (a->given[length] == 0 || a->given[length] == ' ');
+    return is_given || strcmp(a->object, object) == 0;
+}
+
+/* Does the order of updates show in the values that all updates are made from? */
+static bool shows_order_in_values(const kernel *k) {
     for (int i = 0; i < REDUCTIONS; i++) {
         const array *a = &k->reduction[i];
-        const bool is_inexact = elements[a->type].is_floating &&
-                                (a->type == E_FLOAT || *a->operation != '+' || a->is_no_integer);
-        const bool is_given = strncmp(a->given, object, length) == 0 &&
-                              (a->given[length] == 0 || a->given[length] == ' ');
-        /* What is stored in `out` may come from any of them. */
-        if (is_inexact &&
-            (is_given || strcmp(a->object, object) == 0 || strcmp(k->out.object, object) == 0))
+        if (is_inexact(a) && (lies_in(a, k->value.object) || lies_in(a, k->other.object)))
             return true;
     }
     return false;
+}
+
+/* Does it show in the object, by whatever name that is updated? */
+static bool shows_order(const kernel *k, const char *object) {
+    for (int i = 0; i < REDUCTIONS; i++) {
+        const array *a = &k->reduction[i];
+        /* What is stored in `out` may come from any of them. */
+        if (is_inexact(a) && (lies_in(a, object) || strcmp(k->out.object, object) == 0))
+            return true;
+    }
+    return shows_order_in_values(k);
 }
 
 static void put_hashes(kernel *k, buffer *b) {
@@ -309,8 +325,9 @@ static void put_hashes(kernel *k, buffer *b) {
         put(k, b, "        fuzz_print%s(\"%s\", %s, sizeof %s);\n", is_ordered ? "_ordered" : "",
             a->object, a->object, a->object);
     }
-    put(k, b, "        fuzz_print(\"live_%llu\", live_%llu, sizeof live_%llu);\n",
-        (unsigned long long)k->seed, (unsigned long long)k->seed, (unsigned long long)k->seed);
+    put(k, b, "        fuzz_print%s(\"live_%llu\", live_%llu, sizeof live_%llu);\n",
+        shows_order_in_values(k) ? "_ordered" : "", (unsigned long long)k->seed,
+        (unsigned long long)k->seed, (unsigned long long)k->seed);
 }
 
 /* Between calls subscripts change, here and there or not at all: plans are kept or made anew. */
