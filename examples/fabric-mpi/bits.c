@@ -55,12 +55,12 @@ int bits_take(int *argc, char **argv, int says, bits_order *bits) {
         return 0;
     for (int k = 0; k < given && wrong == 0; k += words) {
         const char *value = value_at(given, argv, k, &words);
-        if (value)
+        if (value) {
             wrong = read_order(value, says, bits);
-        else
-            words = 1;
-        if (!value)
+        } else {
             argv[kept++] = argv[k];
+            words = 1;
+        }
     }
     if (wrong != 0)
         return wrong;

@@ -3,9 +3,8 @@
 #include <stdlib.h>
 
 #include "part_layout.h"
+#include "petsc_check.h"
 #include "solver_parts.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 /* roots: how many the rank offers; leaf k, of `count`, is leaf[k] here and root[k] there. */
 static void connect(PetscSF *sf, int roots, int count, int *leaf, PetscSFNode *root) {

@@ -8,10 +8,9 @@
 
 #include "files.h"
 #include "output/camera.h"
+#include "petsc_check.h"
 #include "raster.h"
 #include "vector.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };

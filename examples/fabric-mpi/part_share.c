@@ -6,8 +6,7 @@
 #include <petscmat.h>
 
 #include "part_layout.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
+#include "petsc_check.h"
 
 /* As many consecutive blocks for each rank. */
 static void share_consecutively(int blocks, int ranks, int *owner) {

@@ -4,8 +4,7 @@
 #include <stdlib.h>
 
 #include "part_layout.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
+#include "petsc_check.h"
 
 enum { VERTICES, GHOSTS, SENT, NEIGHBOURS, TRIANGLES, HINGES, COLUMNS };
 

@@ -5,9 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "petsc_check.h"
 #include "words.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 /* What a misspelt option is compared with: PETSc has no list of those that it knows. */
 static const char *const common[] = {"ksp_type",

@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "part_layout.h"
+#include "petsc_check.h"
 #include "solver_precondition.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 enum { SIZE = 3 }; /* of a block */
 

@@ -7,11 +7,10 @@
 #include <string.h>
 
 #include "part_layout.h"
+#include "petsc_check.h"
 #include "petsc_system.h"
 #include "solution_parts.h"
 #include "solver_parts.h"
-
-#define CHECK(call) PetscCallAbort(PETSC_COMM_WORLD, call)
 
 typedef struct petsc_solver {
     petsc_system system;
@@ -113,7 +112,7 @@ static solver_status status_of(KSP ksp) {
     }
 }
 
-/* b = S (b - A z), y = S dv, the guess. Returns |b| squared. */
+/* b = S (b - A z), y = S dv, the guess. Returns |b|. */
 static double put(part *p, int which) {
     const petsc_system *of = &p->petsc->system;
     solver *s = &p->sim->solver;

@@ -4,7 +4,7 @@
  * it get it, its address or its element by calls, in their operands or in their conditions. */
 #include "fuzz/attacks/attack.h"
 
-/* Ways to make k, which lies in 0 ... elements - 1. `K` is how statements name it. */
+/* Ways to make k, which lies in 0 ... elements - 1. `k` is how statements name it. */
 static const struct {
     const char *make, *k;
 } ways[] = {
