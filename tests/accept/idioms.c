@@ -2,6 +2,8 @@
 // Loops as programs spell them: *p for p[0], bounds set in the header or asked of a function, a
 // counter whose address was given away, arrays and subscripts handed over apart.
 // covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84
+#include <assert.h>
+
 #include "case.h"
 
 enum { N = 3000, ROWS = 70 };
@@ -159,12 +161,32 @@ static void by_constants(int n) {
     }
 }
 
+/* ---- assert beside the loop: with gcc a statement expression ---- */
+
+static int beside_assertions(int n, const int *first, const int *to, double *restrict out) {
+    int i, j, last = -1;
+    assert(n > 0);
+    for (i = 0; i < n; i++) // EXPECT: transformed
+        for (j = first[i]; j < first[i + 1]; j++)
+            out[to[j]] += e[j];
+    assert(i == n);
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        last = to[i];
+        out[last] -= 1;
+    }
+    assert(({ last >= 0; }));
+    return last;
+}
+
 int main(void) {
     int *const subscripts[1] = {second};
     double *const values[1] = {e};
     double *out = g;
+    int first[N / 10 + 1];
     long sum = 0;
     case_values(e, N);
+    for (int i = 0; i <= N / 10; i++)
+        first[i] = 10 * i - i % 4;
     for (int round = 0; round < 4; round++) {
         const struct graph x = {N - 7 * round, 5, round % 2 ? s : second};
         case_subscripts(s, N, ROWS);
@@ -181,6 +203,7 @@ int main(void) {
         apart(N, h);
         beside(N, counted, 5 + round);
         by_constants(N);
+        sum = sum * 7 + beside_assertions(N / 10, first, s, h);
         sum = sum * 7 + bound_in_header(&x, N + 1);
     }
     printf("%ld %ld\n", sum, last_seen);

@@ -83,6 +83,18 @@ static __attribute__((noinline)) int left(int n, int *count, const int *map, con
     return last;
 }
 
+/* Made valid in the iteration that reads it, and the slice stands in place. */
+static __attribute__((noinline)) int touched_left(int n, const int *s, const int *by, int *h,
+                                                  const int *idx, const int *lim, double *g) {
+    int last = 0;
+    for (int i = 0; i < n; i++) { // EXPECT: parallel
+        h[s[i]] += by[i];
+        last = lim[idx[i]];
+        g[last] += 0.1 * i;
+    }
+    return last;
+}
+
 static __attribute__((noinline)) int sought(int n, int *count, const int *row, const int *column) {
     int last = -1;
     for (int i = 0; i < n; i++) // EXPECT: parallel
@@ -143,6 +155,9 @@ static void in_order(void) {
     fill(-FAR);
     touched(N, s, by, h, h, lim, g);
     show("touched");
+    fill(-FAR);
+    printf("touched_left %d\n", touched_left(N, s, by, h, h, lim, g));
+    show("touched_left");
     fill(-FAR);
     by[0] = FAR;
     for (int i = 1; i < N; i++) {
@@ -209,6 +224,10 @@ static void apart(void) {
     counted(N, count, map, k); /* each once: FAR does not overflow */
     touched(N, s, lim, h, k, lim, g);
     show("counted and touched apart");
+    for (int i = 0; i < N; i++)
+        count[i] = 0;
+    printf("touched_left apart %d\n", touched_left(N, s, lim, h, k, lim, g));
+    show("touched_left apart");
     for (int i = 0; i < N; i++)
         count[i] = 0;
     printf("left apart %d ", left(N, count, map, k));

@@ -207,6 +207,34 @@ void asserted(int n, double *h) {
     }
 }
 
+/* ---- statement expressions that keep an address, and say nothing of themselves ---- */
+
+void address_kept(int n, double *restrict h) {
+    int k;
+    int *const p = ({ assert(n > 0); &k; });
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        k = s[t];
+        h[s[t] - *p] += e[t];
+    }
+}
+
+void carried_by(int n, double *restrict h) {
+    int k = ({ n / 2; });
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+        h[k] += e[t];
+        k = s[t];
+    }
+}
+
+void address_in_assembly(int n, double *restrict h) {
+    int k;
+    __asm__ volatile("" : : "r"(&k) : "memory");
+    for (int t = 0; t < n; t++) { // EXPECT: refuse escapes
+        k = s[t];
+        h[k] += e[t];
+    }
+}
+
 /* ---- one element beside the others ---- */
 
 void one_alone(int n, int *h, const int *other) {

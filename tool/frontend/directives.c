@@ -95,6 +95,12 @@ static void skip_piece(scanner *s) {
         s->at++;
 }
 
+const char *piece_end(const char *at, const char *end) {
+    scanner s = {.at = at, .end = end};
+    skip_piece(&s);
+    return s.at;
+}
+
 static void add(scanner *s, ir_directive_kind kind, const char *from) {
     const char *to = s->at;
     while (to > from && isspace((unsigned char)to[-1]))

@@ -14,5 +14,8 @@ ir_directive *directives_in(arena *a, const char *text, size_t length, unsigned 
 
 /** How many bytes the backslash and line end at `p` take; 0: none there. */
 unsigned splice_length(const char *p, const char *end);
+/** Behind the comment, string, character constant or splice that begins at `at`, before `end`; else
+ *  the next byte. Thread-safe. */
+const char *piece_end(const char *at, const char *end);
 
 #endif

@@ -65,10 +65,22 @@ static char byte_behind(const char *splice, const char *end) {
     return splice < end ? *splice : 0;
 }
 
+/* Does the byte end a comment of two marks, by the pieces from the text's begin? Nothing before it
+ * is in doubt but a quote between digits, behind which what begins a comment may be text. */
+static bool ends_comment(const char *text, const char *last) {
+    const char *at = text, *begin = text;
+    while (at <= last) {
+        begin = at;
+        at = piece_end(at, last + 1);
+    }
+    return last - begin >= 3 && memcmp(begin, "/*", 2) == 0 && memcmp(last - 1, "*/", 2) == 0 &&
+           !lexing_has_digit_separator(text, (size_t)(last - text));
+}
+
 /* A comment's mark, or another of two bytes, in two lines. */
 static bool splits_mark(const char *text, const char *splice, const char *end) {
     const char before = splice > text ? splice[-1] : 0, behind = byte_behind(splice, end);
-    return (before == '/' && (behind == '/' || behind == '*')) ||
+    return (before == '/' && (behind == '/' || behind == '*') && !ends_comment(text, splice - 1)) ||
            (before == '*' && behind == '/') || (before == '%' && behind == ':') || before == '?';
 }
 

@@ -18,6 +18,10 @@ bool ir_is_increment(const ir_node *node) {
            node->op <= IR_OP_POST_DECREMENT;
 }
 
+bool ir_is_statement_expression(const ir_node *node) {
+    return node->kind == IR_OPAQUE && node->child_count == 1 && node->children[0]->kind == IR_BLOCK;
+}
+
 bool ir_has_effect(const ir_node *node) {
     if (node->kind == IR_ASSIGN || node->kind == IR_CALL || node->kind == IR_OPAQUE ||
         ir_is_increment(node))

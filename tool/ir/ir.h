@@ -356,6 +356,8 @@ bool ir_is_expression(const ir_node *node);
 bool ir_is_loop(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
+/** ({ ... }): opaque, but the block below it is all that it does. */
+bool ir_is_statement_expression(const ir_node *node);
 /** May evaluating the expression do more than give a value: does it assign, call, or hold what is
  *  opaque? */
 bool ir_has_effect(const ir_node *node);

@@ -291,10 +291,6 @@ static void keep_statement(slicer *s, const ir_node *statement, const ir_variabl
     if (!statement || s->obstacle)
         return;
     bool is_new = !s->keep[statement->id];
-    if (analysis_is_update(s->j, statement)) {
-        fail(s, statement);
-        return;
-    }
     if (is_new && (statement->kind == IR_EXPRESSION || statement->kind == IR_DECLARATOR)) {
         s->keep[statement->id] = true;
         for (unsigned i = 0; i < statement->child_count; i++)

@@ -117,8 +117,9 @@ static bool visit_outside(ir_node *node, void *context) {
         return false;
     if (find->loop != NULL && node->id > last_id(find->loop))
         return false;
-    if (node->kind == IR_OPAQUE || (node->kind == IR_VARIABLE && node->variable == find->variable &&
-                                    address_is_kept(find, node)))
+    const bool is_unknown = node->kind == IR_OPAQUE && !ir_is_statement_expression(node);
+    if (is_unknown || (node->kind == IR_VARIABLE && node->variable == find->variable &&
+                       address_is_kept(find, node)))
         find->found = node;
     return true;
 }
