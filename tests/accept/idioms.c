@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Loops as programs spell them: *p for p[0], bounds set in the header or asked of a function, a
 // counter whose address was given away, arrays and subscripts handed over apart.
-// covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84
+// covers: row 73, row 74, row 75, row 76, row 77, row 83, row 84, row 62
 #include <assert.h>
 
 #include "case.h"

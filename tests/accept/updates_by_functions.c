@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // The update stands in a function that gets the element's or the row's address.
-// covers: row 18, row 20, row 37
+// covers: row 18, row 20, row 37, row 87
 #include "case.h"
 
 enum { N = 12000, M = 800 };
@@ -97,6 +97,49 @@ static void records(int n) {
     }
 }
 
+/* ---- the array is a member of a struct whose address the function gets ---- */
+
+typedef struct matrix {
+    int columns;
+    double *value;
+} matrix;
+static double entries[M * M];
+static matrix shared = {3, entries};
+
+static void matrix_add(const matrix *m, int row, int column, double v) {
+    m->value[row * m->columns + column] += v;
+}
+
+static int column_of(const int *shift, int k) {
+    return (k + *shift) % 3;
+}
+
+static void ends_of(const int *pair, int *first, int *second) {
+    *first = pair[0];
+    *second = pair[1];
+}
+
+static void found_by_address(int n) {
+    int i, j;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        ends_of(edge[t], &i, &j);
+        h[i] += 0.25;
+        h[j] -= x[i][0];
+    }
+}
+
+static double by_address_of_a_struct(int n, int columns) {
+    matrix m = {columns, entries};
+    int shift = columns;
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        matrix_add(&m, edge[t][0], edge[t][1] % 3, 0.1 * (t % 7));
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        matrix_add(&shared, edge[t][1], edge[t][0] % 3, 0.3 * (t % 5));
+    for (int t = 0; t < n; t++) // EXPECT: transformed
+        h[column_of(&shift, edge[t][0])] += x[edge[t][1]][2];
+    return m.value[5] + shift;
+}
+
 int main(void) {
     case_values(&x[0][0], 3 * M);
     for (int round = 0; round < 3; round++) {
@@ -106,6 +149,10 @@ int main(void) {
         of_members(N);
         rows(N);
         records(N);
+        found_by_address(N);
+        const double sum = by_address_of_a_struct(N, 3 + round % 2);
+        case_print("sum", &sum, sizeof sum);
+        case_print("entries", entries, sizeof entries);
         CASE_PRINT(h);
         CASE_PRINT(most);
         CASE_PRINT(count);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Functions that are given an element's address, and do more than update it, or elsewhere.
-// covers: row 18
+// covers: row 18, row 87
 struct cell {
     double low, high;
     double row[3];
@@ -152,4 +152,52 @@ static void moved(double *p, double v) {
 void moved_pointer(int n, const int *k, double *h) {
     for (int t = 0; t < n; t++) // EXPECT: nothing
         moved(&h[k[t]], 1.0);
+}
+
+/* ---- structs whose address the function gets ---- */
+
+typedef struct matrix {
+    int columns;
+    double *value;
+} matrix;
+static matrix *last;
+
+static void add_and_move(matrix *m, int row, double v) {
+    m->value[row] += v;
+    m->value++;
+}
+void member_changed(int n, const int *k, double *h) {
+    matrix m = {3, h};
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_and_move(&m, k[t], 1.0);
+}
+
+static void add_and_keep(matrix *m, int row, double v) {
+    m->value[row] += v;
+    last = m;
+}
+void struct_kept(int n, const int *k, double *h) {
+    matrix m = {3, h};
+    for (int t = 0; t < n; t++) // EXPECT: nothing
+        add_and_keep(&m, k[t], 1.0);
+}
+
+static void add_by_pointer(matrix *m, int row, double v) {
+    int *columns = &m->columns;
+    m->value[row * m->columns] += v;
+    ++*columns;
+}
+void subscript_changed(int n, const int *k, double *h) {
+    matrix m = {3, h};
+    for (int t = 0; t < n; t++) // EXPECT: refuse callee-updates
+        add_by_pointer(&m, k[t], 1.0);
+}
+
+static int step(int *i) {
+    return ++*i;
+}
+void counter_by_address(int n, const int *k, double *h) {
+    int i = 0;
+    for (int t = 0; t < n; t++) // EXPECT: refuse side-effect
+        h[k[step(&i)]] += 1.0;
 }

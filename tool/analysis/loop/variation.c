@@ -22,7 +22,7 @@ bool variation_is_invariant(variable_facts *facts, const ir_node *loop, const ir
         return false;
     if (expression->kind == IR_VARIABLE)
         return !is_of_callee(facts, loop, expression->variable) &&
-               !variable_written_in(facts, loop, expression->variable) &&
+               !variable_may_change_in(facts, loop, expression->variable) &&
                !(expression->variable->function &&
                  ir_contains(loop, variable_fact_of(facts, expression->variable)->declarator));
     for (unsigned i = 0; i < expression->child_count; i++)

@@ -94,15 +94,42 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
-bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable) {
+/* &v, handed to a function that reads through it, and no more. */
+static bool is_only_read(const variable_facts *facts, const ir_node *address) {
+    const ir_node *call = address->parent;
+    if (address->kind != IR_UNARY || address->op != IR_OP_ADDRESS || !call ||
+        call->kind != IR_CALL || call->children[0]->kind != IR_FUNCTION)
+        return false;
+    const ir_function *callee = call->children[0]->function;
+    for (unsigned i = 0; i < callee->parameter_count && i + 1 < call->child_count; i++) {
+        if (call->children[i + 1] != address)
+            continue;
+        const parameter_effect effect = must_write_parameter(facts->prover, callee, i);
+        return effect.is_known && !effect.may_write;
+    }
+    return false;
+}
+
+static bool has_write_in(variable_facts *facts, const ir_node *node, const ir_variable *variable,
+                         bool counts_reading_calls) {
     const variable_fact *fact = &facts->facts[variable->id];
     unsigned last = expression_last_id(node);
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
-        if (write->id >= node->id && write->id <= last && ir_contains(node, write))
+        if (write->id >= node->id && write->id <= last && ir_contains(node, write) &&
+            (counts_reading_calls || !is_only_read(facts, write)))
             return true;
     }
     return false;
+}
+
+bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable) {
+    return has_write_in(facts, node, variable, true);
+}
+
+bool variable_may_change_in(variable_facts *facts, const ir_node *node,
+                            const ir_variable *variable) {
+    return has_write_in(facts, node, variable, false);
 }
 
 const ir_node *variable_single_definition(variable_facts *facts, const ir_variable *variable) {

@@ -40,6 +40,10 @@ bool variable_is_exposed(variable_facts *facts, const ir_variable *variable);
 /** Does anything below `node` assign the variable or take its address by &? Of variables whose
  *  addresses escape it may be changed without that. */
 bool variable_written_in(variable_facts *facts, const ir_node *node, const ir_variable *variable);
+/** The same, but that a call which gets &v and only reads there, by the callee's body, is no
+ * change. */
+bool variable_may_change_in(variable_facts *facts, const ir_node *node,
+                            const ir_variable *variable);
 
 /** The highest node id below `node` (ids are in preorder: [node->id, last] is the subtree). */
 unsigned expression_last_id(const ir_node *node);
