@@ -40,14 +40,19 @@ static double transform(part *p) {
     return part_sum(p, d->sum_residual);
 }
 
-/* t, and w but for its product with what is between domains. */
-static void sweep_direction(const part *p) {
+/* p = residual + beta p; NULL: p is there. Then t, and w but for its product with what is between
+ * domains. A domain is turned just before it is swept, so that it is read from memory once. */
+static void sweep_direction(const part *p, const double *beta) {
     domain_solver *d = p->domains;
     for (int odd = 1; odd >= 0; odd--) {
 #pragma omp parallel for schedule(static)
-        for (int n = 0; n < p->blocks; n++)
-            if (is_of_kind(p, n, odd))
-                domain_sweep_direction(d, p->block[n].number);
+        for (int n = 0; n < p->blocks; n++) {
+            if (!is_of_kind(p, n, odd))
+                continue;
+            if (beta)
+                domain_turn(d, p->block[n].number, *beta);
+            domain_sweep_direction(d, p->block[n].number);
+        }
         if (odd || d->has_between)
             part_update_kind(p, odd, d->swept);
     }
@@ -81,18 +86,12 @@ static double advance(const part *p, double alpha) {
     return part_sum(p, d->sum_residual);
 }
 
-static void turn(const part *p, double beta) {
-#pragma omp parallel for schedule(static)
-    for (int n = 0; n < p->blocks; n++)
-        domain_turn(p->domains, p->block[n].number, beta);
-}
-
 static void begin(const part *p) {
     domain_solver *d = p->domains;
     const size_t size = sizeof(double[3]) * (size_t)p->mesh.vertex_count;
     memset(d->correction, 0, size);
     memcpy(d->direction, d->residual, size);
-    sweep_direction(p);
+    sweep_direction(p, NULL);
 }
 
 static solver_status iterate(part *p, double square, double goal, int most, long *iterations) {
@@ -108,8 +107,8 @@ static solver_status iterate(part *p, double square, double goal, int most, long
         ++*iterations;
         const double before = square, curvature = curvature_of(p);
         square = advance(p, curvature > 0 ? before / curvature : 0);
-        turn(p, square / before);
-        sweep_direction(p);
+        const double beta = square / before;
+        sweep_direction(p, &beta);
         if (!isfinite(curvature))
             return SOLVER_NOT_FINITE;
         if (!(curvature > 0))
