@@ -5,8 +5,10 @@
 # preconditioner on both sides. Against gauss-seidel stand PETSc's sor within each rank, and gamg.
 #   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
 # Seconds are those of the steps, wall time: on a machine with other work they say little of several
-# ranks, which wait for each other. Processor seconds, without the set-up's, are of 1 rank alone, since
-# a rank that waits is busy. Runs with --bits=serial must have the bits of fabric-serial.
+# ranks, which wait for each other. Shown are the median of the rounds, the least and the greatest. All
+# are kept, a line a run, in distributed.csv: what solved, ranks (0: fabric-serial, without MPI), round,
+# seconds, iterations, metres of the vertex farthest from fabric-serial. Runs with --bits=serial must have
+# the bits of fabric-serial.
 . bench/common.sh
 if ! command -v mpirun.openmpi >"$work/found" || ! pkg-config --exists PETSc; then
   echo "distributed: not measured: it needs Open MPI and PETSc, which script/distributed installs"
@@ -23,35 +25,24 @@ serial=$build/examples/fabric/fabric-serial ranked=$build/examples/fabric-mpi/fa
 csv=$results/distributed.csv
 load_note
 
-# start NAME PROGRAM STEPS PRECONDITIONER PETSC_OPTIONS COMMAND...: a run in $work/NAME; prints the
-# processor seconds of all its processes
+# start PROGRAM PRECONDITIONER PETSC_OPTIONS COMMAND...: a run in $work/run
 start() {
-  local name=$1 program=$2 count=$3 kind=$4 chosen=$5 TIMEFORMAT='%U %S'
-  shift 5
-  {
-    time PETSC_OPTIONS=$chosen "$@" "$program" run "$scene" --steps "$count" --frames 0 --progress none \
-      --set mesh.order=hilbert --set solution.tolerance="$tolerance" --set solution.preconditioner="$kind" \
-      ${bits:+--bits=$bits} -o "$work/$name" >"$work/said" 2>&1
-  } 2>"$work/time" || { cat "$work/said" >&2; exit 1; }
-  awk '{print $1 + $2}' "$work/time"
+  local program=$1 kind=$2 chosen=$3
+  shift 3
+  PETSC_OPTIONS=$chosen "$@" "$program" run "$scene" --steps "$steps" --frames 0 --progress none \
+    --set mesh.order=hilbert --set solution.tolerance="$tolerance" --set solution.preconditioner="$kind" \
+    ${bits:+--bits=$bits} -o "$work/run" >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
 }
 launch() { echo "mpirun.openmpi --oversubscribe --bind-to none -n $1 -x PETSC_OPTIONS"; }
 
 # measure ROUND VARIANT RANKS KIND OPTIONS: one line of the file; RANKS 0 is fabric-serial
 measure() {
-  local round=$1 variant=$2 ranks=$3 kind=$4 chosen=$5 program=$serial command=() processor distance=0
+  local round=$1 variant=$2 ranks=$3 kind=$4 chosen=$5 program=$serial command=() distance=0
   if [ "$ranks" -gt 0 ]; then
     program=$ranked
     read -r -a command <<<"$(launch "$ranks")"
   fi
-  processor=$(start run "$program" "$steps" "$kind" "$chosen" "${command[@]}") || exit 1
-  if [ "$ranks" -le 1 ]; then
-    [ -e "$work/idle-$variant" ] ||
-      start idle "$program" 0 "$kind" "" "${command[@]}" >"$work/idle-$variant" || exit 1
-    processor=$(awk -v a="$processor" -v b="$(cat "$work/idle-$variant")" 'BEGIN {print a - b}')
-  else
-    processor=
-  fi
+  start "$program" "$kind" "$chosen" "${command[@]}"
   if [ "$ranks" -eq 0 ]; then
     rm -rf "${work:?}/of-$kind"
     cp -r "$work/run" "$work/of-$kind"
@@ -64,10 +55,10 @@ measure() {
     fi
   fi
   echo "$variant,$ranks,$round,$(jq -r '[.step_seconds, .cg_iterations] | join(",")' \
-    "$work/run/summary.json"),$processor,$distance" >>"$csv"
+    "$work/run/summary.json"),$distance" >>"$csv"
 }
 
-echo "solution,ranks,round,seconds,iterations,processor_seconds,distance_m" >"$csv"
+echo "solution,ranks,round,seconds,iterations,distance_m" >"$csv"
 for round in $(seq "$rounds"); do
   for kind in block-jacobi gauss-seidel; do
     bits="" measure "$round" "fabric-serial $kind" 0 $kind ""
@@ -88,12 +79,10 @@ column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $
 # against VARIANT RANKS VARIANT RANKS COLUMN: the first over the second, round by round
 against() { paste <(column_of "$1" "$2" "$5") <(column_of "$3" "$4" "$5") | awk '{print $1 / $2}'; }
 spread() { sort -g | awk '{v[NR] = $1} END {printf "%.3g (%.3g to %.3g)", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2, v[1], v[NR]}'; }
-echo "solution|ranks|seconds|processor seconds|iterations|farthest from fabric-serial"
+echo "solution|ranks|seconds|iterations|farthest from fabric-serial"
 cut -d, -f1,2 "$csv" | sed 1d | sort -u | while IFS=, read -r variant ranks; do
-  used=-
-  [ "$ranks" -gt 1 ] || used=$(column_of "$variant" "$ranks" 6 | spread)
-  echo "$variant|$ranks|$(column_of "$variant" "$ranks" 4 | spread)|$used|$(
-    column_of "$variant" "$ranks" 5 | median)|$(column_of "$variant" "$ranks" 7 | maximum) m"
+  echo "$variant|$ranks|$(column_of "$variant" "$ranks" 4 | spread)|$(
+    column_of "$variant" "$ranks" 5 | median)|$(column_of "$variant" "$ranks" 6 | maximum) m"
 done | sed 's/|0|/|-|/' >"$work/table"
 column -t -s '|' "$work/table"
 for kind in block-jacobi gauss-seidel; do
