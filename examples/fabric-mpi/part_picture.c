@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "part_picture.h"
 
+#include <GL/gl.h>
+#include <GL/osmesa.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,12 +10,15 @@
 
 #include "files.h"
 #include "output/camera.h"
+#include "output/picture.h"
+#include "output/stage.h"
 #include "petsc_check.h"
-#include "raster.h"
 #include "vector.h"
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
+/* Triangles: of more of them, which are smaller, edges would hide what is between. */
+enum { MOST_WITH_EDGES = 20000 };
 
 /* Of Okabe and Ito's palette, which colour-blind readers tell apart. */
 static const unsigned char colours[PICTURE_RANKS][3] = {
@@ -66,12 +71,12 @@ typedef struct panel {
     const double (*x)[3];
     camera from;
     int is_flat;          /* seen from above at an infinite distance, all of it as bright */
-    double low[2], scale; /* of a flat one: its corner, m, and pixels a metre */
+    double low[2], width; /* of a flat one: its corner and how wide it is, m */
 } panel;
 
 static panel flat_panel(const part_picture *of) {
     panel view = {.x = (const double(*)[3])of->flat, .is_flat = 1};
-    double high[2], size = 0;
+    double high[2];
     memcpy(view.low, of->flat[0], sizeof view.low);
     memcpy(high, of->flat[0], sizeof high);
     for (int v = 0; v < of->vertices; v++)
@@ -79,10 +84,9 @@ static panel flat_panel(const part_picture *of) {
             view.low[k] = fmin(view.low[k], of->flat[v][k]);
             high[k] = fmax(high[k], of->flat[v][k]);
         }
-    size = fmax(high[0] - view.low[0], high[1] - view.low[1]) * 1.08; /* a margin */
+    view.width = fmax(high[0] - view.low[0], high[1] - view.low[1]) * 1.08; /* a margin */
     for (int k = 0; k < 2; k++)
-        view.low[k] = (view.low[k] + high[k] - size) / 2;
-    view.scale = PANEL * FINE / size;
+        view.low[k] = (view.low[k] + high[k] - view.width) / 2;
     return view;
 }
 
@@ -93,20 +97,18 @@ static panel space_panel(const part_picture *of, const double (*x)[3]) {
     return view;
 }
 
-/* Where a vertex is seen. */
-static raster_corner project(const panel *view, int v) {
-    const double *x = view->x[v];
-    if (view->is_flat)
-        return (raster_corner){.x = (x[0] - view->low[0]) * view->scale,
-                               .y = PANEL * FINE - (x[1] - view->low[1]) * view->scale};
-    const camera *c = &view->from;
-    double to[3];
-    vector_subtract(x, c->eye, to);
-    const double depth = -vector_dot(to, c->back);
-    return (raster_corner){
-        .x = view->left + (1 + vector_dot(to, c->right) / depth / c->slope[0]) * PANEL * FINE / 2,
-        .y = (1 - vector_dot(to, c->up) / depth / c->slope[1]) * PANEL * FINE / 2,
-        .depth = depth};
+static void look(const panel *view) {
+    glViewport(view->left, LEGEND * FINE, PANEL * FINE, PANEL * FINE);
+    if (!view->is_flat) {
+        stage_look(&view->from);
+        return;
+    }
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glOrtho(view->low[0], view->low[0] + view->width, view->low[1], view->low[1] + view->width, -1,
+            1);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
 }
 
 /* Light falls from the eye and a little from above: by the angle to the triangle, either side of
@@ -123,24 +125,50 @@ static double brightness(const panel *view, const int triangle[3]) {
     return 0.45 + 0.55 * (length > 0 ? fabs(vector_dot(normal, light)) / length : 0);
 }
 
-static void draw_triangle(raster *onto, const part_picture *of, const panel *view, int t) {
+/* white: how much of it is mixed in */
+static void choose_colour(const unsigned char colour[3], double bright, double white) {
+    GLubyte mixed[3];
+    for (int a = 0; a < 3; a++)
+        mixed[a] = (GLubyte)(colour[a] * bright + (255 - colour[a] * bright) * white);
+    glColor3ubv(mixed);
+}
+
+/* A corner's third of the triangle: from the corner to the middles of its sides and of it all. */
+static void draw_corner(const double corner[3], const double one[3], const double other[3],
+                        const double middle[3], int with_edges, const unsigned char colour[3],
+                        double bright) {
+    choose_colour(colour, bright, 0);
+    glBegin(GL_POLYGON);
+    glVertex3dv(corner);
+    glVertex3dv(one);
+    glVertex3dv(middle);
+    glVertex3dv(other);
+    glEnd();
+    if (!with_edges)
+        return;
+    choose_colour(colour, bright, 0.3);
+    glBegin(GL_LINE_STRIP);
+    glVertex3dv(one);
+    glVertex3dv(corner);
+    glVertex3dv(other);
+    glEnd();
+}
+
+static void draw_triangle(const part_picture *of, const panel *view, int t) {
     const int *vertex = of->triangle[t];
     const int is_shared = of->owner[vertex[0]] != of->owner[vertex[1]] ||
                           of->owner[vertex[0]] != of->owner[vertex[2]];
     const double bright = brightness(view, vertex) * (is_shared ? 0.5 : 1);
-    raster_corner corner[3];
-    double longest = 0;
-    for (int k = 0; k < 3; k++) {
-        const unsigned char *colour = colours[of->owner[vertex[k]] % PICTURE_RANKS];
-        corner[k] = project(view, vertex[k]);
-        for (int a = 0; a < 3; a++)
-            corner[k].colour[a] = (unsigned char)(colour[a] * bright);
+    double side[3][3], middle[3]; /* side k: opposite corner k */
+    for (int a = 0; a < 3; a++) {
+        for (int k = 0; k < 3; k++)
+            side[k][a] = (view->x[vertex[(k + 1) % 3]][a] + view->x[vertex[(k + 2) % 3]][a]) / 2;
+        middle[a] = (side[0][a] + side[1][a] + side[2][a]) / 3;
     }
     for (int k = 0; k < 3; k++)
-        longest = fmax(longest, hypot(corner[k].x - corner[(k + 1) % 3].x,
-                                      corner[k].y - corner[(k + 1) % 3].y));
-    /* Edges of small triangles would hide them. */
-    raster_triangle(onto, corner, longest > 6 * FINE ? FINE * 0.75 : 0);
+        draw_corner(view->x[vertex[k]], side[(k + 1) % 3], side[(k + 2) % 3], middle,
+                    of->triangles <= MOST_WITH_EDGES, colours[of->owner[vertex[k]] % PICTURE_RANKS],
+                    bright);
 }
 
 static void draw_square(picture *p, int left, int top, int width, const unsigned char colour[3],
@@ -165,26 +193,50 @@ static void draw_legend(picture *p, int ranks) {
     }
 }
 
-/* The panels, four times as large. */
-static int draw_panels(const part_picture *of, const double (*x)[3], picture *large) {
+static void draw_panels(const part_picture *of, const double (*x)[3]) {
     const panel panels[] = {flat_panel(of), space_panel(of, x)};
-    raster onto;
-    if (picture_new(large, 2 * PANEL * FINE, (PANEL + LEGEND) * FINE) != 0)
-        return -1;
-    if (raster_init(&onto, large) != 0)
-        return -1;
-    for (size_t k = 0; k < sizeof panels / sizeof *panels; k++)
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glShadeModel(GL_FLAT);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_POLYGON_OFFSET_FILL); /* so that edges lie upon what they bound */
+    glPolygonOffset(1, 1);
+    glLineWidth(FINE * 0.75f);
+    for (size_t k = 0; k < sizeof panels / sizeof *panels; k++) {
+        look(&panels[k]);
         for (int t = 0; t < of->triangles; t++)
-            draw_triangle(&onto, of, &panels[k], t);
-    raster_free(&onto);
-    return 0;
+            draw_triangle(of, &panels[k], t);
+    }
+    glFinish();
+}
+
+/* The panels, four times as large, off screen. 0, or -1: out of memory. */
+static int draw_large(const part_picture *of, const double (*x)[3], picture *large) {
+    const int width = 2 * PANEL * FINE, height = (PANEL + LEGEND) * FINE;
+    const size_t count = (size_t)width * (size_t)height;
+    unsigned char *pixels = malloc(4 * count);
+    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, NULL);
+    int status = -1;
+    if (pixels && context && picture_new(large, width, height) == 0 &&
+        OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, width, height)) {
+        OSMesaPixelStore(OSMESA_Y_UP, 0);
+        draw_panels(of, x);
+        for (size_t k = 0; k < count; k++)
+            memcpy(large->rgb + 3 * k, pixels + 4 * k, 3);
+        status = 0;
+    }
+    if (context)
+        OSMesaDestroyContext(context);
+    free(pixels);
+    return status;
 }
 
 void part_picture_write(const part_picture *of, const double (*x)[3]) {
     picture large = {0}, half = {0}, done = {0};
     if (!of)
         return;
-    if (draw_panels(of, x, &large) != 0 || picture_halve(&large, &half) != 0 ||
+    if (draw_large(of, x, &large) != 0 || picture_halve(&large, &half) != 0 ||
         picture_halve(&half, &done) != 0)
         part_give_up("out of memory for -part_picture");
     draw_legend(&done, of->ranks);

@@ -113,7 +113,7 @@ void stage_free(stage *st) {
     free(st);
 }
 
-static void look(const camera *from) {
+void stage_look(const camera *from) {
     const double near = 0.25 * from->depth[0], far = 4.0 * from->depth[1] + 20.0;
     GLdouble view[16] = {0.0};
     for (int k = 0; k < 3; k++) {
@@ -280,7 +280,7 @@ static int draw_all(stage *st, const camera *from, const patches *cloth, double 
     glViewport(0, 0, st->width, st->height);
     glClearColor(BACKGROUND[0], BACKGROUND[1], BACKGROUND[2], 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    look(from);
+    stage_look(from);
     set_light();
     draw_planes(st, from, cloth, time);
     draw_lit(st, cloth, time);

@@ -26,4 +26,7 @@ void stage_free(stage *st);
  *  after a message on standard error. */
 int stage_draw(stage *st, const camera *from, const stage_cloth *cloth, double time, picture *p);
 
+/** Sets the projection and the view of OpenGL's current drawing to the camera's. */
+void stage_look(const camera *from);
+
 #endif
