@@ -61,22 +61,18 @@ static present present_of(const simulation *whole, const expansion *at) {
 /* Rows that the parts own, to the leader. */
 static void give_back(part *p, linear_system *whole) {
     const linear_system *s = &p->sim->system;
-    double(*diagonal)[9] = part_memory((size_t)s->A.row_count, sizeof *diagonal);
     for (int i = 0; i < s->A.row_count; i++)
-        memcpy(diagonal[i], s->A.value[s->A.row_start[i]], sizeof *diagonal);
-    part_return(p, 9, diagonal, whole ? whole->A.value : NULL);
+        memcpy(p->diagonal[i], s->A.value[s->A.row_start[i]], sizeof *p->diagonal);
+    part_return(p, 9, p->diagonal, whole ? whole->A.value : NULL);
     part_return(p, 3, s->b, whole ? whole->b : NULL);
-    free(diagonal);
 }
 
 void assembly_receive(part *p, const linear_system *whole) {
     const linear_system *s = &p->sim->system;
-    double(*diagonal)[9] = part_memory((size_t)s->A.row_count, sizeof *diagonal);
-    part_receive(part_solved(p), 9, whole ? whole->A.value : NULL, diagonal);
+    part_receive(part_solved(p), 9, whole ? whole->A.value : NULL, p->diagonal);
     part_receive(p->own, 3, whole ? whole->b : NULL, s->b);
     for (int i = 0; i < s->A.row_count; i++)
-        memcpy(s->A.value[s->A.row_start[i]], diagonal[i], sizeof *diagonal);
-    free(diagonal);
+        memcpy(s->A.value[s->A.row_start[i]], p->diagonal[i], sizeof *p->diagonal);
 }
 
 /* Elements worked on, those of several parts as often as they are executed; seconds: the leader's

@@ -211,6 +211,7 @@ void part_make(part *p, bits_order bits, const mesh *whole, const scene *of) {
     p->sim = __real_simulation_new(&p->mesh, &p->scene, error);
     if (!p->sim)
         part_give_up(error);
+    p->diagonal = part_memory((size_t)p->mesh.vertex_count, sizeof *p->diagonal);
     if (part_has_domains(&p->scene, bits))
         make_domains(p, &d);
     if (bits == BITS_ANY)
@@ -227,6 +228,7 @@ void part_free(part *p) {
     part_picture_free(p->picture);
     __real_simulation_free(p->sim);
     mesh_free(&p->mesh);
+    free(p->diagonal);
     free(p->global);
     free(p->hinge);
     free(p->block);

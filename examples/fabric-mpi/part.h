@@ -52,6 +52,7 @@ typedef struct part {
         *domains;                 /* Gauss-Seidel, with the domains of the whole cloth; else NULL */
     struct petsc_solver *petsc;   /* --bits=any (solution_petsc.h); else NULL */
     struct part_picture *picture; /* of the division, which the leader draws; else NULL */
+    double (*diagonal)[9]; /* [mesh.vertex_count] of the matrix, on its way from or to the leader */
     int *global;      /* [mesh.vertex_count] each vertex' number in the whole mesh, ascending */
     int *hinge;       /* [mesh.hinge_count] the same for hinges */
     own_block *block; /* [blocks] ascending */
