@@ -92,7 +92,7 @@ static void take_blocks(part *p, const division *d, const int *local_of) {
     for (int k = 0; k < d->count; k++) {
         const int first = d->first[k], length = d->first[k + 1] - first;
         if (d->owner[k] == p->rank)
-            p->block[p->blocks++] = (own_block){k, local_of[first], local_of[first] + length};
+            p->block[p->blocks++] = (own_block){k, local_of[first], local_of[first] + length, 0};
     }
 }
 

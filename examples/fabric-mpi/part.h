@@ -29,6 +29,7 @@ enum { LEADER = 0 };
 typedef struct own_block {
     int number;     /* among the whole cloth's */
     int begin, end; /* in the part's own numbers */
+    int sends;      /* are some of them ghosts of other ranks? */
 } own_block;
 
 /** The sums of all blocks of the cloth, as they come in rank by rank. */
@@ -90,8 +91,10 @@ void part_receive_ints(PetscSF sf, const int *whole, int *local);
 void part_return(const part *p, int size, const void *local, void *whole);
 /** Ghosts become what their owners have. value [mesh.vertex_count][3] */
 void part_update_ghosts(const part *p, double (*value)[3]);
-/** Those in odd domains alone, or in even ones. */
-void part_update_kind(const part *p, int odd, double (*value)[3]);
+/** Those in odd domains alone, or in even ones, in two halves: between them the rank may work on
+ * what is not sent and not received. */
+void part_update_kind_begin(const part *p, int odd, double (*value)[3]);
+void part_update_kind_end(const part *p, int odd, double (*value)[3]);
 /** The sum over all blocks of the cloth, in order, of own [blocks]: the same on all ranks. With
  *  --bits=any in an order that is MPI's. */
 double part_sum(const part *p, const double *own);

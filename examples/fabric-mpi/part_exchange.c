@@ -77,6 +77,20 @@ static void connect_ghosts(const part *p, const division *d, const int *place, i
     free(root);
 }
 
+/* Which blocks have vertices that other ranks have as ghosts. */
+static void mark_senders(part *p) {
+    PetscInt ranks;
+    const PetscInt *offset, *sent;
+    int *is_sent = part_memory((size_t)p->mesh.vertex_count, sizeof *is_sent);
+    CHECK(PetscSFGetLeafRanks(p->ghosts, &ranks, NULL, &offset, &sent));
+    for (int n = 0; ranks > 0 && n < offset[ranks]; n++)
+        is_sent[sent[n]] = 1;
+    for (int b = 0; b < p->blocks; b++)
+        for (int i = p->block[b].begin; i < p->block[b].end; i++)
+            p->block[b].sends |= is_sent[i];
+    free(is_sent);
+}
+
 void part_connect(part *p, const division *d) {
     const int count = p->mesh.vertex_count, offered = p->rank == LEADER ? p->vertices : 0;
     int *leaf = part_memory((size_t)count, sizeof *leaf);
@@ -96,6 +110,8 @@ void part_connect(part *p, const division *d) {
     connect(&p->own, offered, n, leaf, root);
     ask_places(p, place);
     connect_ghosts(p, d, place, ANY, &p->ghosts);
+    if (p->ranks > 1)
+        mark_senders(p);
     for (int odd = 0; odd < 2 && part_has_domains(&p->scene, p->bits); odd++)
         connect_ghosts(p, d, place, odd, &p->kind[odd]);
     order_sums(&p->sums, p->ranks, d);
@@ -141,8 +157,12 @@ void part_update_ghosts(const part *p, double (*value)[3]) {
     part_receive(p->ghosts, 3, value, value);
 }
 
-void part_update_kind(const part *p, int odd, double (*value)[3]) {
-    part_receive(p->kind[odd], 3, value, value);
+void part_update_kind_begin(const part *p, int odd, double (*value)[3]) {
+    CHECK(PetscSFBcastBegin(p->kind[odd], unit_of(3), value, value, MPI_REPLACE));
+}
+
+void part_update_kind_end(const part *p, int odd, double (*value)[3]) {
+    CHECK(PetscSFBcastEnd(p->kind[odd], unit_of(3), value, value, MPI_REPLACE));
 }
 
 static double sum_in_any_order(const part *p, const double *own) {

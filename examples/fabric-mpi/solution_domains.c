@@ -15,16 +15,46 @@ static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;
 }
 
-static int is_of_kind(const part *p, int n, int odd) {
-    return p->block[n].number % 2 == odd;
+/* What is done with one domain; beta: of the direction, NULL: it is there. */
+typedef void (*domain_pass)(domain_solver *d, int domain, const double *beta);
+
+/* A pass over the domains of a kind; then other ranks have this kind's `sent`, unless it is NULL.
+ * They get it while the domains that nobody else reads are still at work: so a rank that is late
+ * for a moment keeps no other one waiting. */
+static void pass_over(const part *p, int odd, domain_pass pass, const double *beta,
+                      double (*sent)[3]) {
+    for (int sends = 1; sends >= 0; sends--) {
+#pragma omp parallel for schedule(dynamic)
+        for (int n = 0; n < p->blocks; n++)
+            if (p->block[n].number % 2 == odd && p->block[n].sends == sends)
+                pass(p->domains, p->block[n].number, beta);
+        if (sends && sent)
+            part_update_kind_begin(p, odd, sent);
+    }
+    if (sent)
+        part_update_kind_end(p, odd, sent);
 }
 
-/* The first half of r = (I + U)^-T r; then what the other half reads of other ranks is there. */
-static void sweep_even_down(const part *p, double (*r)[3]) {
-#pragma omp parallel for schedule(static)
-    for (int n = 0; n < p->blocks; n++)
-        if (is_of_kind(p, n, 0))
-            domain_sweep_down(p->domains, p->block[n].number, r);
+static void sweep_residual_down(domain_solver *d, int domain, const double *beta) {
+    (void)beta;
+    domain_sweep_down(d, domain, d->residual);
+}
+
+static void sweep_image_down(domain_solver *d, int domain, const double *beta) {
+    (void)beta;
+    domain_sweep_down(d, domain, d->image);
+}
+
+static void sweep_correction_up(domain_solver *d, int domain, const double *beta) {
+    (void)beta;
+    domain_sweep_up(d, domain, read_only(d->correction), d->correction);
+}
+
+/* A domain is turned just before it is swept, so that it is read from memory once. */
+static void turn_and_sweep_direction(domain_solver *d, int domain, const double *beta) {
+    if (beta)
+        domain_turn(d, domain, *beta);
+    domain_sweep_direction(d, domain);
 }
 
 /* The solver's residual, within the constraints, transformed; returns its square. */
@@ -32,8 +62,7 @@ static double transform(part *p) {
     domain_solver *d = p->domains;
     solver_filter(&p->sim->constraints, p->sim->solver.residual);
     domain_scale(d, read_only(p->sim->solver.residual));
-    sweep_even_down(p, d->residual);
-    part_update_kind(p, 0, d->residual);
+    pass_over(p, 0, sweep_residual_down, NULL, d->residual);
 #pragma omp parallel for schedule(static)
     for (int n = 0; n < p->blocks; n++)
         d->sum_residual[n] = domain_transform(d, p->block[n].number);
@@ -41,21 +70,11 @@ static double transform(part *p) {
 }
 
 /* p = residual + beta p; NULL: p is there. Then t, and w but for its product with what is between
- * domains. A domain is turned just before it is swept, so that it is read from memory once. */
+ * domains. */
 static void sweep_direction(const part *p, const double *beta) {
     domain_solver *d = p->domains;
-    for (int odd = 1; odd >= 0; odd--) {
-#pragma omp parallel for schedule(static)
-        for (int n = 0; n < p->blocks; n++) {
-            if (!is_of_kind(p, n, odd))
-                continue;
-            if (beta)
-                domain_turn(d, p->block[n].number, *beta);
-            domain_sweep_direction(d, p->block[n].number);
-        }
-        if (odd || d->has_between)
-            part_update_kind(p, odd, d->swept);
-    }
+    pass_over(p, 1, turn_and_sweep_direction, beta, d->swept);
+    pass_over(p, 0, turn_and_sweep_direction, beta, d->has_between ? d->swept : NULL);
 }
 
 /* w, of even domains swept down. */
@@ -63,9 +82,11 @@ static void finish_even(const part *p) {
     domain_solver *d = p->domains;
     if (d->has_between) {
         half_product(&d->between, read_only(d->swept), d->image);
-        sweep_even_down(p, d->image);
+        pass_over(p, 0, sweep_image_down, NULL, d->image);
+        return;
     }
-    part_update_kind(p, 0, d->image);
+    part_update_kind_begin(p, 0, d->image);
+    part_update_kind_end(p, 0, d->image);
 }
 
 /* p . image */
@@ -119,14 +140,8 @@ static solver_status iterate(part *p, double square, double goal, int most, long
 /* dv += the correction, which is swept up first. */
 static void add_correction(const part *p) {
     domain_solver *d = p->domains;
-    for (int odd = 1; odd >= 0; odd--) {
-#pragma omp parallel for schedule(static)
-        for (int n = 0; n < p->blocks; n++)
-            if (is_of_kind(p, n, odd))
-                domain_sweep_up(d, p->block[n].number, read_only(d->correction), d->correction);
-        if (odd)
-            part_update_kind(p, odd, d->correction);
-    }
+    pass_over(p, 1, sweep_correction_up, NULL, d->correction);
+    pass_over(p, 0, sweep_correction_up, NULL, NULL);
     domain_add_correction(d, p->sim->dv);
 }
 
