@@ -76,6 +76,20 @@ const char *tell_address_text(inspector *self, const ir_node *row, const ir_vari
     return arena_format(a, "%s&%s", plain, tell_row_text(self, row));
 }
 
+/** All of an array, by a macro of loop.h: in a function of its own the slice has a pointer to its
+ * first element, of whose number it knows nothing. */
+static void tell_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
+    const ir_type *type = row->type, *element = type->target;
+    const char *text = tell_row_text(self, row);
+    if (type->size < 0 || element->size <= 0) {
+        self->loop->outline.possible = false;
+        return;
+    }
+    writer_line(self->printer.out, "REDCC_%s(%u, %s%s, %lldu * sizeof(%s[0]));", what, number,
+                element->is_restrict ? "(const void *)" : "", text,
+                (long long)(type->size / element->size), text);
+}
+
 /** The same by a macro of loop.h. */
 static void tell_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
                         const ir_node *base) {
@@ -87,7 +101,9 @@ static void tell_either(inspector *self, const ir_node *row, bool is_update, uns
     const bool is_row = base && is_numbered(row, base);
     const char *array = is_row ? tell_row_text(self, row->children[0]) : NULL;
     const char *subscript = is_row ? tell_row_text(self, row->children[1]) : NULL;
-    if (is_row && !self->is_bare)
+    if (row->kind == IR_VARIABLE && row->type->kind == IR_ARRAY)
+        tell_array(self, row, what, number);
+    else if (is_row && !self->is_bare)
         writer_line(out, "REDCC_%s_ROW(%u, %s, %s);", what, number, macro_argument(a, array),
                     macro_argument(a, subscript));
     else if (is_row)
