@@ -94,20 +94,23 @@ unsigned expression_last_id(const ir_node *node) {
     return node->id;
 }
 
+/* Of a call of a function by its name, through this argument. */
+static parameter_effect effect_of_argument(const variable_facts *facts, const ir_node *call,
+                                           const ir_node *argument) {
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (call->children[i] == argument)
+            return must_write_parameter(facts->prover, call->children[0]->function, i - 1);
+    return (parameter_effect){.keeps_address = true};
+}
+
 /* &v, handed to a function that reads through it, and no more. */
 static bool is_only_read(const variable_facts *facts, const ir_node *address) {
     const ir_node *call = address->parent;
     if (address->kind != IR_UNARY || address->op != IR_OP_ADDRESS || !call ||
         call->kind != IR_CALL || call->children[0]->kind != IR_FUNCTION)
         return false;
-    const ir_function *callee = call->children[0]->function;
-    for (unsigned i = 0; i < callee->parameter_count && i + 1 < call->child_count; i++) {
-        if (call->children[i + 1] != address)
-            continue;
-        const parameter_effect effect = must_write_parameter(facts->prover, callee, i);
-        return effect.is_known && !effect.may_write;
-    }
-    return false;
+    const parameter_effect effect = effect_of_argument(facts, call, address);
+    return effect.is_known && !effect.may_write;
 }
 
 static bool has_write_in(variable_facts *facts, const ir_node *node, const ir_variable *variable,
@@ -160,11 +163,7 @@ static bool argument_escapes(variable_facts *all, const ir_node *call, const ir_
     if (!callee->function->body)
         return callee->function->linkage.is_renamed ||
                !is_memory_function(callee->function->name) || ir_value_is_used(call);
-    for (unsigned i = 1; i < call->child_count; i++)
-        if (call->children[i] == argument)
-            return i - 1 >= callee->function->parameter_count ||
-                   must_write_parameter(all->prover, callee->function, i - 1).keeps_address;
-    return true;
+    return effect_of_argument(all, call, argument).keeps_address;
 }
 
 static bool holder_escapes(variable_facts *all, const ir_variable *holder, unsigned depth) {
