@@ -3,7 +3,7 @@
 # What the bits cost over ranks: fabric-mpi with --bits=serial against --bits=any, where PETSc solves, on
 # the large mesh, to the same tolerance; fabric-serial in the same rounds. Block-jacobi is the same
 # preconditioner on both sides. Against gauss-seidel stand PETSc's sor within each rank, and gamg.
-#   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
+#   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"; MORE=1 adds the rounds to those in the file
 # Seconds are those of the steps, wall time: on a machine with other work they say little of several
 # ranks, which wait for each other. Shown are the median of the rounds, the least and the greatest. All
 # are kept, a line a run, in distributed.csv: what solved, ranks (0: fabric-serial, without MPI), round,
@@ -58,8 +58,9 @@ measure() {
     "$work/run/summary.json"),$distance" >>"$csv"
 }
 
-echo "solution,ranks,round,seconds,iterations,distance_m" >"$csv"
-for round in $(seq "$rounds"); do
+[ -n "${MORE:-}" ] && [ -s "$csv" ] || echo "solution,ranks,round,seconds,iterations,distance_m" >"$csv"
+done_before=$(awk -F, 'NR > 1 && $3 > most {most = $3} END {print most + 0}' "$csv")
+for round in $(seq $((done_before + 1)) $((done_before + rounds))); do
   for kind in block-jacobi gauss-seidel; do
     bits="" measure "$round" "fabric-serial $kind" 0 $kind ""
     for ranks in "${rank_counts[@]}"; do

@@ -29,7 +29,7 @@ void assembly_thin(simulation *whole) {
 
 /* Where the leader's hinges, those with a weight, are among the mesh's; angle [mesh hinges]. */
 static void spell_angles(const simulation *whole, double *angle) {
-    const hinge_elements *e = &whole->hinges;
+    const hinge_elements *e = &whole->cloth.hinges;
     int k = 0;
     for (int t = 0; t < whole->mesh->hinge_count && k < e->count; t++)
         if (memcmp(whole->mesh->hinge[t], e->corner[k], sizeof *e->corner) == 0)
@@ -37,7 +37,7 @@ static void spell_angles(const simulation *whole, double *angle) {
 }
 
 void assembly_start(part *p, const simulation *whole) {
-    const hinge_elements *e = &p->sim->hinges;
+    const hinge_elements *e = &p->sim->cloth.hinges;
     int count = whole ? whole->mesh->hinge_count : 0, k = 0;
     MPI_Bcast(&count, 1, MPI_INT, LEADER, MPI_COMM_WORLD);
     double *angle = part_memory((size_t)count, sizeof *angle);
@@ -52,9 +52,9 @@ void assembly_start(part *p, const simulation *whole) {
 
 static present present_of(const simulation *whole, const expansion *at) {
     present now = {.h = at->h, .lags = at->lag != at->v};
-    memcpy(now.wind, whole->wind, sizeof now.wind);
+    memcpy(now.wind, whole->in_force.wind, sizeof now.wind);
     for (int k = 0; k < EFFECT_COUNT; k++)
-        now.on[k] = whole->effects[k].on;
+        now.on[k] = whole->account.effects[k].on;
     return now;
 }
 
@@ -80,21 +80,22 @@ void assembly_receive(part *p, const linear_system *whole) {
 static void account(const part *p, simulation *whole) {
     long visited[EFFECT_COUNT], all[EFFECT_COUNT];
     for (int k = 0; k < EFFECT_COUNT; k++) {
-        effect_account *of = &p->sim->effects[k];
+        effect_account *of = &p->sim->account.effects[k];
         visited[k] = of->visited;
         if (whole)
-            whole->effects[k].seconds += of->seconds;
+            whole->account.effects[k].seconds += of->seconds;
         of->visited = 0;
         of->seconds = 0;
     }
     MPI_Reduce(visited, all, EFFECT_COUNT, MPI_LONG, MPI_SUM, LEADER, MPI_COMM_WORLD);
     for (int k = 0; whole && k < EFFECT_COUNT; k++)
-        whole->effects[k].visited += all[k];
+        whole->account.effects[k].visited += all[k];
 }
 
 static expansion own_expansion(const simulation *sim, double h, int lags) {
-    const double(*v)[3] = (const double(*)[3])sim->v;
-    return (expansion){h, (const double(*)[3])sim->x, lags ? (const double(*)[3])sim->guess : v, v};
+    const double(*v)[3] = (const double(*)[3])sim->state.v;
+    return (expansion){h, (const double(*)[3])sim->state.x,
+                       lags ? (const double(*)[3])sim->step.guess : v, v};
 }
 
 void assembly_forces(part *p, simulation *whole, const expansion *at) {
@@ -104,21 +105,21 @@ void assembly_forces(part *p, simulation *whole, const expansion *at) {
     if (whole)
         now = present_of(whole, at);
     MPI_Bcast(&now, (int)sizeof now, MPI_BYTE, LEADER, MPI_COMM_WORLD);
-    part_receive(p->all, 3, at ? at->x : NULL, sim->x);
-    part_receive(p->all, 3, at ? at->v : NULL, sim->v);
+    part_receive(p->all, 3, at ? at->x : NULL, sim->state.x);
+    part_receive(p->all, 3, at ? at->v : NULL, sim->state.v);
     if (now.lags)
-        part_receive(p->all, 3, at ? at->lag : NULL, sim->guess);
-    memcpy(sim->wind, now.wind, sizeof now.wind);
+        part_receive(p->all, 3, at ? at->lag : NULL, sim->step.guess);
+    memcpy(sim->in_force.wind, now.wind, sizeof now.wind);
     for (int k = 0; k < EFFECT_COUNT; k++)
-        sim->effects[k].on = now.on[k];
+        sim->account.effects[k].on = now.on[k];
     const expansion own = own_expansion(sim, now.h, now.lags);
-    sim->stage_h = now.h;
+    sim->step.stage_h = now.h;
     __real_forces_assemble(sim, &own);
     give_back(p, whole ? &whole->system : NULL);
     account(p, whole);
     /* The energy goes by the leader's. */
-    if (whole && whole->has_hinge_forces && BUILT_WITH(EFFECT_BEND))
-        hinge_update_angles(&whole->hinges, at->x);
+    if (whole && whole->cloth.has_hinge_forces && BUILT_WITH(EFFECT_BEND))
+        hinge_update_angles(&whole->cloth.hinges, at->x);
     part_stage_end();
 }
 
@@ -128,9 +129,9 @@ int assembly_missed(part *p, simulation *whole, const expansion *at, const doubl
     int any;
     part_stage_begin("forces");
     MPI_Bcast(&h, 1, MPI_DOUBLE, LEADER, MPI_COMM_WORLD);
-    part_receive(p->all, 3, dv, sim->dv);
+    part_receive(p->all, 3, dv, sim->step.dv);
     const expansion own = own_expansion(sim, h, 0);
-    const int found = __real_forces_add_missed(sim, &own, (const double(*)[3])sim->dv) > 0;
+    const int found = __real_forces_add_missed(sim, &own, (const double(*)[3])sim->step.dv) > 0;
     MPI_Allreduce(&found, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     if (any)
         give_back(p, whole ? &whole->system : NULL);

@@ -97,14 +97,14 @@ void __wrap_solver_impulses(solver *s, const linear_system *system, const double
 
 /* What is not done over ranks; NULL: nothing of the scene. */
 static const char *obstacle(const mesh *m, const scene *s, int ranks) {
-    if (s->method != METHOD_CONJUGATE_GRADIENTS)
+    if (s->solution.method != METHOD_CONJUGATE_GRADIENTS)
         return "solution.method: over ranks only conjugate-gradients, since CHOLMOD, which direct "
                "calls, factors on one machine";
-    if (bits == BITS_SERIAL && s->preconditioner != PRECONDITIONER_GAUSS_SEIDEL &&
-        s->preconditioner != PRECONDITIONER_BLOCK_JACOBI)
+    if (bits == BITS_SERIAL && s->solution.preconditioner != PRECONDITIONER_GAUSS_SEIDEL &&
+        s->solution.preconditioner != PRECONDITIONER_BLOCK_JACOBI)
         return "solution.preconditioner: over ranks only gauss-seidel and block-jacobi; --bits=any "
                "has others";
-    if (s->precision != PRECISION_DOUBLE)
+    if (s->solution.precision != PRECISION_DOUBLE)
         return "solution.precision: over ranks only double; float and mixed go through all "
                "vertices in one order";
     if (part_block_count(s, bits, m->vertex_count) < ranks)
@@ -136,7 +136,7 @@ simulation *__wrap_simulation_new(const mesh *m, const scene *s, char *error) {
 
 void __wrap_simulation_free(simulation *sim) {
     if (sim && sim == current) {
-        part_picture_write(mine.picture, (const double(*)[3])sim->x);
+        part_picture_write(mine.picture, (const double(*)[3])sim->state.x);
         ask(FREE);
         part_free(&mine);
         current = NULL;

@@ -143,17 +143,17 @@ static void spread_scene(scene *s, const scene *of) {
     if (of)
         *s = *of;
     MPI_Bcast(s, (int)sizeof *s, MPI_BYTE, LEADER, MPI_COMM_WORLD);
-    s->sheet = NULL;
+    s->mesh.sheet = NULL;
     s->pin_count = s->collider_count = 0;
     s->pins = NULL;
     s->colliders = NULL;
-    s->self_gap = s->sleep = 0;
-    s->integrator = INTEGRATOR_LINEAR_EULER;
-    s->limits.off = 1;
+    s->self_collision.gap = s->solution.sleep = 0;
+    s->time.integrator = INTEGRATOR_LINEAR_EULER;
+    s->monitor.off = 1;
 }
 
 int part_has_domains(const scene *s, bits_order bits) {
-    return bits == BITS_SERIAL && s->preconditioner == PRECONDITIONER_GAUSS_SEIDEL;
+    return bits == BITS_SERIAL && s->solution.preconditioner == PRECONDITIONER_GAUSS_SEIDEL;
 }
 
 int part_block_count(const scene *s, bits_order bits, int vertices) {

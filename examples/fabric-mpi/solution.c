@@ -71,15 +71,15 @@ static int receive(part *p, const whole_system *whole) {
     int which;
     assembly_receive(p, whole ? whole->system : NULL);
     receive_constraints(p, whole ? whole->given : NULL);
-    part_receive(p->own, 3, whole ? whole->dv : NULL, sim->dv);
-    const int mine = solver_apply(&sim->constraints, sim->dv);
+    part_receive(p->own, 3, whole ? whole->dv : NULL, sim->step.dv);
+    const int mine = solver_apply(&sim->constraints, sim->step.dv);
     MPI_Allreduce(&mine, &which, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     return which;
 }
 
 static void give_back(part *p, const whole_system *whole) {
     part_return(p, 3, p->sim->solver.residual, whole ? whole->residual : NULL);
-    part_return(p, 3, p->sim->dv, whole ? whole->dv : NULL);
+    part_return(p, 3, p->sim->step.dv, whole ? whole->dv : NULL);
 }
 
 solver_status solution_solve(part *p, const whole_system *whole, const solver_limits *limits,
@@ -95,7 +95,7 @@ solver_status solution_solve(part *p, const whole_system *whole, const solver_li
                                               : jacobi_solve(p, &now, which, iterations);
     /* Block-Jacobi's own residual is as good where nothing is constrained. */
     if (status != SOLVER_NOT_FINITE && (p->petsc || p->domains || which != UNCONSTRAINED))
-        solution_residual(p, p->sim->dv);
+        solution_residual(p, p->sim->step.dv);
     give_back(p, whole);
     part_stage_end();
     return status;
@@ -113,8 +113,8 @@ double solution_defect(part *p, const whole_system *whole, double *reference) {
 void solution_impulses(part *p, const whole_system *whole) {
     part_stage_begin("solution");
     assembly_receive(p, whole ? whole->system : NULL);
-    part_receive(p->own, 3, whole ? whole->dv : NULL, p->sim->dv);
-    solution_residual(p, p->sim->dv);
+    part_receive(p->own, 3, whole ? whole->dv : NULL, p->sim->step.dv);
+    solution_residual(p, p->sim->step.dv);
     part_return(p, 3, p->sim->solver.residual, whole ? whole->residual : NULL);
     part_stage_end();
 }

@@ -142,7 +142,7 @@ static void add_correction(const part *p) {
     domain_solver *d = p->domains;
     pass_over(p, 1, sweep_correction_up, NULL, d->correction);
     pass_over(p, 0, sweep_correction_up, NULL, NULL);
-    domain_add_correction(d, p->sim->dv);
+    domain_add_correction(d, p->sim->step.dv);
 }
 
 solver_status domains_solve(part *p, const solver_limits *limits, int which, long *iterations) {
@@ -151,12 +151,12 @@ solver_status domains_solve(part *p, const solver_limits *limits, int which, lon
     const double reference = transform(p);
     if (!isfinite(reference))
         return SOLVER_NOT_FINITE;
-    solution_residual(p, p->sim->dv);
+    solution_residual(p, p->sim->step.dv);
     const double square = transform(p);
     const solver_status status =
         iterate(p, square, solver_goal(limits, reference), limits->max_iterations, iterations);
     if (status != SOLVER_NOT_FINITE)
         add_correction(p);
-    solver_apply(&p->sim->constraints, p->sim->dv);
+    solver_apply(&p->sim->constraints, p->sim->step.dv);
     return status;
 }

@@ -57,7 +57,7 @@ static double curvature_of(part *p) {
 static double advance(part *p, double alpha) {
     solver *s = &p->sim->solver;
     const constraints *c = &p->sim->constraints;
-    double(*dv)[3] = p->sim->dv;
+    double(*dv)[3] = p->sim->step.dv;
 #pragma omp parallel for schedule(static)
     for (int n = 0; n < p->blocks; n++) {
         double sum = 0;
@@ -95,7 +95,7 @@ static double begin(part *p, int which, double *reference) {
     }
     start_residual(p);
     *reference = residual_square(p);
-    solution_product(p, sim->dv, s->product);
+    solution_product(p, sim->step.dv, s->product);
     start_residual(p);
     return residual_square(p);
 }

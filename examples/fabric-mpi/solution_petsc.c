@@ -73,7 +73,7 @@ static void set_norm(KSP ksp) {
 petsc_solver *petsc_solver_new(const part *p) {
     petsc_solver *s = part_memory(1, sizeof *s);
     PC pc;
-    petsc_system_init(&s->system, p, default_type(p->scene.preconditioner));
+    petsc_system_init(&s->system, p, default_type(p->scene.solution.preconditioner));
     CHECK(PetscOptionsHasName(NULL, NULL, "-ksp_rtol", &s->has_rtol));
     CHECK(PetscOptionsHasName(NULL, NULL, "-ksp_atol", &s->has_atol));
     CHECK(PetscOptionsHasName(NULL, NULL, "-ksp_max_it", &s->has_most));
@@ -81,7 +81,7 @@ petsc_solver *petsc_solver_new(const part *p) {
     CHECK(KSPSetType(s->ksp, KSPCG));
     CHECK(KSPSetInitialGuessNonzero(s->ksp, PETSC_TRUE));
     CHECK(KSPGetPC(s->ksp, &pc));
-    set_default(pc, p->scene.preconditioner);
+    set_default(pc, p->scene.solution.preconditioner);
     CHECK(KSPSetFromOptions(s->ksp));
     set_norm(s->ksp);
     return s;
@@ -120,8 +120,8 @@ static double put(part *p, int which) {
     solution_reference(p, which);
     solver_filter(&p->sim->constraints, s->residual);
     petsc_system_put(of, (const double(*)[3])s->residual, of->b);
-    solver_filter(&p->sim->constraints, p->sim->dv);
-    petsc_system_put(of, (const double(*)[3])p->sim->dv, of->y);
+    solver_filter(&p->sim->constraints, p->sim->step.dv);
+    petsc_system_put(of, (const double(*)[3])p->sim->step.dv, of->y);
     CHECK(VecNorm(of->b, NORM_2, &norm));
     return norm;
 }
@@ -140,7 +140,7 @@ solver_status petsc_solve(part *p, const solver_limits *limits, int which, long 
     CHECK(KSPSolve(s->ksp, s->system.b, s->system.y));
     CHECK(KSPGetIterationNumber(s->ksp, &taken));
     *iterations += taken;
-    petsc_system_get(&s->system, s->system.y, p->sim->dv);
-    solver_apply(&p->sim->constraints, p->sim->dv);
+    petsc_system_get(&s->system, s->system.y, p->sim->step.dv);
+    solver_apply(&p->sim->constraints, p->sim->step.dv);
     return status_of(s->ksp);
 }

@@ -21,17 +21,17 @@ static int lasts(double from, double until, double time) {
  * by the last, which stays. */
 static void find_pins(collisions *c, double time) {
     const scene *s = c->scene;
-    c->pinned = 0;
-    if (!c->pin_of)
+    c->pinned.count = 0;
+    if (!c->pinned.pin_of)
         return;
     for (int i = 0; i < c->vertex_count; i++)
-        c->pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
+        c->pinned.pin_of[i] = c->mass[i] > 0 ? -1 : s->pin_count;
     for (int p = s->pin_count - 1; p >= 0; p--)
         if (lasts(0, s->pins[p].until, time))
-            pin_find(&s->pins[p], c->mesh, p, c->pin_of);
+            pin_find(&s->pins[p], c->mesh, p, c->pinned.pin_of);
     for (int i = 0; i < c->vertex_count; i++)
-        if (c->pin_of[i] >= 0)
-            c->held[c->pinned++] = i;
+        if (c->pinned.pin_of[i] >= 0)
+            c->pinned.list[c->pinned.count++] = i;
 }
 
 /* Is there a vertex that is held at some time? */
@@ -65,7 +65,7 @@ static void set_pin_speeds(collisions *c, double time, double h) {
         const double moving = moving_time(of, time + h) - moving_time(of, time);
         const int always = of->move_from <= 0 && of->move_until <= 0;
         for (int a = 0; a < 3; a++)
-            c->pin_speed[p][a] = of->velocity[a] * (always ? 1 : moving / h);
+            c->pinned.speed[p][a] = of->velocity[a] * (always ? 1 : moving / h);
     }
 }
 
@@ -81,14 +81,14 @@ static int allocate(collisions *c) {
     const size_t pins = (size_t)c->scene->pin_count + 1;
     const size_t colliders = (size_t)c->scene->collider_count + 1;
     const int held = any_pins(c);
-    c->pin_of = held ? calloc(n, sizeof *c->pin_of) : NULL;
-    c->held = held ? calloc(n, sizeof *c->held) : NULL;
-    c->pin_speed = calloc(pins, sizeof *c->pin_speed);
+    c->pinned.pin_of = held ? calloc(n, sizeof *c->pinned.pin_of) : NULL;
+    c->pinned.list = held ? calloc(n, sizeof *c->pinned.list) : NULL;
+    c->pinned.speed = calloc(pins, sizeof *c->pinned.speed);
     c->there = calloc(colliders, 1);
     c->near_list = calloc(colliders, sizeof *c->near_list);
     c->others.watched = calloc(colliders, sizeof *c->others.watched);
-    if (!c->pin_speed || !c->there || !c->near_list || !c->others.watched ||
-        (held && (!c->pin_of || !c->held)))
+    if (!c->pinned.speed || !c->there || !c->near_list || !c->others.watched ||
+        (held && (!c->pinned.pin_of || !c->pinned.list)))
         return -1;
     if (c->scene->collider_count == 0)
         return 0;
@@ -110,7 +110,7 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
                       .vertex_count = m->vertex_count,
                       .now_empty = 1,
                       .before_empty = 1};
-    c->stick_speed = 0.01 * s->step * vector_length(s->gravity);
+    c->stick_speed = 0.01 * s->time.step * vector_length(s->surroundings.gravity);
     if (!(c->stick_speed > 1e-5))
         c->stick_speed = 1e-5;
     if (allocate(c) != 0) {
@@ -118,19 +118,19 @@ int collisions_init(collisions *c, const mesh *m, const scene *s, const double *
         return -1;
     }
     collisions_follow(c, 0);
-    if (c->held) { /* pins only release: never are more held than at first */
-        int *held = realloc(c->held, ((size_t)c->pinned + 1) * sizeof *held);
-        c->held = held ? held : c->held;
+    if (c->pinned.list) { /* pins only release: never are more held than at first */
+        int *held = realloc(c->pinned.list, ((size_t)c->pinned.count + 1) * sizeof *held);
+        c->pinned.list = held ? held : c->pinned.list;
     }
-    set_pin_speeds(c, 0, s->step);
+    set_pin_speeds(c, 0, s->time.step);
     collisions_find_near(c, 0, 0, (const double(*)[3])m->position, NULL, NULL);
     return 0;
 }
 
 void collisions_free(collisions *c) {
-    free(c->pin_of);
-    free(c->held);
-    free(c->pin_speed);
+    free(c->pinned.pin_of);
+    free(c->pinned.list);
+    free(c->pinned.speed);
     free(c->there);
     free(c->near_list);
     free(c->motion);
@@ -179,7 +179,7 @@ static int would_touch(const collisions *c, int number, double time, double h, c
 
 double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
                               double h) {
-    const double most = k->gap * (h / c->scene->step);
+    const double most = k->gap * (h / c->scene->time.step);
     const double push = -found->room > most ? most : -found->room;
     return vector_dot(found->normal, found->carried) + push / h;
 }
@@ -310,7 +310,7 @@ static int is_given(const collisions *c, int i, int contacts) {
 
 int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given) {
     const int contacts = c->now && !c->now_empty;
-    if (c->pinned == 0 && !contacts && given->used == 0)
+    if (c->pinned.count == 0 && !contacts && given->used == 0)
         return 0;
     for (int i = 0; i < c->vertex_count; i++)
         if (is_given(c, i, contacts) && constraint_place(given, i) != 0)
@@ -321,7 +321,7 @@ int collisions_constrain(const collisions *c, const double (*v)[3], constraints 
         double change[CONTACTS_PER_VERTEX + 3];
         int count = 0;
         if (collisions_pin_of(c, i) >= 0) {
-            vector_subtract(c->pin_speed[c->pin_of[i]], v[i], change);
+            vector_subtract(c->pinned.speed[c->pinned.pin_of[i]], v[i], change);
             count = 3;
         } else if (contacts) {
             count = demands(c, i, v[i], d, change);
@@ -405,11 +405,11 @@ double collisions_keep_out(collisions *c, double time, double h, const double *m
 
 void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]) {
 #pragma omp parallel for schedule(static)
-    for (int n = 0; n < c->pinned; n++) {
-        const int i = c->held[n], p = c->pin_of[i];
+    for (int n = 0; n < c->pinned.count; n++) {
+        const int i = c->pinned.list[n], p = c->pinned.pin_of[i];
         const double moving = p < c->scene->pin_count ? moving_time(&c->scene->pins[p], time) : 0;
         for (int a = 0; a < 3; a++) {
-            v[i][a] = c->pin_speed[p][a];
+            v[i][a] = c->pinned.speed[p][a];
             x[i][a] = c->mesh->position[i][a] +
                       (p < c->scene->pin_count ? moving * c->scene->pins[p].velocity[a] : 0);
         }

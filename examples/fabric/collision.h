@@ -60,20 +60,25 @@ typedef struct out_of_reach {
     double speed;     /* m/s, of the fastest of the others */
 } out_of_reach;
 
+/** The vertices that pins hold. */
+typedef struct pinned_vertices {
+    int *pin_of;        /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
+    int count;          /* how many are held: */
+    int *list;          /* [count] these, ascending */
+    double (*speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
+} pinned_vertices;
+
 typedef struct collisions {
     const scene *scene;
     const mesh *mesh;
     const double *mass; /* [vertices] kg */
     int vertex_count;
-    int *pin_of;            /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
-    int pinned;             /* how many are held: */
-    int *held;              /* [pinned] these, ascending */
-    double (*pin_speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
-    unsigned char *there;   /* [colliders] it exists at present */
-    int *near_list;         /* [any_near] those that may touch the cloth in the step being taken,
-                               ascending */
-    body_motion *motion;    /* [colliders] in the step being taken, of those in near_list that have
-                               keyframes; NULL: none has */
+    pinned_vertices pinned;
+    unsigned char *there; /* [colliders] it exists at present */
+    int *near_list;       /* [any_near] those that may touch the cloth in the step being taken,
+                             ascending */
+    body_motion *motion;  /* [colliders] in the step being taken, of those in near_list that have
+                             keyframes; NULL: none has */
     int any_near;
     int any_there; /* how many exist at present */
     out_of_reach others;
@@ -90,7 +95,7 @@ typedef struct collisions {
 
 /** Which pin holds the vertex; -1: none does. */
 static inline int collisions_pin_of(const collisions *c, int vertex) {
-    return c->pin_of ? c->pin_of[vertex] : -1;
+    return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
 }
 
 /** The velocity of the collider's matter at contact n of those that the vertex has in the step

@@ -40,14 +40,14 @@ static double gravity_work(int count, const double *mass, const double gravity[3
 }
 
 static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
-    const triangle_material *t = step->triangle_material;
+    const triangle_material *t = &step->cloth->triangle_material;
     double stretch = 0, shear = 0, bend = 0;
     if (t->stretch > 0 || t->shear > 0)
-        triangle_energies(step->triangles, t, x, &stretch, &shear);
-    if (step->hinge_material->bend > 0)
-        bend = hinge_energy_at(step->hinges, step->hinge_material, x);
+        triangle_energies(&step->cloth->triangles, t, x, &stretch, &shear);
+    if (step->cloth->hinge_material.bend > 0)
+        bend = hinge_energy_at(&step->cloth->hinges, &step->cloth->hinge_material, x);
     if (step->limit)
-        stretch += strain_limit_energy(step->limit, step->triangles, x);
+        stretch += strain_limit_energy(step->limit, &step->cloth->triangles, x);
     return stretch + shear + bend;
 }
 
@@ -55,9 +55,10 @@ static double elastic_energy(const monitored_step *step, const double (*x)[3]) {
 static double outside_work(const monitored_step *step, const scene *s) {
     const int count = step->collisions->vertex_count;
     double work = 0;
-    if (vector_length(s->gravity) > 0)
-        work += gravity_work(count, step->mass, s->gravity, step->x, step->x_next);
-    const force_target on = {s, step->triangles, step->wind};
+    if (vector_length(s->surroundings.gravity) > 0)
+        work +=
+            gravity_work(count, step->cloth->mass, s->surroundings.gravity, step->x, step->x_next);
+    const force_target on = {&s->surroundings, &step->cloth->triangles, step->wind};
 #define OUTER_FORCE(NAME, name)                                                                    \
     work += outer_force_##name.work(&on, step->h, step->x, step->v_next);
 #include "effects/effects.def"
@@ -67,29 +68,29 @@ static double outside_work(const monitored_step *step, const scene *s) {
 }
 
 /* Energies of strains and angles of 1e-12, some thousand roundings. */
-static double energy_of_rounding(const monitored_step *start) {
-    const triangle_material *t = start->triangle_material;
+static double energy_of_rounding(const struct cloth *cloth) {
+    const triangle_material *t = &cloth->triangle_material;
     double area = 0, weight = 0;
-    for (int k = 0; k < start->triangles->count; k++)
-        area += start->triangles->rest[k].area;
-    for (int k = 0; k < start->hinges->count; k++)
-        weight += start->hinges->weight[k];
-    return 1e-24 * ((t->stretch + t->shear) * area + start->hinge_material->bend * weight);
+    for (int k = 0; k < cloth->triangles.count; k++)
+        area += cloth->triangles.rest[k].area;
+    for (int k = 0; k < cloth->hinges.count; k++)
+        weight += cloth->hinges.weight[k];
+    return 1e-24 * ((t->stretch + t->shear) * area + cloth->hinge_material.bend * weight);
 }
 
 void monitor_begin(monitor *m, const scene *s, const monitored_step *start) {
     *m = (monitor){.scene = s};
     if (!start->watched)
         return;
-    m->strain = triangle_greatest_strain(start->triangles, start->x);
-    m->energy = kinetic_energy(start->collisions->vertex_count, start->mass, start->v) +
+    m->strain = triangle_greatest_strain(&start->cloth->triangles, start->x);
+    m->energy = kinetic_energy(start->collisions->vertex_count, start->cloth->mass, start->v) +
                 elastic_energy(start, start->x);
     m->depth = collisions_depth(start->collisions, start->time, start->x);
     m->reference = m->energy;
     m->greatest_strain = m->strain;
     m->deepest = m->start_depth = m->depth;
     m->start_inside = collisions_inside(start->collisions, start->time, start->x);
-    m->noise = energy_of_rounding(start);
+    m->noise = energy_of_rounding(start->cloth);
 }
 
 static monitor_verdict complain(monitor *m, monitor_verdict verdict, double value, double limit) {
@@ -118,12 +119,13 @@ static int keeps_energy(monitor *m, double part) {
 
 /* Whether the step keeps to the scene's limits. */
 static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
-    const monitor_limits *limits = &m->scene->limits;
+    const monitor_limits *limits = &m->scene->monitor;
     if (m->next_strain - m->strain >= limits->growth && m->next_strain >= limits->strain &&
         !tolerates(m, step, STEP_STRAIN))
         return complain(m, STEP_STRAIN, m->next_strain - m->strain, limits->growth);
-    m->next_energy = kinetic_energy(step->collisions->vertex_count, step->mass, step->v_next) +
-                     elastic_energy(step, step->x_next);
+    m->next_energy =
+        kinetic_energy(step->collisions->vertex_count, step->cloth->mass, step->v_next) +
+        elastic_energy(step, step->x_next);
     m->work = outside_work(step, m->scene);
     if (!keeps_energy(m, limits->energy))
         return STEP_ENERGY;
@@ -136,7 +138,8 @@ static monitor_verdict check_limits(monitor *m, const monitored_step *step) {
 
 monitor_verdict monitor_check(monitor *m, const monitored_step *step) {
     memset(m->tolerated, 0, sizeof m->tolerated);
-    m->next_strain = step->watched ? triangle_greatest_strain(step->triangles, step->x_next) : 0;
+    m->next_strain =
+        step->watched ? triangle_greatest_strain(&step->cloth->triangles, step->x_next) : 0;
     if (!step->finite || !isfinite(m->next_strain))
         return complain(m, STEP_NOT_FINITE, NAN, 0);
     if (step->status != SOLVER_CONVERGED && !tolerates(m, step, STEP_NOT_SOLVED))

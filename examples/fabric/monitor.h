@@ -13,10 +13,8 @@
 #ifndef FABRIC_MONITOR_H
 #define FABRIC_MONITOR_H
 
+#include "cloth_elements.h"
 #include "collision.h"
-#include "effects/hinge.h"
-#include "effects/strain_limit.h"
-#include "effects/triangle.h"
 #include "scene.h"
 #include "solver.h"
 
@@ -33,20 +31,16 @@ typedef enum monitor_verdict {
 
 /** What the monitor looks at: the step's two ends. All by reference. */
 typedef struct monitored_step {
-    double h;         /* s */
-    double stage_h;   /* s, of the integrator's stage */
-    double time;      /* s, at the step's begin */
-    double push_work; /* J, that collisions_keep_out did */
-    const double *mass;
+    double h;           /* s */
+    double stage_h;     /* s, of the integrator's stage */
+    double time;        /* s, at the step's begin */
+    double push_work;   /* J, that collisions_keep_out did */
     const double *wind; /* [3] m/s, at present */
     const double (*x)[3], (*v)[3], (*x_next)[3], (*v_next)[3];
     const double (*residual)[3]; /* of the solver, see solver.h */
     const constraints *given;
-    const triangle_elements *triangles;
-    const triangle_material *triangle_material;
+    struct cloth *cloth;       /* what its hinges remember of the last energy may change */
     const strain_limit *limit; /* NULL: none */
-    hinge_elements *hinges;    /* what they remember of the last energy may change */
-    const hinge_material *hinge_material;
     const collisions *collisions;
     solver_status status;
     int passing;  /* pairs of the cloth that pass through each other in the step */

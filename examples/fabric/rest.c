@@ -7,20 +7,20 @@
 #include "vector.h"
 
 int rest_lasts(simulation *sim) {
-    const long plans = sim->plans_changed;
-    if (!(sim->scene->sleep > 0))
+    const long plans = sim->account.plans_changed;
+    if (!(sim->scene->solution.sleep > 0))
         return 0;
     plan_follow(sim);
-    if (sim->plans_changed != plans)
-        sim->slow_steps = 0;
-    return sim->slow_steps >= STEPS_UNTIL_SLEEP;
+    if (sim->account.plans_changed != plans)
+        sim->step.slow_steps = 0;
+    return sim->step.slow_steps >= STEPS_UNTIL_SLEEP;
 }
 
 /* Does anything from outside move at present, or later without an event? */
 static int is_driven(const simulation *sim) {
     const scene *s = sim->scene;
     const double time = simulation_time(sim);
-    if (sim->effects[EFFECT_WIND].on)
+    if (sim->account.effects[EFFECT_WIND].on)
         return 1;
     for (int p = 0; p < s->pin_count; p++)
         if (vector_length(s->pins[p].velocity) > 0 &&
@@ -35,7 +35,7 @@ static int is_driven(const simulation *sim) {
 /* The square of the fastest vertex' speed; infinite if one is not a number. */
 static double greatest_square(const simulation *sim) {
     double greatest = 0;
-    const double(*v)[3] = (const double(*)[3])sim->v;
+    const double(*v)[3] = (const double(*)[3])sim->state.v;
 #pragma omp parallel for schedule(static) reduction(max : greatest)
     for (int i = 0; i < sim->mesh->vertex_count; i++) {
         const double square = vector_dot(v[i], v[i]);
@@ -45,11 +45,11 @@ static double greatest_square(const simulation *sim) {
 }
 
 void rest_watch(simulation *sim) {
-    const double sleep = sim->scene->sleep;
+    const double sleep = sim->scene->solution.sleep;
     if (!(sleep > 0))
         return;
-    sim->slow_steps =
-        greatest_square(sim) <= sleep * sleep && !is_driven(sim) ? sim->slow_steps + 1 : 0;
-    if (sim->slow_steps == STEPS_UNTIL_SLEEP)
-        memset(sim->v, 0, sizeof *sim->v * (size_t)sim->mesh->vertex_count);
+    sim->step.slow_steps =
+        greatest_square(sim) <= sleep * sleep && !is_driven(sim) ? sim->step.slow_steps + 1 : 0;
+    if (sim->step.slow_steps == STEPS_UNTIL_SLEEP)
+        memset(sim->state.v, 0, sizeof *sim->state.v * (size_t)sim->mesh->vertex_count);
 }

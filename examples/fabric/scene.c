@@ -60,15 +60,15 @@ static int read_surfaces(const scene_source *from, scene *s) {
 /** Reads the cloth's mesh, if it is from a file and was not read yet. */
 static int read_sheet(const scene_source *from, scene *s) {
     char error[256] = "it cannot be read";
-    if (s->sheet_from != SHEET_FILE)
+    if (s->mesh.from != SHEET_FILE)
         return 0;
-    if (!s->sheet && !(s->sheet = scene_sheet_read(s->file, s->rest, error)))
-        return scene_complain(from, line_of(from, "mesh.file"), "'mesh.file' is '%s': %s", s->file,
-                              error);
-    s->vertices = s->sheet->vertex_count;
-    s->boundary = 0;
-    s->side = s->scale * sqrt(mesh_rest_area(s->sheet));
-    if (s->rest == REST_TEXTURE && !mesh_file_has_texture(s->file))
+    if (!s->mesh.sheet && !(s->mesh.sheet = scene_sheet_read(s->mesh.file, s->mesh.rest, error)))
+        return scene_complain(from, line_of(from, "mesh.file"), "'mesh.file' is '%s': %s",
+                              s->mesh.file, error);
+    s->mesh.vertices = s->mesh.sheet->vertex_count;
+    s->mesh.boundary = 0;
+    s->mesh.side = s->mesh.scale * sqrt(mesh_rest_area(s->mesh.sheet));
+    if (s->mesh.rest == REST_TEXTURE && !mesh_file_has_texture(s->mesh.file))
         return scene_complain(from, line_of(from, "mesh.rest"),
                               "'mesh.rest' is 'texture', expected 'mesh.file' to be an .obj file");
     return 0;
@@ -88,11 +88,11 @@ static int check_pins(const scene_source *from, const scene *s) {
                                       in_box ? "box_" : "");
             }
         for (int n = 0; n < p->vertex_count; n++)
-            if (p->vertices[n] > s->vertices) {
+            if (p->vertices[n] > s->mesh.vertices) {
                 snprintf(path, sizeof path, "pins.%d.vertices", k);
                 return scene_complain(from, line_of(from, path),
                                       "'%s' has the number %d, expected up to %d", path,
-                                      p->vertices[n], s->vertices);
+                                      p->vertices[n], s->mesh.vertices);
             }
     }
     return 0;
@@ -114,11 +114,11 @@ static int check_motions(const scene_source *from, const scene *s) {
 
 /** What no single key's range can say, of a document whose keys are all valid. */
 static int check_whole(const scene_source *from, scene *s) {
-    if (s->sheet_from == SHEET_GENERATED && s->boundary >= s->vertices)
+    if (s->mesh.from == SHEET_GENERATED && s->mesh.boundary >= s->mesh.vertices)
         return scene_complain(from, line_of(from, "mesh.boundary"),
                               "'mesh.boundary' is %d, expected less than 'mesh.vertices', %d",
-                              s->boundary, s->vertices);
-    if (s->strain_limit > 0 && !(s->stretch > 0))
+                              s->mesh.boundary, s->mesh.vertices);
+    if (s->material.strain_limit > 0 && !(s->material.stretch > 0))
         return scene_complain(from, line_of(from, "material.strain_limit"),
                               "'material.strain_limit' limits a stretch that 'material.stretch' "
                               "sets to 0, expected more");
@@ -133,10 +133,10 @@ static void free_meshes(scene *s) {
         surface_free(s->colliders[n].surface);
         s->colliders[n].surface = NULL;
     }
-    if (s->sheet)
-        mesh_free(s->sheet);
-    free(s->sheet);
-    s->sheet = NULL;
+    if (s->mesh.sheet)
+        mesh_free(s->mesh.sheet);
+    free(s->mesh.sheet);
+    s->mesh.sheet = NULL;
 }
 
 static int complain_syntax(const scene_source *from, const yaml_parser_t *parser) {
@@ -260,6 +260,7 @@ static const scene_key *find_target(const scene_source *from, scene *s, char *pa
         word = dot + 1;
         keys = key->keys;
         if (key->kind != VALUE_LIST) {
+            *target = (char *)*target + key->offset;
             kind = scene_kind(keys, *target);
             continue;
         }

@@ -74,10 +74,9 @@ typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
 /** Where bending is none: where the cloth is flat, or where it starts. */
 typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
 
-typedef struct scene {
-    char name[64];
-    /* mesh */
-    int sheet_from;             /* sheet_kind; from a file: */
+/** A section `mesh`. */
+typedef struct scene_cloth {
+    int from;                   /* sheet_kind; from a file: */
     char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
     double scale;               /* m, of the file's unit */
     int rest;                   /* sheet_rest */
@@ -89,26 +88,39 @@ typedef struct scene {
     mesh_order order;
     double origin[3]; /* m, where the sheet's centre is put */
     double normal[3]; /* unit, the sheet's plane */
-    /* material */
+} scene_cloth;
+
+/** A section `material`. */
+typedef struct scene_material {
     double density; /* kg/m^2 */
 #define MATERIAL(name, required) double name;
 #include "effects/effects.def"
-    /* surroundings */
+} scene_material;
+
+/** A section `surroundings`. */
+typedef struct scene_surroundings {
 #define SURROUNDINGS(name) double name;
 #include "effects/effects.def"
     double gravity[3];            /* m/s^2 */
     double wind[3];               /* m/s */
     double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
-    int pin_count;
-    pin *pins;
-    int collider_count;
-    collider *colliders;
-    double self_gap;      /* m, cloth keeps this distance from itself; 0: goes through itself */
-    double self_friction; /* Coulomb coefficient */
-    /* time and solution */
+} scene_surroundings;
+
+/** A section `self_collision`. */
+typedef struct scene_self_collision {
+    double gap;      /* m, cloth keeps this distance from itself; 0: goes through itself */
+    double friction; /* Coulomb coefficient */
+} scene_self_collision;
+
+/** A section `time`. */
+typedef struct scene_time {
     double step; /* s */
     int steps;
-    int integrator;   /* integrator_kind of integrator.h */
+    int integrator; /* integrator_kind of integrator.h */
+} scene_time;
+
+/** A section `solution`. */
+typedef struct scene_solution {
     double tolerance; /* of the conjugate gradient, relative */
     int max_iterations;
     int method;              /* solver_method of solver.h */
@@ -117,7 +129,22 @@ typedef struct scene {
     double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
     int newton_iterations;   /* at most, in a step */
     double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
-    monitor_limits limits;
+} scene_solution;
+
+/** Members are called as the sections of the file. */
+typedef struct scene {
+    char name[64];
+    scene_cloth mesh;
+    scene_material material;
+    scene_surroundings surroundings;
+    int pin_count;
+    pin *pins; /* [pin_count] */
+    int collider_count;
+    collider *colliders; /* [collider_count] */
+    scene_self_collision self_collision;
+    scene_time time;
+    scene_solution solution;
+    monitor_limits monitor;
 } scene;
 
 /** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
@@ -129,14 +156,16 @@ void scene_free(scene *s);
 
 /** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
  * in its order.
- *  new_of_old: as for mesh_reorder, [s->vertices] or NULL. 0, or -1 with a message in error[256].
+ *  new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 with a message in
+ *  error[256].
  */
 int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
 
 /** Does moving air act on the cloth at some time? */
 static inline int scene_has_wind(const scene *s) {
-    return (s->drag > 0 || s->tangential_drag > 0) &&
-           (s->wind[0] != 0 || s->wind[1] != 0 || s->wind[2] != 0);
+    return (s->surroundings.drag > 0 || s->surroundings.tangential_drag > 0) &&
+           (s->surroundings.wind[0] != 0 || s->surroundings.wind[1] != 0 ||
+            s->surroundings.wind[2] != 0);
 }
 
 /** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */

@@ -42,6 +42,15 @@ static int compare_values(comparison *of, const scene_key *key, const char *path
     return differ;
 }
 
+/** Two sections or items, of which these are the structs. */
+static int compare_within(comparison *of, const char *a, const char *b, const scene_key *keys,
+                          const char *path) {
+    comparison within = {a, b, of->said, of->failed};
+    const int differ = compare_keys(&within, keys, path);
+    of->failed = within.failed;
+    return differ;
+}
+
 static int compare_lists(comparison *of, const scene_key *key, const char *path) {
     char item_path[PATH_SIZE];
     const char *one, *other;
@@ -56,12 +65,9 @@ static int compare_lists(comparison *of, const scene_key *key, const char *path)
     }
     for (int k = 0; k < count; k++) {
         const size_t offset = (size_t)k * key->list->item_size;
-        comparison items = {one + offset, other + offset, of->said, of->failed};
         snprintf(item_path, sizeof item_path, "%.100s.%d", path, k);
-        if (compare_keys(&items, key->keys, item_path)) {
-            of->failed = items.failed;
+        if (compare_within(of, one + offset, other + offset, key->keys, item_path))
             return 1;
-        }
     }
     return 0;
 }
@@ -80,7 +86,7 @@ static int compare_keys(comparison *of, const scene_key *keys, const char *path)
         if (key->name[0] == '\0' || (key->of_kinds != 0 && (key->of_kinds >> kind & 1u) == 0))
             continue;
         if (key->kind == VALUE_SECTION)
-            differ = compare_keys(of, key->keys, name);
+            differ = compare_within(of, of->a + key->offset, of->b + key->offset, key->keys, name);
         else if (key->kind == VALUE_LIST)
             differ = compare_lists(of, key, name);
         else if (key->kind != VALUE_FILE && strcmp(name, "time.steps") != 0)

@@ -11,7 +11,7 @@ _Static_assert(sizeof((scene *)0)->name == TEXT_SIZE, "a text value fits the sce
 
 _Static_assert(sizeof((collider *)0)->file == FILE_SIZE, "a file fits the collider's");
 
-_Static_assert(sizeof((scene *)0)->file == FILE_SIZE, "a file fits the scene's");
+_Static_assert(sizeof((scene_cloth *)0)->file == FILE_SIZE, "a file fits the scene's");
 
 #define ANY -1e300, 1e300, 0
 #define POSITIVE 0.0, 1e300, 1
@@ -31,8 +31,8 @@ _Static_assert(sizeof((scene *)0)->file == FILE_SIZE, "a file fits the scene's")
     { #field, VALUE_DIRECTION, offsetof(struct_, field), required, 3, ANY, 0, NULL, NULL, NULL }
 #define CHOICE(struct_, field, required, choices)                                                  \
     { #field, VALUE_CHOICE, offsetof(struct_, field), required, 1, ANY, 0, choices, NULL, NULL }
-#define SECTION(name, required, keys)                                                              \
-    { name, VALUE_SECTION, 0, required, 1, ANY, 0, NULL, keys, NULL }
+#define SECTION(field, required, keys)                                                             \
+    { #field, VALUE_SECTION, offsetof(scene, field), required, 1, ANY, 0, NULL, keys, NULL }
 #define LIST(struct_, field, keys, list)                                                           \
     { #field, VALUE_LIST, offsetof(struct_, field), 0, 1, ANY, 0, NULL, keys, list }
 #define END                                                                                        \
@@ -56,68 +56,67 @@ static const char *const precisions[] = {"double", "float", "mixed", NULL};
 static const char *const rests[] = {"positions", "texture", NULL};
 static const char *const angles[] = {"flat", "mesh", NULL};
 static const scene_key mesh_keys[] = {
-    KIND_BY_KEYS(scene, sheet_from),
-    {"vertices", VALUE_WHOLE, offsetof(scene, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED, NULL,
-     NULL, NULL},
-    {"boundary", VALUE_WHOLE, offsetof(scene, boundary), 1, 1, BETWEEN(4, 1e7), GENERATED, NULL,
-     NULL, NULL},
-    {"side", VALUE_NUMBER, offsetof(scene, side), 1, 1, POSITIVE, GENERATED, NULL, NULL, NULL},
-    {"file", VALUE_FILE, offsetof(scene, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
-    {"scale", VALUE_NUMBER, offsetof(scene, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL, NULL},
-    {"rest", VALUE_CHOICE, offsetof(scene, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
-    {"rest_angles", VALUE_CHOICE, offsetof(scene, rest_angles), 0, 1, ANY, FROM_FILE, angles, NULL,
+    KIND_BY_KEYS(scene_cloth, from),
+    {"vertices", VALUE_WHOLE, offsetof(scene_cloth, vertices), 1, 1, BETWEEN(5, 2e7), GENERATED,
+     NULL, NULL, NULL},
+    {"boundary", VALUE_WHOLE, offsetof(scene_cloth, boundary), 1, 1, BETWEEN(4, 1e7), GENERATED,
+     NULL, NULL, NULL},
+    {"side", VALUE_NUMBER, offsetof(scene_cloth, side), 1, 1, POSITIVE, GENERATED, NULL, NULL,
      NULL},
-    {"seed", VALUE_SEED, offsetof(scene, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL, NULL},
-    CHOICE(scene, order, 0, orders),
-    VECTOR(scene, origin, 0, 3),
-    DIRECTION(scene, normal, 0),
+    {"file", VALUE_FILE, offsetof(scene_cloth, file), 1, 1, ANY, FROM_FILE, NULL, NULL, NULL},
+    {"scale", VALUE_NUMBER, offsetof(scene_cloth, scale), 0, 1, POSITIVE, FROM_FILE, NULL, NULL,
+     NULL},
+    {"rest", VALUE_CHOICE, offsetof(scene_cloth, rest), 0, 1, ANY, FROM_FILE, rests, NULL, NULL},
+    {"rest_angles", VALUE_CHOICE, offsetof(scene_cloth, rest_angles), 0, 1, ANY, FROM_FILE, angles,
+     NULL, NULL},
+    {"seed", VALUE_SEED, offsetof(scene_cloth, seed), 0, 1, 0.0, 4294967295.0, 0, 0, NULL, NULL,
+     NULL},
+    CHOICE(scene_cloth, order, 0, orders),
+    VECTOR(scene_cloth, origin, 0, 3),
+    DIRECTION(scene_cloth, normal, 0),
     END};
 
 /* Parameters of effects: as effects.def has them. */
-static const scene_key material_keys[] = {NUMBER(scene, density, 1, POSITIVE),
-#define MATERIAL(name, required) NUMBER(scene, name, required, NOT_NEGATIVE),
+static const scene_key material_keys[] = {NUMBER(scene_material, density, 1, POSITIVE),
+#define MATERIAL(name, required) NUMBER(scene_material, name, required, NOT_NEGATIVE),
 #include "effects/effects.def"
                                           END};
 
-static const scene_key surroundings_keys[] = {VECTOR(scene, gravity, 0, 3),
-#define SURROUNDINGS(name) NUMBER(scene, name, 0, NOT_NEGATIVE),
+static const scene_key surroundings_keys[] = {
+    VECTOR(scene_surroundings, gravity, 0, 3),
+#define SURROUNDINGS(name) NUMBER(scene_surroundings, name, 0, NOT_NEGATIVE),
 #include "effects/effects.def"
-                                              VECTOR(scene, wind, 0, 3),
-                                              NUMBER(scene, wind_from, 0, NOT_NEGATIVE),
-                                              NUMBER(scene, wind_until, 0, NOT_NEGATIVE), END};
+    VECTOR(scene_surroundings, wind, 0, 3), NUMBER(scene_surroundings, wind_from, 0, NOT_NEGATIVE),
+    NUMBER(scene_surroundings, wind_until, 0, NOT_NEGATIVE), END};
 
-static const scene_key time_keys[] = {NUMBER(scene, step, 1, POSITIVE),
-                                      WHOLE(scene, steps, 1, BETWEEN(0, 1e9)),
-                                      CHOICE(scene, integrator, 0, integrators), END};
+static const scene_key time_keys[] = {NUMBER(scene_time, step, 1, POSITIVE),
+                                      WHOLE(scene_time, steps, 1, BETWEEN(0, 1e9)),
+                                      CHOICE(scene_time, integrator, 0, integrators), END};
 
 static const scene_key solution_keys[] = {
-    {"tolerance", VALUE_NUMBER, offsetof(scene, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL, NULL, NULL},
-    WHOLE(scene, max_iterations, 0, BETWEEN(1, 1e9)),
-    CHOICE(scene, method, 0, methods),
-    CHOICE(scene, preconditioner, 0, preconditioners),
-    CHOICE(scene, precision, 0, precisions),
-    {"newton_tolerance", VALUE_NUMBER, offsetof(scene, newton_tolerance), 0, 1, 0.0, 0.5, 1, 0,
-     NULL, NULL, NULL},
-    WHOLE(scene, newton_iterations, 0, BETWEEN(1, 1e6)),
-    NUMBER(scene, sleep, 0, NOT_NEGATIVE),
+    {"tolerance", VALUE_NUMBER, offsetof(scene_solution, tolerance), 0, 1, 0.0, 0.5, 1, 0, NULL,
+     NULL, NULL},
+    WHOLE(scene_solution, max_iterations, 0, BETWEEN(1, 1e9)),
+    CHOICE(scene_solution, method, 0, methods),
+    CHOICE(scene_solution, preconditioner, 0, preconditioners),
+    CHOICE(scene_solution, precision, 0, precisions),
+    {"newton_tolerance", VALUE_NUMBER, offsetof(scene_solution, newton_tolerance), 0, 1, 0.0, 0.5,
+     1, 0, NULL, NULL, NULL},
+    WHOLE(scene_solution, newton_iterations, 0, BETWEEN(1, 1e6)),
+    NUMBER(scene_solution, sleep, 0, NOT_NEGATIVE),
     END};
 
-#define LIMIT(name)                                                                                \
-    { #name, VALUE_NUMBER, offsetof(scene, limits.name), 0, 1, POSITIVE, 0, NULL, NULL, NULL }
 static const char *const switches[] = {"on", "off", NULL};
 static const scene_key monitor_keys[] = {
-    {"watch", VALUE_CHOICE, offsetof(scene, limits.off), 0, 1, ANY, 0, switches, NULL, NULL},
-    LIMIT(energy),
-    LIMIT(growth),
-    LIMIT(strain),
-    LIMIT(penetration),
+    {"watch", VALUE_CHOICE, offsetof(monitor_limits, off), 0, 1, ANY, 0, switches, NULL, NULL},
+    NUMBER(monitor_limits, energy, 0, POSITIVE),
+    NUMBER(monitor_limits, growth, 0, POSITIVE),
+    NUMBER(monitor_limits, strain, 0, POSITIVE),
+    NUMBER(monitor_limits, penetration, 0, POSITIVE),
     END};
 
-static const scene_key self_keys[] = {
-    {"gap", VALUE_NUMBER, offsetof(scene, self_gap), 1, 1, NOT_NEGATIVE, 0, NULL, NULL, NULL},
-    {"friction", VALUE_NUMBER, offsetof(scene, self_friction), 0, 1, NOT_NEGATIVE, 0, NULL, NULL,
-     NULL},
-    END};
+static const scene_key self_keys[] = {NUMBER(scene_self_collision, gap, 1, NOT_NEGATIVE),
+                                      NUMBER(scene_self_collision, friction, 0, NOT_NEGATIVE), END};
 
 #define BY(kind) (1u << PIN_##kind)
 #define PLACE(field, components, kind)                                                             \
@@ -186,15 +185,15 @@ static const scene_list collider_list = {offsetof(scene, collider_count), sizeof
 
 const scene_key scene_keys[] = {
     {"name", VALUE_TEXT, offsetof(scene, name), 1, 1, ANY, 0, NULL, NULL, NULL},
-    SECTION("mesh", 1, mesh_keys),
-    SECTION("material", 1, material_keys),
-    SECTION("surroundings", 0, surroundings_keys),
+    SECTION(mesh, 1, mesh_keys),
+    SECTION(material, 1, material_keys),
+    SECTION(surroundings, 0, surroundings_keys),
     LIST(scene, pins, pin_keys, &pin_list),
     LIST(scene, colliders, collider_keys, &collider_list),
-    SECTION("self_collision", 0, self_keys),
-    SECTION("time", 1, time_keys),
-    SECTION("solution", 0, solution_keys),
-    SECTION("monitor", 0, monitor_keys),
+    SECTION(self_collision, 0, self_keys),
+    SECTION(time, 1, time_keys),
+    SECTION(solution, 0, solution_keys),
+    SECTION(monitor, 0, monitor_keys),
     END};
 
 int scene_kind(const scene_key *keys, const void *struct_) {
@@ -204,13 +203,10 @@ int scene_kind(const scene_key *keys, const void *struct_) {
 }
 
 const scene scene_defaults = {
-    .scale = 1.0,
-    .seed = 1,
-    .order = MESH_ORDER_SORTED,
-    .normal = {0.0, 0.0, 1.0},
-    .self_friction = 0.3,
-    .tolerance = 1e-3,
-    .max_iterations = 5000,
-    .newton_tolerance = 1e-6,
-    .newton_iterations = 50,
-    .limits = {.energy = 1e-3, .growth = 0.5, .strain = 1.0, .penetration = 0.01}};
+    .mesh = {.scale = 1.0, .seed = 1, .order = MESH_ORDER_SORTED, .normal = {0.0, 0.0, 1.0}},
+    .self_collision = {.friction = 0.3},
+    .solution = {.tolerance = 1e-3,
+                 .max_iterations = 5000,
+                 .newton_tolerance = 1e-6,
+                 .newton_iterations = 50},
+    .monitor = {.energy = 1e-3, .growth = 0.5, .strain = 1.0, .penetration = 0.01}};

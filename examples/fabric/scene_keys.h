@@ -34,7 +34,7 @@ typedef struct scene_list {
 struct scene_key {
     const char *name; /* "": not in files; the int at offset tells of_kinds what was read */
     value_kind kind;
-    size_t offset; /* in the struct of the scene, or of the list's item */
+    size_t offset; /* in the struct of the section, or of the list's item */
     int required;
     int components;    /* of a vector */
     double low, high;  /* least and greatest value */

@@ -24,27 +24,29 @@ static void plane_axes(const double normal[3], double right[3], double up[3]) {
 
 static void place(const scene *s, mesh *m) {
     double right[3], up[3];
-    plane_axes(s->normal, right, up);
+    plane_axes(s->mesh.normal, right, up);
     for (int v = 0; v < m->vertex_count; v++)
         for (int k = 0; k < 3; k++)
             m->position[v][k] =
-                s->origin[k] + m->material[v][0] * right[k] + m->material[v][1] * up[k];
+                s->mesh.origin[k] + m->material[v][0] * right[k] + m->material[v][1] * up[k];
 }
 
 /** As above, for a cloth that need not be flat: its z along the normal. */
 static void place_in_space(const scene *s, mesh *m) {
     double right[3], up[3];
-    plane_axes(s->normal, right, up);
+    plane_axes(s->mesh.normal, right, up);
     for (int v = 0; v < m->vertex_count; v++) {
         const double p[3] = {m->position[v][0], m->position[v][1], m->position[v][2]};
         for (int k = 0; k < 3; k++)
-            m->position[v][k] = s->origin[k] + p[0] * right[k] + p[1] * up[k] + p[2] * s->normal[k];
+            m->position[v][k] =
+                s->mesh.origin[k] + p[0] * right[k] + p[1] * up[k] + p[2] * s->mesh.normal[k];
     }
 }
 
 static int make_sheet(const scene *s, mesh *m, char *error) {
-    if (s->sheet_from == SHEET_GENERATED) {
-        if (mesh_generate(m, s->vertices, s->boundary, s->side, s->seed, error) != 0)
+    if (s->mesh.from == SHEET_GENERATED) {
+        if (mesh_generate(m, s->mesh.vertices, s->mesh.boundary, s->mesh.side, s->mesh.seed,
+                          error) != 0)
             return -1;
         place(s, m);
         return 0;
@@ -76,7 +78,7 @@ int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error) {
         return -1;
     snprintf(error, ERROR_SIZE, "out of memory");
     if (keep_numbers(s, m) == 0 && mesh_connect(m, &non_manifold, error) == 0 &&
-        mesh_reorder(m, s->order, s->seed, new_of_old, error) == 0)
+        mesh_reorder(m, s->mesh.order, s->mesh.seed, new_of_old, error) == 0)
         return 0;
     mesh_free(m);
     return -1;

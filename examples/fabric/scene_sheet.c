@@ -37,17 +37,17 @@ mesh *scene_sheet_read(const char *path, int rest, char *error) {
 }
 
 int scene_sheet_copy(const scene *s, mesh *m) {
-    const mesh *from = s->sheet;
+    const mesh *from = s->mesh.sheet;
     if (mesh_allocate(m, from->vertex_count, from->triangle_count) != 0)
         return -1;
     memcpy(m->triangle, from->triangle, (size_t)from->triangle_count * sizeof *m->triangle);
     for (int v = 0; v < m->vertex_count; v++) {
         for (int a = 0; a < 3; a++)
-            m->position[v][a] = s->scale * from->position[v][a];
+            m->position[v][a] = s->mesh.scale * from->position[v][a];
         for (int a = 0; a < 2; a++)
-            m->material[v][a] = s->scale * from->material[v][a];
+            m->material[v][a] = s->mesh.scale * from->material[v][a];
     }
-    choose_rest(m, s->rest);
-    m->bent_at_rest = s->rest_angles == ANGLES_OF_MESH;
+    choose_rest(m, s->mesh.rest);
+    m->bent_at_rest = s->mesh.rest_angles == ANGLES_OF_MESH;
     return 0;
 }

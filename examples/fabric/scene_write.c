@@ -96,7 +96,7 @@ void scene_write_value(FILE *file, const scene_key *key, const char *source) {
 static void write_key(FILE *file, const scene_key *key, const char *source, int indent) {
     if (key->kind == VALUE_SECTION) {
         fputc('\n', file);
-        write_mapping(file, key->keys, source, indent + 2, indent + 2);
+        write_mapping(file, key->keys, source + key->offset, indent + 2, indent + 2);
     } else if (key->kind == VALUE_LIST) {
         write_list(file, key, source, indent + 2);
     } else {

@@ -14,17 +14,17 @@ static size_t coordinates(const simulation *sim) {
 }
 
 static void pass_motion(archive *a, simulation *sim) {
-    archive_doubles(a, &sim->x[0][0], coordinates(sim));
-    archive_doubles(a, &sim->v[0][0], coordinates(sim));
-    archive_doubles(a, &sim->guess[0][0], coordinates(sim));
-    archive_double(a, &sim->guess_h);
+    archive_doubles(a, &sim->state.x[0][0], coordinates(sim));
+    archive_doubles(a, &sim->state.v[0][0], coordinates(sim));
+    archive_doubles(a, &sim->step.guess[0][0], coordinates(sim));
+    archive_double(a, &sim->step.guess_h);
 }
 
 /* Angles are remembered over whole turns. What hinge_energy_at found ahead is found again. */
 static void pass_angles(archive *a, simulation *sim) {
-    archive_doubles(a, sim->hinges.angle, (size_t)sim->hinges.count);
+    archive_doubles(a, sim->cloth.hinges.angle, (size_t)sim->cloth.hinges.count);
     if (a->mode == ARCHIVE_LOAD)
-        sim->hinges.has_ahead = 0;
+        sim->cloth.hinges.has_ahead = 0;
 }
 
 static void pass_integrator(archive *a, integrator_memory *of, size_t count) {
@@ -75,16 +75,16 @@ static void pass_monitor(archive *a, monitor *m) {
 
 /* Where time stands, and how long the next step is. */
 static void pass_time(archive *a, simulation *sim) {
-    archive_long(a, &sim->frame);
-    archive_int_within(a, &sim->ticks, 1, TICKS_PER_STEP);
-    archive_int(a, &sim->easy_steps);
-    archive_int(a, &sim->slow_steps);
-    archive_double(a, &sim->plan_time);
+    archive_long(a, &sim->state.frame);
+    archive_int_within(a, &sim->step.ticks, 1, TICKS_PER_STEP);
+    archive_int(a, &sim->step.easy_steps);
+    archive_int(a, &sim->step.slow_steps);
+    archive_double(a, &sim->in_force.plan_time);
     if (a->mode != ARCHIVE_LOAD)
         return;
-    sim->ticks_done = 0;
-    a->failed |= sim->frame < 0 || TICKS_PER_STEP % sim->ticks != 0;
-    plan_return_to(sim, sim->plan_time);
+    sim->state.ticks_done = 0;
+    a->failed |= sim->state.frame < 0 || TICKS_PER_STEP % sim->step.ticks != 0;
+    plan_return_to(sim, sim->in_force.plan_time);
 }
 
 /* The reason is a word of the monitor's. */
@@ -103,31 +103,31 @@ static void pass_rejection(archive *a, rejection *r) {
 }
 
 static void pass_counts(archive *a, simulation *sim) {
-    archive_long(a, &sim->iterations);
+    archive_long(a, &sim->account.iterations);
     archive_long(a, &sim->fallback.solved);
     archive_int(a, &sim->fallback.next);
     archive_int_within(a, &sim->fallback.failed, 0, 1);
-    archive_long(a, &sim->steps_taken);
-    archive_long(a, &sim->steps_rejected);
-    archive_long(a, &sim->steps_slept);
-    archive_long(a, &sim->plans_changed);
+    archive_long(a, &sim->account.steps_taken);
+    archive_long(a, &sim->account.steps_rejected);
+    archive_long(a, &sim->account.steps_slept);
+    archive_long(a, &sim->account.plans_changed);
     archive_long(a, &sim->self_collision.visits);
-    a->failed |=
-        sim->steps_rejected < 0 || (sim->steps_rejected > 0 && simulation_log_rejections(sim) != 0);
-    for (long n = 0; n < sim->steps_rejected && n < MOST_REJECTIONS && !a->failed; n++)
-        pass_rejection(a, &sim->rejections[n]);
+    a->failed |= sim->account.steps_rejected < 0 ||
+                 (sim->account.steps_rejected > 0 && simulation_log_rejections(sim) != 0);
+    for (long n = 0; n < sim->account.steps_rejected && n < MOST_REJECTIONS && !a->failed; n++)
+        pass_rejection(a, &sim->account.rejections[n]);
     for (int k = 0; k < PHASE_COUNT; k++)
-        archive_long(a, &sim->phases[k].calls);
+        archive_long(a, &sim->account.phases[k].calls);
     for (int k = 0; k < EFFECT_COUNT; k++)
-        archive_long(a, &sim->effects[k].visited);
+        archive_long(a, &sim->account.effects[k].visited);
 }
 
 /* Last, so that all but the end of two runs' archives is the same. */
 static void pass_seconds(archive *a, simulation *sim) {
     for (int k = 0; k < PHASE_COUNT; k++)
-        archive_double(a, &sim->phases[k].seconds);
+        archive_double(a, &sim->account.phases[k].seconds);
     for (int k = 0; k < EFFECT_COUNT; k++)
-        archive_double(a, &sim->effects[k].seconds);
+        archive_double(a, &sim->account.effects[k].seconds);
 }
 
 static void pass_all(archive *a, simulation *sim) {

@@ -10,39 +10,44 @@
 
 /* A third of each triangle's mass to each of its vertices. */
 static void share_mass(simulation *sim) {
-    for (int t = 0; t < sim->triangles.count; t++)
+    for (int t = 0; t < sim->cloth.triangles.count; t++)
         for (int p = 0; p < 3; p++)
-            sim->mass[sim->triangles.vertex[t][p]] +=
-                sim->scene->density * sim->triangles.rest[t].area / 3;
+            sim->cloth.mass[sim->cloth.triangles.vertex[t][p]] +=
+                sim->scene->material.density * sim->cloth.triangles.rest[t].area / 3;
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sim->total_mass += sim->mass[i];
+        sim->cloth.total_mass += sim->cloth.mass[i];
 }
 
 /* Only elements with a force couple vertices in A. */
 static int lay_out_system(simulation *sim) {
     element_list lists[2];
     int count = 0;
-    if (sim->has_triangle_forces)
-        lists[count++] = (element_list){sim->triangles.count, 3, &sim->triangles.vertex[0][0]};
-    if (sim->has_hinge_forces)
-        lists[count++] = (element_list){sim->hinges.count, 4, &sim->hinges.vertex[0][0]};
+    if (sim->cloth.has_triangle_forces)
+        lists[count++] =
+            (element_list){sim->cloth.triangles.count, 3, &sim->cloth.triangles.vertex[0][0]};
+    if (sim->cloth.has_hinge_forces)
+        lists[count++] =
+            (element_list){sim->cloth.hinges.count, 4, &sim->cloth.hinges.vertex[0][0]};
     if (system_init(&sim->system, sim->mesh->vertex_count, count, lists) != 0)
         return -1;
-    if (sim->has_triangle_forces && triangle_elements_place(&sim->triangles, &sim->system.A) != 0)
+    if (sim->cloth.has_triangle_forces &&
+        triangle_elements_place(&sim->cloth.triangles, &sim->system.A) != 0)
         return -1;
-    return sim->has_hinge_forces ? hinge_elements_place(&sim->hinges, &sim->system.A) : 0;
+    return sim->cloth.has_hinge_forces ? hinge_elements_place(&sim->cloth.hinges, &sim->system.A)
+                                       : 0;
 }
 
 static int allocate_state(simulation *sim) {
     const size_t n = (size_t)sim->mesh->vertex_count + 1;
-    sim->mass = calloc(n, sizeof *sim->mass);
-    sim->x = calloc(n, sizeof *sim->x);
-    sim->v = calloc(n, sizeof *sim->v);
-    sim->guess = calloc(n, sizeof *sim->guess);
-    sim->dv = calloc(n, sizeof *sim->dv);
-    sim->x_next = calloc(n, sizeof *sim->x_next);
-    sim->v_next = calloc(n, sizeof *sim->v_next);
-    if (!sim->mass || !sim->x || !sim->v || !sim->guess || !sim->dv || !sim->x_next || !sim->v_next)
+    sim->cloth.mass = calloc(n, sizeof *sim->cloth.mass);
+    sim->state.x = calloc(n, sizeof *sim->state.x);
+    sim->state.v = calloc(n, sizeof *sim->state.v);
+    sim->step.guess = calloc(n, sizeof *sim->step.guess);
+    sim->step.dv = calloc(n, sizeof *sim->step.dv);
+    sim->step.x_next = calloc(n, sizeof *sim->step.x_next);
+    sim->step.v_next = calloc(n, sizeof *sim->step.v_next);
+    if (!sim->cloth.mass || !sim->state.x || !sim->state.v || !sim->step.guess || !sim->step.dv ||
+        !sim->step.x_next || !sim->step.v_next)
         return -1;
     return 0;
 }
@@ -50,46 +55,52 @@ static int allocate_state(simulation *sim) {
 /* At rest, but for moving pins; expected to fall freely in the first step. */
 static void set_start(simulation *sim) {
     const scene *s = sim->scene;
-    memcpy(sim->x, sim->mesh->position, sizeof *sim->x * (size_t)sim->mesh->vertex_count);
+    memcpy(sim->state.x, sim->mesh->position,
+           sizeof *sim->state.x * (size_t)sim->mesh->vertex_count);
     for (int i = 0; i < sim->mesh->vertex_count; i++)
         for (int a = 0; a < 3; a++)
-            sim->guess[i][a] = s->step * s->gravity[a];
-    collisions_place_pins(&sim->collisions, 0, sim->x, sim->v);
-    sim->ticks = TICKS_PER_STEP;
-    sim->h = sim->stage_h = s->step;
-    sim->guess_h = s->step;
-    hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
+            sim->step.guess[i][a] = s->time.step * s->surroundings.gravity[a];
+    collisions_place_pins(&sim->collisions, 0, sim->state.x, sim->state.v);
+    sim->step.ticks = TICKS_PER_STEP;
+    sim->step.h = sim->step.stage_h = s->time.step;
+    sim->step.guess_h = s->time.step;
+    hinge_update_angles(&sim->cloth.hinges, (const double(*)[3])sim->state.x);
     const monitored_step start = simulation_monitored(sim);
     monitor_begin(&sim->monitor, s, &start);
 }
 
 static int build(simulation *sim, char *error) {
     const scene *s = sim->scene;
-    const solver_options options = {(preconditioner_kind)s->preconditioner,
-                                    (solver_precision)s->precision, (solver_method)s->method,
-                                    s->integrator != INTEGRATOR_LINEAR_EULER};
+    const solver_options options = {
+        (preconditioner_kind)s->solution.preconditioner, (solver_precision)s->solution.precision,
+        (solver_method)s->solution.method, s->time.integrator != INTEGRATOR_LINEAR_EULER};
     const int vertices = sim->mesh->vertex_count;
-    sim->triangle_material =
-        (triangle_material){s->stretch, s->shear, s->stretch_damping, s->shear_damping};
-    sim->hinge_material = (hinge_material){s->bend, s->bend_damping};
-    sim->has_triangle_forces =
-        s->stretch > 0 || s->shear > 0 || s->stretch_damping > 0 || s->shear_damping > 0;
-    sim->has_hinge_forces = s->bend > 0 || s->bend_damping > 0;
-    if (allocate_state(sim) != 0 || triangle_elements_init(&sim->triangles, sim->mesh) != 0 ||
-        (s->strain_limit > 0 && strain_limit_init(&sim->strain_limit, &sim->triangles,
-                                                  s->strain_limit, s->stretch) != 0) ||
-        (sim->has_hinge_forces && hinge_elements_init(&sim->hinges, sim->mesh) != 0) ||
-        (s->bend > 0 && !s->limits.off && hinge_elements_look_ahead(&sim->hinges) != 0))
+    sim->cloth.triangle_material =
+        (triangle_material){s->material.stretch, s->material.shear, s->material.stretch_damping,
+                            s->material.shear_damping};
+    sim->cloth.hinge_material = (hinge_material){s->material.bend, s->material.bend_damping};
+    sim->cloth.has_triangle_forces = s->material.stretch > 0 || s->material.shear > 0 ||
+                                     s->material.stretch_damping > 0 ||
+                                     s->material.shear_damping > 0;
+    sim->cloth.has_hinge_forces = s->material.bend > 0 || s->material.bend_damping > 0;
+    if (allocate_state(sim) != 0 || triangle_elements_init(&sim->cloth.triangles, sim->mesh) != 0 ||
+        (s->material.strain_limit > 0 &&
+         strain_limit_init(&sim->cloth.strain_limit, &sim->cloth.triangles,
+                           s->material.strain_limit, s->material.stretch) != 0) ||
+        (sim->cloth.has_hinge_forces && hinge_elements_init(&sim->cloth.hinges, sim->mesh) != 0) ||
+        (s->material.bend > 0 && !s->monitor.off &&
+         hinge_elements_look_ahead(&sim->cloth.hinges) != 0))
         return -1;
     share_mass(sim);
     if (lay_out_system(sim) != 0 || constraints_init(&sim->constraints, vertices) != 0 ||
         solver_init(&sim->solver, vertices) != 0 ||
         solver_choose(&sim->solver, &sim->system.A, &options, error) != 0 ||
-        integrator_init(&sim->integrator, (integrator_kind)s->integrator, vertices) != 0 ||
-        collisions_init(&sim->collisions, sim->mesh, s, sim->mass) != 0)
+        integrator_init(&sim->integrator, (integrator_kind)s->time.integrator, vertices) != 0 ||
+        collisions_init(&sim->collisions, sim->mesh, s, sim->cloth.mass) != 0)
         return -1;
-    if (s->self_gap > 0 && self_collision_init(&sim->self_collision, sim->mesh, s->self_gap,
-                                               s->self_friction, s->step) != 0)
+    if (s->self_collision.gap > 0 &&
+        self_collision_init(&sim->self_collision, sim->mesh, s->self_collision.gap,
+                            s->self_collision.friction, s->time.step) != 0)
         return -1;
     plan_make(sim);
     set_start(sim);
@@ -115,7 +126,7 @@ simulation *simulation_new(const mesh *m, const scene *s, char *error) {
         sim->mesh = m;
         sim->scene = s;
         if (build(sim, reason) == 0) {
-            if (isfinite(sim->monitor.energy) && isfinite(sim->total_mass))
+            if (isfinite(sim->monitor.energy) && isfinite(sim->cloth.total_mass))
                 return sim;
             snprintf(reason, sizeof reason, "their mass or energy is not finite");
         }
@@ -126,17 +137,17 @@ simulation *simulation_new(const mesh *m, const scene *s, char *error) {
 }
 
 void simulation_make_room(simulation *sim) {
-    if (sim->effects[EFFECT_SELF_COLLISION].active)
-        self_collision_find(&sim->self_collision, sim->scene->step, (const double(*)[3])sim->x,
-                            (const double(*)[3])sim->guess);
+    if (sim->account.effects[EFFECT_SELF_COLLISION].active)
+        self_collision_find(&sim->self_collision, sim->scene->time.step,
+                            (const double(*)[3])sim->state.x, (const double(*)[3])sim->step.guess);
 }
 
 void simulation_free(simulation *sim) {
     if (!sim)
         return;
-    triangle_elements_free(&sim->triangles);
-    hinge_elements_free(&sim->hinges);
-    strain_limit_free(&sim->strain_limit);
+    triangle_elements_free(&sim->cloth.triangles);
+    hinge_elements_free(&sim->cloth.hinges);
+    strain_limit_free(&sim->cloth.strain_limit);
     system_free(&sim->system);
     collisions_free(&sim->collisions);
     constraints_free(&sim->constraints);
@@ -144,40 +155,40 @@ void simulation_free(simulation *sim) {
     solver_free(&sim->solver);
     solver_fallback_free(&sim->fallback);
     integrator_free(&sim->integrator);
-    free(sim->mass);
-    free(sim->x);
-    free(sim->v);
-    free(sim->guess);
-    free(sim->dv);
-    free(sim->x_next);
-    free(sim->v_next);
-    free(sim->rejections);
+    free(sim->cloth.mass);
+    free(sim->state.x);
+    free(sim->state.v);
+    free(sim->step.guess);
+    free(sim->step.dv);
+    free(sim->step.x_next);
+    free(sim->step.v_next);
+    free(sim->account.rejections);
     free(sim);
 }
 
 const double (*simulation_positions(const simulation *sim))[3] {
-    return (const double(*)[3])sim->x;
+    return (const double(*)[3])sim->state.x;
 }
 
 const double (*simulation_velocities(const simulation *sim))[3] {
-    return (const double(*)[3])sim->v;
+    return (const double(*)[3])sim->state.v;
 }
 
 double simulation_time(const simulation *sim) {
-    return time_at_tick(sim, sim->ticks_done);
+    return time_at_tick(sim, sim->state.ticks_done);
 }
 
 const phase *simulation_phases(const simulation *sim) {
-    return sim->phases;
+    return sim->account.phases;
 }
 
 const effect_account *simulation_effects(const simulation *sim, int *count) {
     *count = EFFECT_COUNT;
-    return sim->effects;
+    return sim->account.effects;
 }
 
 long simulation_iterations(const simulation *sim) {
-    return sim->iterations;
+    return sim->account.iterations;
 }
 
 long simulation_newton_iterations(const simulation *sim) {
@@ -185,26 +196,26 @@ long simulation_newton_iterations(const simulation *sim) {
 }
 
 long simulation_steps_taken(const simulation *sim) {
-    return sim->steps_taken;
+    return sim->account.steps_taken;
 }
 
 long simulation_steps_rejected(const simulation *sim) {
-    return sim->steps_rejected;
+    return sim->account.steps_rejected;
 }
 
 long simulation_steps_slept(const simulation *sim) {
-    return sim->steps_slept;
+    return sim->account.steps_slept;
 }
 
 int simulation_log_rejections(simulation *sim) {
-    if (!sim->rejections)
-        sim->rejections = calloc(MOST_REJECTIONS, sizeof *sim->rejections);
-    return sim->rejections ? 0 : -1;
+    if (!sim->account.rejections)
+        sim->account.rejections = calloc(MOST_REJECTIONS, sizeof *sim->account.rejections);
+    return sim->account.rejections ? 0 : -1;
 }
 
 const rejection *simulation_rejections(const simulation *sim, int *count) {
     *count = simulation_rejections_logged(sim);
-    return sim->rejections;
+    return sim->account.rejections;
 }
 
 run_faults simulation_faults(const simulation *sim) {
@@ -215,11 +226,11 @@ run_faults simulation_faults(const simulation *sim) {
         .penetration = m->let_pass[STEP_PENETRATION],
         .passing = m->let_pass[STEP_PASSING],
         .greatest_strain = m->greatest_strain,
-        .strain_limit = m->scene->limits.strain,
+        .strain_limit = m->scene->monitor.strain,
         .deepest = m->deepest,
         .start_inside = m->start_inside,
         .start_depth = m->start_depth,
-        .watched = sim->effects[EFFECT_MONITOR].active,
+        .watched = sim->account.effects[EFFECT_MONITOR].active,
         .solved_directly = sim->fallback.solved,
     };
 }

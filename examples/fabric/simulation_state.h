@@ -3,11 +3,9 @@
 #ifndef FABRIC_SIMULATION_STATE_H
 #define FABRIC_SIMULATION_STATE_H
 
+#include "cloth_elements.h"
 #include "collision.h"
 #include "constraint.h"
-#include "effects/hinge.h"
-#include "effects/strain_limit.h"
-#include "effects/triangle.h"
 #include "integrator.h"
 #include "monitor.h"
 #include "plan.h"
@@ -21,30 +19,23 @@
 /** A step may be halved ten times: time within it is counted in these. */
 enum { TICKS_PER_STEP = 1024 };
 
-struct simulation {
-    const mesh *mesh;
-    const scene *scene;
-
-    /* what the scene calls for */
-    triangle_elements triangles; /* for stretch, shear, drag, strain */
-    hinge_elements hinges;       /* none without bending */
-    strain_limit strain_limit;   /* empty without a limit */
-    triangle_material triangle_material;
-    hinge_material hinge_material;
-    int has_triangle_forces, has_hinge_forces;
-    double wind[3];    /* m/s, at present */
+/** What acts at present, as plan.c found it. */
+struct in_force {
+    double wind[3];    /* m/s */
     double next_event; /* s, when what is on changes next */
-    double plan_time;  /* s, the time that what is on at present was found for */
-    double *mass;      /* [vertices] kg */
-    double total_mass;
+    double plan_time;  /* s, the time that it was found for */
+};
 
-    /* state, accepted */
+/** The state accepted last. */
+struct cloth_state {
     double (*x)[3]; /* [vertices] m */
     double (*v)[3]; /* [vertices] m/s */
     long frame;     /* whole steps of the scene done */
     int ticks_done; /* of the step under way */
+};
 
-    /* the step being taken */
+/** The step being taken. */
+struct step {
     int ticks;           /* its length */
     double h;            /* the same in s */
     double stage_h;      /* s, what forces are multiplied by; h for backward Euler */
@@ -53,6 +44,30 @@ struct simulation {
     double (*dv)[3];     /* [vertices] m/s */
     double (*x_next)[3]; /* [vertices] m */
     double (*v_next)[3]; /* [vertices] m/s */
+    double push_work;    /* J, that keeping out of colliders by force took */
+    solver_status solver_status;
+    monitor_verdict verdict;
+    int accepted;      /* what updateSystem decided */
+    int out_of_memory; /* a constraint could not be noted: no step can be taken any more */
+    int easy_steps;    /* accepted in a row at this length */
+    int slow_steps;    /* of the scene, in a row, that ended at rest (rest.h) */
+};
+
+/** What a run says of itself at its end. */
+struct run_account {
+    phase phases[PHASE_COUNT];
+    effect_account effects[EFFECT_COUNT];
+    long iterations, steps_taken, steps_rejected, steps_slept, plans_changed;
+    rejection *rejections; /* [MOST_REJECTIONS] the first ones; NULL: none so far */
+};
+
+struct simulation {
+    const mesh *mesh;
+    const scene *scene;
+    struct cloth cloth;
+    struct in_force in_force;
+    struct cloth_state state;
+    struct step step;
     integrator_memory integrator;
     linear_system system;
     collisions collisions;
@@ -60,28 +75,17 @@ struct simulation {
     self_collision self_collision; /* empty without */
     solver solver;
     solver_fallback fallback;
-    solver_status solver_status;
-    int out_of_memory; /* a constraint could not be noted: no step can be taken any more */
-    double push_work;  /* J, that keeping out of colliders by force took */
     monitor monitor;
-    monitor_verdict verdict;
-    int accepted;   /* what updateSystem decided */
-    int easy_steps; /* accepted in a row at this length */
-    int slow_steps; /* of the scene, in a row, that ended at rest (rest.h) */
-
-    /* accounts */
     team team; /* how many threads rounds get */
-    phase phases[PHASE_COUNT];
-    effect_account effects[EFFECT_COUNT];
-    long iterations, steps_taken, steps_rejected, steps_slept, plans_changed;
-    rejection *rejections; /* [MOST_REJECTIONS] the first ones; NULL: none so far */
+    struct run_account account;
 };
 
 /** How many rejections are in the log. */
 static inline int simulation_rejections_logged(const simulation *sim) {
-    if (!sim->rejections)
+    if (!sim->account.rejections)
         return 0;
-    return sim->steps_rejected < MOST_REJECTIONS ? (int)sim->steps_rejected : MOST_REJECTIONS;
+    return sim->account.steps_rejected < MOST_REJECTIONS ? (int)sim->account.steps_rejected
+                                                         : MOST_REJECTIONS;
 }
 
 /** Makes the log of rejections, if there is none. 0, or -1: out of memory. */
@@ -89,7 +93,7 @@ int simulation_log_rejections(simulation *sim);
 
 /** Does the effect act in the step being taken? */
 static inline int effect_is_on(const simulation *sim, int effect) {
-    return BUILT_WITH(effect) && sim->effects[effect].on;
+    return BUILT_WITH(effect) && sim->account.effects[effect].on;
 }
 
 /** What the monitor is to look at: the step being taken. */
@@ -97,12 +101,13 @@ monitored_step simulation_monitored(simulation *sim);
 
 /** A number of ticks as part of the scene's step, s. */
 static inline double ticks_to_seconds(const simulation *sim, int ticks) {
-    return sim->scene->step * (double)ticks / (double)TICKS_PER_STEP;
+    return sim->scene->time.step * (double)ticks / (double)TICKS_PER_STEP;
 }
 
 /** The time that many ticks into the step under way, s. Exact on whole steps of exact length. */
 static inline double time_at_tick(const simulation *sim, int ticks) {
-    return sim->scene->step * ((double)sim->frame + (double)ticks / (double)TICKS_PER_STEP);
+    return sim->scene->time.step *
+           ((double)sim->state.frame + (double)ticks / (double)TICKS_PER_STEP);
 }
 
 #endif

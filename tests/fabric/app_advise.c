@@ -62,26 +62,28 @@ static void test_ten_scenes(void **state) {
         measured got = {0}, reference = {0};
         char reason[256] = "";
         set_up(&trials[k], &s, &cloth);
-        const int status = advise(&s, &cloth, trials[k].error, 16 * s.steps, &a, reason);
+        const int status = advise(&s, &cloth, trials[k].error, 16 * s.time.steps, &a, reason);
         assert_in_range(status, 0, 1);
         if (status == 1) {
             print_message("%s to %g m: refused: %s\n", trials[k].scene, trials[k].error, reason);
         } else {
             scene exact =
-                divided(&s, 8 * (a.settings.steps > s.steps ? a.settings.steps : s.steps));
-            exact.integrator = INTEGRATOR_BDF2;
-            exact.tolerance = 1e-2;
-            exact.newton_tolerance = 1e-7;
-            exact.newton_iterations = 200;
+                divided(&s, 8 * (a.settings.time.steps > s.time.steps ? a.settings.time.steps
+                                                                      : s.time.steps));
+            exact.time.integrator = INTEGRATOR_BDF2;
+            exact.solution.tolerance = 1e-2;
+            exact.solution.newton_tolerance = 1e-7;
+            exact.solution.newton_iterations = 200;
             assert_int_equal(measure(&a.settings, &cloth, 2, ANY_REJECTIONS, &got), 0);
             assert_int_equal(measure(&exact, &cloth, 1, ANY_REJECTIONS, &reference), 0);
             const double error = measured_distance(&got, &reference, NULL);
             print_message("%s to %g m: %d steps of integrator %d, way %d %d, promised %.2g m, is "
                           "%.2g m; %.0f "
                           "iterations, is %ld; %.3f s, is %.3f s\n",
-                          trials[k].scene, trials[k].error, a.settings.steps, a.settings.integrator,
-                          a.settings.method, a.settings.preconditioner, a.error, error,
-                          a.iterations, got.cg_iterations, a.cpu_seconds, got.cpu_seconds);
+                          trials[k].scene, trials[k].error, a.settings.time.steps,
+                          a.settings.time.integrator, a.settings.solution.method,
+                          a.settings.solution.preconditioner, a.error, error, a.iterations,
+                          got.cg_iterations, a.cpu_seconds, got.cpu_seconds);
             assert_true(a.error <= trials[k].error);
             assert_true(error <= 2 * a.error);
             assert_true((double)got.cg_iterations <= 2 * a.iterations);

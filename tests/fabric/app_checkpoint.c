@@ -106,7 +106,7 @@ static void test_round_trip(void **unused) {
     assert_int_equal(c.record.frames, 25);
     assert_int_equal(c.record.every, 4);
     assert_true(c.record.seconds == 1.5);
-    assert_int_equal(c.of.vertices, 14);
+    assert_int_equal(c.of.mesh.vertices, 14);
     checkpoint_free(&c);
     simulation *other = simulation_new(&cloth, &wanted, error);
     assert_non_null(other);

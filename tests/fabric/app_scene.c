@@ -76,11 +76,13 @@ static void test_read(void **unused) {
     assert_int_equal(read_with(0, NULL, &s), 0);
     assert_string_equal(said, "");
     assert_string_equal(s.name, "test");
-    assert_int_equal(s.vertices, 30);
-    assert_true(s.side == 0.5 && s.density == 0.25 && s.gravity[2] == -9.81 && s.step == 0.01);
-    assert_int_equal(s.order, MESH_ORDER_SORTED); /* and other defaults */
-    assert_true(s.normal[2] == 1.0 && s.tolerance == 1e-3 && s.drag == 0.0);
-    assert_int_equal(s.seed, 1);
+    assert_int_equal(s.mesh.vertices, 30);
+    assert_true(s.mesh.side == 0.5 && s.material.density == 0.25 &&
+                s.surroundings.gravity[2] == -9.81 && s.time.step == 0.01);
+    assert_int_equal(s.mesh.order, MESH_ORDER_SORTED); /* and other defaults */
+    assert_true(s.mesh.normal[2] == 1.0 && s.solution.tolerance == 1e-3 &&
+                s.surroundings.drag == 0.0);
+    assert_int_equal(s.mesh.seed, 1);
     assert_int_equal(s.pin_count, 1);
     assert_true(s.pins[0].low[1] == 0.25 && s.pins[0].velocity[0] == 0.0);
     assert_int_equal(s.collider_count, 1);
@@ -173,11 +175,11 @@ static void test_set(void **unused) {
     (void)unused;
     assert_int_equal(read_with(0, NULL, &s), 0);
     check_set(&s, "material.bend=0.5", NULL);
-    assert_true(s.bend == 0.5);
+    assert_true(s.material.bend == 0.5);
     check_set(&s, "surroundings.wind=[1, 2, 3]", NULL);
-    assert_true(s.wind[1] == 2.0);
+    assert_true(s.surroundings.wind[1] == 2.0);
     check_set(&s, "mesh.order=shuffled", NULL);
-    assert_int_equal(s.order, MESH_ORDER_SHUFFLED);
+    assert_int_equal(s.mesh.order, MESH_ORDER_SHUFFLED);
     check_set(&s, "colliders.0.radius=2", NULL);
     assert_true(s.colliders[0].size[0] == 2.0);
     check_set(&s,
@@ -298,13 +300,13 @@ static void test_shipped_scenes(void **unused) {
             assert_memory_equal(&first.pins[p], &second.pins[p], sizeof(pin));
         for (int c = 0; c < second.collider_count; c++)
             surface_free(second.colliders[c].surface);
-        assert_int_equal(second.sheet != NULL, first.sheet != NULL);
-        if (second.sheet)
-            mesh_free(second.sheet);
-        free(second.sheet);
+        assert_int_equal(second.mesh.sheet != NULL, first.mesh.sheet != NULL);
+        if (second.mesh.sheet)
+            mesh_free(second.mesh.sheet);
+        free(second.mesh.sheet);
         free(second.colliders);
         free(second.pins);
-        second.sheet = first.sheet;
+        second.mesh.sheet = first.mesh.sheet;
         second.colliders = first.colliders;
         second.pins = first.pins;
         assert_memory_equal(&first, &second, sizeof first);
@@ -322,8 +324,8 @@ static void test_scenes_of_the_paper(void **unused) {
         mesh m;
         snprintf(path, sizeof path, "%s/%s.yaml", SCENES_FOLDER, names[k]);
         assert_int_equal(scene_read(&s, path), 0);
-        assert_int_equal(s.steps, 76);
-        assert_true(s.step == 0.033);
+        assert_int_equal(s.time.steps, 76);
+        assert_true(s.time.step == 0.033);
         assert_int_equal(scene_mesh(&s, &m, NULL, error), 0);
         assert_int_equal(m.vertex_count, 2602);
         assert_int_equal(m.triangle_count, 4982);

@@ -29,8 +29,8 @@ typedef struct pilot {
 
 static scene settings_of(const pilot *p, int steps, double tolerance) {
     scene s = divided_by(p->base, p->integrator, steps, tolerance);
-    s.method = p->method;
-    s.preconditioner = p->preconditioner;
+    s.solution.method = p->method;
+    s.solution.preconditioner = p->preconditioner;
     return s;
 }
 
@@ -96,9 +96,9 @@ static int choose_solver(pilot *p) {
         measured got;
         if (ways[k][0] == METHOD_DIRECT && !direct_solver_available())
             continue;
-        s.steps = s.steps < 8 ? s.steps : 8;
-        s.method = ways[k][0];
-        s.preconditioner = ways[k][1];
+        s.time.steps = s.time.steps < 8 ? s.time.steps : 8;
+        s.solution.method = ways[k][0];
+        s.solution.preconditioner = ways[k][1];
         if (measure(&s, p->cloth, 3, ANY_REJECTIONS, &got) != 0)
             return -1;
         if (got.finished && got.cpu_seconds < least * (k == 0 ? 1 : 0.8)) {
@@ -187,7 +187,7 @@ static int advise_by(int integrator, const scene *s, const mesh *cloth, double e
                .method = METHOD_CONJUGATE_GRADIENTS,
                .preconditioner = PRECONDITIONER_GAUSS_SEIDEL,
                .tolerance = 1e-3,
-               .steps = s->steps / 8 > 4 ? s->steps / 8 : 4};
+               .steps = s->time.steps / 8 > 4 ? s->time.steps / 8 : 4};
     int status = reach(&p, error, most_steps);
     if (status == 1)
         snprintf(reason, 256,

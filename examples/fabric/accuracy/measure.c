@@ -20,33 +20,33 @@ double cpu_seconds(void) {
 double total_energy(const simulation *sim) {
     double sum = sim->monitor.energy;
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sum -= sim->mass[i] * vector_dot(sim->scene->gravity, sim->x[i]);
+        sum -= sim->cloth.mass[i] * vector_dot(sim->scene->surroundings.gravity, sim->state.x[i]);
     return sum;
 }
 
 scene divided(const scene *s, int steps) {
     scene result = *s;
-    result.step = s->step * s->steps / steps;
-    result.steps = steps;
+    result.time.step = s->time.step * s->time.steps / steps;
+    result.time.steps = steps;
     return result;
 }
 
 scene refined(const scene *s, double factor) {
     scene result = *s;
-    result.vertices = (int)(factor * s->vertices);
-    result.boundary = (int)(sqrt(factor) * s->boundary);
+    result.mesh.vertices = (int)(factor * s->mesh.vertices);
+    result.mesh.boundary = (int)(sqrt(factor) * s->mesh.boundary);
     return result;
 }
 
 scene divided_by(const scene *s, int integrator, int steps, double tolerance) {
     scene of = divided(s, steps);
-    of.integrator = integrator;
+    of.time.integrator = integrator;
     if (integrator == INTEGRATOR_LINEAR_EULER) {
-        of.tolerance = tolerance;
+        of.solution.tolerance = tolerance;
     } else {
-        of.tolerance = 0.1;
-        of.newton_tolerance = tolerance;
-        of.newton_iterations = 200;
+        of.solution.tolerance = 0.1;
+        of.solution.newton_tolerance = tolerance;
+        of.solution.newton_iterations = 200;
     }
     return of;
 }
@@ -67,7 +67,7 @@ static int run_once(const scene *s, const mesh *cloth, long most_rejections, mea
     }
     const double start = cpu_seconds();
     int status = 0, n = 0;
-    for (; n < s->steps && status == 0; n++)
+    for (; n < s->time.steps && status == 0; n++)
         if (simulation_step(sim, error) != 0 ||
             (most_rejections >= 0 && simulation_steps_rejected(sim) > most_rejections))
             status = 1;

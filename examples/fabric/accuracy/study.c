@@ -24,7 +24,7 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
     study_row *r = &of->rows[of->row_count];
     *r = (study_row){.experiment = experiment,
                      .vertices = cloth->vertex_count,
-                     .step = s->step,
+                     .step = s->time.step,
                      .tolerance = tolerance,
                      .error_rms = NAN,
                      .error_max = NAN,
@@ -43,10 +43,10 @@ int study_run(study *of, const char *experiment, const char *variant, const scen
 /* Newton's method to 1e-6 is some 1e-4 mm off (accuracy newton), far below what is compared. */
 static scene exact(const study *of, integrator_kind kind, int steps) {
     scene s = divided(&of->base, steps);
-    s.integrator = (int)kind;
-    s.tolerance = 1e-3;
-    s.newton_tolerance = 1e-6;
-    s.newton_iterations = 200;
+    s.time.integrator = (int)kind;
+    s.solution.tolerance = 1e-3;
+    s.solution.newton_tolerance = 1e-6;
+    s.solution.newton_iterations = 200;
     return s;
 }
 
@@ -81,7 +81,7 @@ int study_reference(study *of) {
 
 double scene_stiffness(const scene *s) {
     static const double gravity = 9.81; /* m/s^2: also where there is none */
-    return s->stretch / (s->density * gravity * s->side);
+    return s->material.stretch / (s->material.density * gravity * s->mesh.side);
 }
 
 void study_compare(study *of) {
@@ -180,8 +180,8 @@ int study_write(study *of, const char *name) {
         print_number(file, r->error_rms);
         print_number(file, r->error_max);
         print_number(file, r->error_own);
-        fprintf(file, ",%d,%.6g,%.6g,%d,%d", r->front, of->base.side, scene_stiffness(&of->base),
-                of->base.collider_count > 0, scene_has_wind(&of->base));
+        fprintf(file, ",%d,%.6g,%.6g,%d,%d", r->front, of->base.mesh.side,
+                scene_stiffness(&of->base), of->base.collider_count > 0, scene_has_wind(&of->base));
         print_number(file, r->error_strain);
         print_number(file, r->error_energy);
         print_number(file, r->got.depth);

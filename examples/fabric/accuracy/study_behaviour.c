@@ -22,18 +22,19 @@
 static int write_energy(study *of, integrator_kind kind, FILE *file) {
     char error[256] = "";
     scene s = divided(&of->base, of->steps[of->step_count / 2]);
-    s.integrator = (int)kind;
-    s.stretch_damping = s.shear_damping = s.bend_damping = s.drag = 0;
-    s.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-6 : 1e-2;
-    s.newton_tolerance = 1e-7;
-    s.newton_iterations = 200;
+    s.time.integrator = (int)kind;
+    s.material.stretch_damping = s.material.shear_damping = s.material.bend_damping =
+        s.surroundings.drag = 0;
+    s.solution.tolerance = kind == INTEGRATOR_LINEAR_EULER ? 1e-6 : 1e-2;
+    s.solution.newton_tolerance = 1e-7;
+    s.solution.newton_iterations = 200;
     simulation *sim = simulation_new(&of->cloth, &s, error);
     if (!sim) {
         fprintf(stderr, "%s: %s\n", s.name, error);
         return -1;
     }
     const double first = total_energy(sim);
-    for (int n = 0; n < s.steps && simulation_step(sim, error) == 0; n++)
+    for (int n = 0; n < s.time.steps && simulation_step(sim, error) == 0; n++)
         fprintf(file, "%s,%.6g,%.9g,%ld\n", integrator_names[kind], simulation_time(sim),
                 total_energy(sim) - first, simulation_steps_rejected(sim));
     simulation_free(sim);
@@ -47,14 +48,14 @@ static int write_survival(study *of, integrator_kind kind, double step, double s
     enum { MOST_REJECTIONS_HERE = 40 };
     measured got;
     scene s = of->base;
-    s.integrator = (int)kind;
-    s.step = step;
-    s.steps = step < 0.03 ? (int)ceil(0.1 / step) : 3;
-    s.stretch = stretch;
-    s.shear = stretch / 5;
-    s.newton_tolerance = 1e-4;
-    s.newton_iterations = 30;
-    s.max_iterations = 2000;
+    s.time.integrator = (int)kind;
+    s.time.step = step;
+    s.time.steps = step < 0.03 ? (int)ceil(0.1 / step) : 3;
+    s.material.stretch = stretch;
+    s.material.shear = stretch / 5;
+    s.solution.newton_tolerance = 1e-4;
+    s.solution.newton_iterations = 30;
+    s.solution.max_iterations = 2000;
     if (measure(&s, &of->cloth, 1, MOST_REJECTIONS_HERE, &got) != 0)
         return -1;
     const int outcome = !got.finished ? 2 : got.rejected > 0 ? 1 : 0;
@@ -101,7 +102,7 @@ int study_mesh(study *of) {
         mesh cloth;
         const scene finer = refined(&of->base, factors[k]);
         scene s = divided(&finer, of->steps[of->step_count - 1]);
-        s.tolerance = 1e-5;
+        s.solution.tolerance = 1e-5;
         if (scene_mesh(&s, &cloth, NULL, error) != 0) {
             fprintf(stderr, "%s: mesh: %s\n", s.name, error);
             status = -1;
@@ -110,9 +111,9 @@ int study_mesh(study *of) {
         status = measure(&s, &cloth, of->repeat, ANY_REJECTIONS, &got);
         if (status == 0) {
             const double z = lowest_point(got.vertices, (const double(*)[3])got.x);
-            fprintf(file, "%d,%d,%ld,%.6g,%.9g,%.4g\n", s.vertices, cloth.triangle_count,
+            fprintf(file, "%d,%d,%ld,%.6g,%.9g,%.4g\n", s.mesh.vertices, cloth.triangle_count,
                     got.cg_iterations, got.cpu_seconds, z, z - before);
-            fprintf(stderr, "%6d vertices: lowest %.6f m, %.3f s\n", s.vertices, z,
+            fprintf(stderr, "%6d vertices: lowest %.6f m, %.3f s\n", s.mesh.vertices, z,
                     got.cpu_seconds);
             before = z;
             measured_free(&got);

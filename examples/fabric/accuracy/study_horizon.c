@@ -80,7 +80,7 @@ static void follow(const study *of, flock *all, FILE *file) {
     enum { MARKS = sizeof marks / sizeof *marks };
     char error[256] = "";
     int passed = 0;
-    for (int n = 0; n < of->base.steps; n++) {
+    for (int n = 0; n < of->base.time.steps; n++) {
         for (int r = 0; r < all->count; r++)
             if (simulation_step(all->run[r], error) != 0) {
                 fprintf(stderr, "%s: run %d: %s\n", of->base.name, r, error);

@@ -45,7 +45,7 @@ static int run_fairly(study *of, int kind, int steps) {
 
 int study_dt(study *of) {
     if (study_reference(of) != 0 ||
-        study_run(of, "dt", scene_default, &of->base, &of->cloth, of->base.tolerance) != 0)
+        study_run(of, "dt", scene_default, &of->base, &of->cloth, of->base.solution.tolerance) != 0)
         return -1;
     for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++)
         for (int k = 0; k < of->step_count; k++)
@@ -69,7 +69,7 @@ int study_cg(study *of) {
         return -1;
     for (int k = 0; k < count; k++) {
         scene s = divided(&of->base, steps);
-        s.tolerance = tolerances[k];
+        s.solution.tolerance = tolerances[k];
         if (study_run(of, "cg", "linear-euler", &s, &of->cloth, tolerances[k]) != 0)
             return -1;
     }
@@ -87,10 +87,10 @@ int study_newton(study *of) {
         const int first = of->row_count;
         for (int k = 0; k < count; k++) {
             scene s = divided(&of->base, steps);
-            s.integrator = kind;
-            s.tolerance = 1e-2;
-            s.newton_tolerance = tolerances[k];
-            s.newton_iterations = 200;
+            s.time.integrator = kind;
+            s.solution.tolerance = 1e-2;
+            s.solution.newton_tolerance = tolerances[k];
+            s.solution.newton_iterations = 200;
             if (study_run(of, "newton", integrator_names[kind], &s, &of->cloth, tolerances[k]) != 0)
                 return -1;
         }
@@ -104,7 +104,7 @@ static int run_direct(study *of, const scene *s) {
     scene direct = *s;
     if (!direct_solver_available())
         return 0;
-    direct.method = METHOD_DIRECT;
+    direct.solution.method = METHOD_DIRECT;
     return study_run(of, "preconditioner", "direct", &direct, &of->cloth, 0);
 }
 
@@ -112,16 +112,16 @@ int study_preconditioner(study *of) {
     static const double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-8};
     const int steps = of->steps[of->step_count / 2];
     scene s = divided(&of->base, steps);
-    s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
-    s.tolerance = 1e-12;
-    if (study_run(of, "preconditioner", "gauss-seidel", &s, &of->cloth, s.tolerance) != 0)
+    s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+    s.solution.tolerance = 1e-12;
+    if (study_run(of, "preconditioner", "gauss-seidel", &s, &of->cloth, s.solution.tolerance) != 0)
         return -1;
     for (int kind = PRECONDITIONER_GAUSS_SEIDEL; kind <= PRECONDITIONER_INCOMPLETE_CHOLESKY; kind++)
         for (int k = 0; k < (of->quick ? 1 : 4); k++) {
-            s.preconditioner = kind;
-            s.tolerance = tolerances[k];
+            s.solution.preconditioner = kind;
+            s.solution.tolerance = tolerances[k];
             if (study_run(of, "preconditioner", preconditioner_names[kind], &s, &of->cloth,
-                          s.tolerance) != 0)
+                          s.solution.tolerance) != 0)
                 return -1;
         }
     if (run_direct(of, &s) != 0)
@@ -134,16 +134,16 @@ int study_precision(study *of) {
     static const double tolerances[] = {1e-2, 1e-4, 1e-6, 1e-8};
     const int steps = of->steps[of->step_count / 2];
     scene s = divided(&of->base, steps);
-    s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
-    s.tolerance = 1e-12;
-    if (study_run(of, "precision", "double", &s, &of->cloth, s.tolerance) != 0)
+    s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+    s.solution.tolerance = 1e-12;
+    if (study_run(of, "precision", "double", &s, &of->cloth, s.solution.tolerance) != 0)
         return -1;
     for (int precision = PRECISION_DOUBLE; precision <= PRECISION_MIXED; precision++)
         for (int k = 0; k < (of->quick ? 1 : 4); k++) {
-            s.precision = precision;
-            s.tolerance = tolerances[k];
+            s.solution.precision = precision;
+            s.solution.tolerance = tolerances[k];
             if (study_run(of, "precision", precision_names[precision], &s, &of->cloth,
-                          s.tolerance) != 0)
+                          s.solution.tolerance) != 0)
                 return -1;
         }
     compare_own(of, 0, 0);
@@ -163,14 +163,14 @@ static int compare_ways(study *of, const mesh *cloth) {
     for (int h = of->quick ? 2 : 0; h < 4; h++)
         for (int way = 0; way < 3; way++) {
             scene s = of->base;
-            s.integrator = INTEGRATOR_LINEAR_EULER;
-            s.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
-            s.step = steps[h];
-            s.steps = (int)fmax(4, ceil(shortest / steps[h]));
-            s.method = ways[way].method;
-            s.tolerance =
-                ways[way].method == METHOD_DIRECT ? of->base.tolerance : ways[way].tolerance;
-            if ((s.method != METHOD_DIRECT || direct_solver_available()) &&
+            s.time.integrator = INTEGRATOR_LINEAR_EULER;
+            s.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+            s.time.step = steps[h];
+            s.time.steps = (int)fmax(4, ceil(shortest / steps[h]));
+            s.solution.method = ways[way].method;
+            s.solution.tolerance = ways[way].method == METHOD_DIRECT ? of->base.solution.tolerance
+                                                                     : ways[way].tolerance;
+            if ((s.solution.method != METHOD_DIRECT || direct_solver_available()) &&
                 study_run(of, "solver", ways[way].name, &s, cloth, ways[way].tolerance) != 0)
                 return -1;
         }

@@ -121,14 +121,17 @@ static void print_advice(const scene *s, const advice *a) {
     static const char *const methods[] = {"conjugate-gradients", "direct"};
     static const char *const preconditioners[] = {"gauss-seidel", "block-jacobi"};
     const scene *to = &a->settings;
-    const int linear = to->integrator == INTEGRATOR_LINEAR_EULER;
-    const int direct = to->method == METHOD_DIRECT;
-    printf("integrator      %s (order %.2f here)\n", integrator_names[to->integrator], a->order);
-    printf("step            %.3g s: %d steps instead of %d\n", to->step, to->steps, s->steps);
-    printf("tolerance       %.0e%s\n", linear ? to->tolerance : to->newton_tolerance,
+    const int linear = to->time.integrator == INTEGRATOR_LINEAR_EULER;
+    const int direct = to->solution.method == METHOD_DIRECT;
+    printf("integrator      %s (order %.2f here)\n", integrator_names[to->time.integrator],
+           a->order);
+    printf("step            %.3g s: %d steps instead of %d\n", to->time.step, to->time.steps,
+           s->time.steps);
+    printf("tolerance       %.0e%s\n",
+           linear ? to->solution.tolerance : to->solution.newton_tolerance,
            linear ? "" : " of Newton's method");
     printf("solver          %s\n",
-           direct ? methods[to->method] : preconditioners[to->preconditioner]);
+           direct ? methods[to->solution.method] : preconditioners[to->solution.preconditioner]);
     printf("error           %.3g m rms expected at the end\n", a->error);
     printf("time            %.3g s of one core of this machine, %.0f iterations\n", a->cpu_seconds,
            a->iterations);
@@ -139,9 +142,9 @@ static void print_advice(const scene *s, const advice *a) {
            "solution.tolerance=%g --set solution.newton_tolerance=%g --set "
            "solution.newton_iterations=%d --set solution.method=%s --set "
            "solution.preconditioner=%s\n",
-           integrator_names[to->integrator], to->step, to->steps, to->tolerance,
-           to->newton_tolerance, to->newton_iterations, methods[to->method],
-           preconditioners[to->preconditioner]);
+           integrator_names[to->time.integrator], to->time.step, to->time.steps,
+           to->solution.tolerance, to->solution.newton_tolerance, to->solution.newton_iterations,
+           methods[to->solution.method], preconditioners[to->solution.preconditioner]);
 }
 
 static int give_advice(const request *r) {
@@ -156,7 +159,7 @@ static int give_advice(const request *r) {
         scene_free(&s);
         return EXIT_FAILURE;
     }
-    const int most = r->most_steps > 0 ? (int)r->most_steps : 16 * s.steps;
+    const int most = r->most_steps > 0 ? (int)r->most_steps : 16 * s.time.steps;
     const int status = advise(&s, &cloth, r->error, most, &a, reason);
     if (status == 0)
         print_advice(&s, &a);
@@ -169,7 +172,7 @@ static int give_advice(const request *r) {
 
 static int run_experiments(study *of, int name) {
     for (int k = 0; k < EXPERIMENTS; k++)
-        if (of->base.sheet_from == SHEET_FILE &&
+        if (of->base.mesh.from == SHEET_FILE &&
             (experiments[k] == study_mesh || experiments[k] == study_solver)) {
             if (name == k || name == ALL)
                 fprintf(stderr, "%s: its mesh is a file, which cannot be refined: no '%s'\n",

@@ -54,7 +54,7 @@ static void print_plan(const scene *s, const mesh *m, const simulation *sim) {
         (double)m->vertex_count * (sizeof *m->position + sizeof *m->material) +
         (double)m->triangle_count * sizeof *m->triangle + (double)m->edge_count * sizeof *m->edge +
         (double)m->hinge_count * sizeof *m->hinge;
-    printf("%s: %d steps of %g s\n", s->name, s->steps, s->step);
+    printf("%s: %d steps of %g s\n", s->name, s->time.steps, s->time.step);
     printf("mesh: %d particles, %d triangles, %d edges, %d hinges, %.2f MiB\n", m->vertex_count,
            m->triangle_count, m->edge_count, m->hinge_count, mebibytes(mesh_bytes));
     printf("matrix: %.0f blocks of 3 x 3, %.0f bytes (%.2f MiB)\n", blocks,

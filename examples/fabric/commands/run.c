@@ -169,19 +169,19 @@ static int begin(cloth_run *run, const run_request *r) {
     if (read_scene(&run->of, r->scene_name, &r->settings) != 0)
         return -1;
     if (r->steps != NOT_GIVEN)
-        run->of.steps = (int)r->steps;
+        run->of.time.steps = (int)r->steps;
     return 0;
 }
 
 static int make_mesh(cloth_run *run) {
     char error[ERROR_SIZE] = "";
     const double start = clock_seconds();
-    int *new_of_old = malloc((size_t)run->of.vertices * sizeof *new_of_old);
-    run->original = malloc((size_t)run->of.vertices * sizeof *run->original);
+    int *new_of_old = malloc((size_t)run->of.mesh.vertices * sizeof *new_of_old);
+    run->original = malloc((size_t)run->of.mesh.vertices * sizeof *run->original);
     if (!new_of_old || !run->original)
         snprintf(error, sizeof error, "out of memory");
     else if (scene_mesh(&run->of, &run->cloth, new_of_old, error) == 0) {
-        for (int v = 0; v < run->of.vertices; v++)
+        for (int v = 0; v < run->of.mesh.vertices; v++)
             run->original[new_of_old[v]] = v;
         run->account.mesh_seconds = clock_seconds() - start;
         free(new_of_old);
@@ -207,7 +207,7 @@ static int take_step(cloth_run *run) {
 /** What a step leaves behind: a frame, a checkpoint. `ends`: this run takes no further one. */
 static int keep_step(cloth_run *run, int ends) {
     const long every = run->record.every;
-    const int done = run->record.step == run->of.steps;
+    const int done = run->record.step == run->of.time.steps;
     const int is_due = every > 0 && run->record.step > 0 && (run->record.step % every == 0 || done);
     if (run_write_frame(run) != 0)
         return -1;
@@ -216,7 +216,7 @@ static int keep_step(cloth_run *run, int ends) {
 
 /** All steps that there are to be taken now, told of. 0, or -1 after a message. */
 static int take_steps(cloth_run *run, const run_request *r) {
-    const long steps = run->of.steps;
+    const long steps = run->of.time.steps;
     const long last = r->stop_after != NOT_GIVEN && r->stop_after < steps ? r->stop_after : steps;
     const double before = run->record.seconds;
     progress told;
@@ -241,7 +241,7 @@ static void tell_results(const cloth_run *run, const run_request *r) {
     const char *quote = strpbrk(run->folder, " \t!\"#$&()*;<>?[\\]`{|}~") ? "'" : "";
     if (run->account.interrupted)
         fprintf(stderr, "ended after step %ld of %d; to go on: %s run --resume %s%s%s\n",
-                run->record.step, run->of.steps, program_name, quote, run->folder, quote);
+                run->record.step, run->of.time.steps, program_name, quote, run->folder, quote);
     if (r->progress == PROGRESS_JSON || r->progress == PROGRESS_NONE)
         return;
     summary_print(&run->account);
@@ -250,7 +250,7 @@ static void tell_results(const cloth_run *run, const run_request *r) {
 
 static int finish(cloth_run *run, const run_request *r) {
     run->account.step_seconds = run->record.seconds;
-    run->account.interrupted = run->record.step < run->of.steps;
+    run->account.interrupted = run->record.step < run->of.time.steps;
     if (run_write_results(run) != 0)
         return -1;
     if (!run->account.interrupted && run->record.every == 0)

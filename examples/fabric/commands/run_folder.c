@@ -67,7 +67,7 @@ static int name_folder(cloth_run *run, const run_request *r) {
 
 /** A frame at step 0 and at the last, and in between as many as asked for, evenly. */
 static int is_frame(const cloth_run *run, long step) {
-    const long steps = run->of.steps, frames = run->record.frames, gaps = frames - 1;
+    const long steps = run->of.time.steps, frames = run->record.frames, gaps = frames - 1;
     return frames > 0 && (step == 0 || step == steps ||
                           (step < steps && step * gaps / steps != (step - 1) * gaps / steps));
 }
@@ -95,7 +95,7 @@ int run_prepare_folder(cloth_run *run, const run_request *r) {
         files_join(path, run->folder, "scene.yaml") != 0)
         return -1;
     remove_old_results(run);
-    if (run->from.memory && run->of.steps == run->from.of.steps)
+    if (run->from.memory && run->of.time.steps == run->from.of.time.steps)
         look_for_frames(run);
     if (scene_write(&run->of, path) == 0)
         return 0;

@@ -47,13 +47,13 @@ static int read_wanted_scene(cloth_run *run, const run_request *r) {
 /** A named scene's count of steps is its default: what counts is what the run began with. */
 static int choose_steps(cloth_run *run, const run_request *r) {
     if (r->steps != NOT_GIVEN)
-        run->of.steps = (int)r->steps;
+        run->of.time.steps = (int)r->steps;
     else if (r->scene_name)
-        run->of.steps = run->from.of.steps;
-    if (run->record.step <= run->of.steps)
+        run->of.time.steps = run->from.of.time.steps;
+    if (run->record.step <= run->of.time.steps)
         return 0;
     fprintf(stderr, "%s: of step %ld, expected one up to step %d, the last\n", run->from_path,
-            run->record.step, run->of.steps);
+            run->record.step, run->of.time.steps);
     return -1;
 }
 

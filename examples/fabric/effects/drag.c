@@ -60,14 +60,14 @@ void drag_forces(const triangle_elements *e, double drag, const double wind[3], 
 }
 
 static void add(const force_target *on, const expansion *at, linear_system *s) {
-    drag_forces(on->triangles, on->scene->drag, on->wind, at->h, at->x, at->v, s);
+    drag_forces(on->triangles, on->surroundings->drag, on->wind, at->h, at->x, at->v, s);
 }
 
 /* Air at rest only takes. */
 static double work(const force_target *on, double h, const double (*x)[3], const double (*v)[3]) {
-    if (on->scene->drag <= 0 || vector_length(on->wind) <= 0)
+    if (on->surroundings->drag <= 0 || vector_length(on->wind) <= 0)
         return 0;
-    return drag_work(on->triangles, on->scene->drag, on->wind, h, x, v);
+    return drag_work(on->triangles, on->surroundings->drag, on->wind, h, x, v);
 }
 
 const outer_force outer_force_drag = {add, work};

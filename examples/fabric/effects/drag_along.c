@@ -60,14 +60,15 @@ void drag_forces_along(const triangle_elements *e, double drag, const double win
 }
 
 static void add(const force_target *on, const expansion *at, linear_system *s) {
-    drag_forces_along(on->triangles, on->scene->tangential_drag, on->wind, at->h, at->x, at->v, s);
+    drag_forces_along(on->triangles, on->surroundings->tangential_drag, on->wind, at->h, at->x,
+                      at->v, s);
 }
 
 /* Air at rest only takes. */
 static double work(const force_target *on, double h, const double (*x)[3], const double (*v)[3]) {
-    if (on->scene->tangential_drag <= 0 || vector_length(on->wind) <= 0)
+    if (on->surroundings->tangential_drag <= 0 || vector_length(on->wind) <= 0)
         return 0;
-    return drag_work_along(on->triangles, on->scene->tangential_drag, on->wind, h, x, v);
+    return drag_work_along(on->triangles, on->surroundings->tangential_drag, on->wind, h, x, v);
 }
 
 const outer_force outer_force_drag_along = {add, work};

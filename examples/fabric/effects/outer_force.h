@@ -21,7 +21,7 @@ typedef struct expansion {
 
 /** The cloth and what surrounds it, by reference. */
 typedef struct force_target {
-    const scene *scene;
+    const scene_surroundings *surroundings;
     const triangle_elements *triangles;
     const double *wind; /* [3] m/s, at present */
 } force_target;

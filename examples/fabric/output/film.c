@@ -31,7 +31,7 @@ static int out_of_memory(void) {
 /** Coordinates in the plane of the flat cloth, along two of its own directions. */
 static int find_material(film *f) {
     const state *s = &f->frames.first;
-    const double *n = f->of.normal;
+    const double *n = f->of.mesh.normal;
     const double across[3] = {fabs(n[2]) < 0.9 ? -n[1] : 1.0, fabs(n[2]) < 0.9 ? n[0] : 0.0, 0.0};
     const double length = sqrt(across[0] * across[0] + across[1] * across[1]);
     double along[3];
@@ -43,8 +43,8 @@ static int find_material(film *f) {
     for (size_t v = 0; v < (size_t)s->vertex_count; v++) {
         double u[2] = {0.0, 0.0};
         for (int k = 0; k < 3; k++) {
-            u[0] += (s->position[3 * v + (size_t)k] - f->of.origin[k]) * across[k] / length;
-            u[1] += (s->position[3 * v + (size_t)k] - f->of.origin[k]) * along[k] / length;
+            u[0] += (s->position[3 * v + (size_t)k] - f->of.mesh.origin[k]) * across[k] / length;
+            u[1] += (s->position[3 * v + (size_t)k] - f->of.mesh.origin[k]) * along[k] / length;
         }
         f->material[2 * v] = (float)u[0];
         f->material[2 * v + 1] = (float)u[1];

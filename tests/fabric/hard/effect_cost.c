@@ -11,19 +11,19 @@ static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 
 /* Stretch, shear and pins, or what `name` makes of it. 0, or -1: there is no such sheet. */
 static int choose(scene *s, const char *name) {
-    s->bend = s->bend_damping = 0;
+    s->material.bend = s->material.bend_damping = 0;
     s->pins = &hold;
     s->pin_count = 1;
     if (strcmp(name, "held") == 0)
         return 0;
     if (strcmp(name, "no-shear") == 0)
-        s->shear = s->shear_damping = 0;
+        s->material.shear = s->material.shear_damping = 0;
     else if (strcmp(name, "no-stretch") == 0)
-        s->stretch = s->stretch_damping = 0;
+        s->material.stretch = s->material.stretch_damping = 0;
     else if (strcmp(name, "unwatched") == 0)
-        s->limits.off = 1;
+        s->monitor.off = 1;
     else if (strcmp(name, "weightless") == 0)
-        s->gravity[0] = s->gravity[1] = s->gravity[2] = 0;
+        s->surroundings.gravity[0] = s->surroundings.gravity[1] = s->surroundings.gravity[2] = 0;
     else if (strcmp(name, "free") == 0) /* nothing but gravity and its own forces */
         s->pin_count = 0;
     else
@@ -35,7 +35,7 @@ int main(int argc, char **argv) {
     char error[256];
     mesh m = cloth_sheet(25, 25, 0.04, 0.3, 1);
     scene s = cloth_scene();
-    s.tolerance = 1e-3;
+    s.solution.tolerance = 1e-3;
     if (argc != 2 || choose(&s, argv[1]) != 0) {
         fprintf(stderr, "which sheet?\n");
         return 2;

@@ -112,23 +112,23 @@ static void break_mesh(mesh *m, double size, unsigned *seed) {
 
 static scene random_scene(unsigned *seed) {
     scene s = cloth_scene();
-    s.density = pow(10, between(seed, -6, 6));
-    s.stretch = decades(seed, 0, 10);
-    s.shear = decades(seed, 0, 10);
-    s.bend = decades(seed, -8, 6);
-    s.stretch_damping = decades(seed, -6, 6);
-    s.shear_damping = decades(seed, -6, 6);
-    s.bend_damping = decades(seed, -8, 6);
-    s.gravity[2] = -decades(seed, -2, 4);
-    s.drag = decades(seed, -4, 4);
-    s.wind[any(seed, 3)] = decades(seed, -2, 4);
-    s.wind_from = one_in(seed, 2) ? 0 : 1e30;
-    s.step = pow(10, between(seed, -6, 2));
-    s.tolerance = pow(10, between(seed, -6, -1));
-    s.max_iterations = 200;
-    s.newton_iterations = 20;
-    s.newton_tolerance = 1e-4;
-    s.integrator = one_in(seed, 2) ? 0 : any(seed, 4);
+    s.material.density = pow(10, between(seed, -6, 6));
+    s.material.stretch = decades(seed, 0, 10);
+    s.material.shear = decades(seed, 0, 10);
+    s.material.bend = decades(seed, -8, 6);
+    s.material.stretch_damping = decades(seed, -6, 6);
+    s.material.shear_damping = decades(seed, -6, 6);
+    s.material.bend_damping = decades(seed, -8, 6);
+    s.surroundings.gravity[2] = -decades(seed, -2, 4);
+    s.surroundings.drag = decades(seed, -4, 4);
+    s.surroundings.wind[any(seed, 3)] = decades(seed, -2, 4);
+    s.surroundings.wind_from = one_in(seed, 2) ? 0 : 1e30;
+    s.time.step = pow(10, between(seed, -6, 2));
+    s.solution.tolerance = pow(10, between(seed, -6, -1));
+    s.solution.max_iterations = 200;
+    s.solution.newton_iterations = 20;
+    s.solution.newton_tolerance = 1e-4;
+    s.time.integrator = one_in(seed, 2) ? 0 : any(seed, 4);
     return s;
 }
 
@@ -150,18 +150,19 @@ static collider random_collider(double size, unsigned *seed) {
 static double energy_of(simulation *sim) {
     double stretch, shear, sum = 0;
     const double(*x)[3] = simulation_positions(sim);
-    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
+    triangle_energies(&sim->cloth.triangles, &sim->cloth.triangle_material, x, &stretch, &shear);
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
-    if (sim->scene->strain_limit > 0)
-        stretch += strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
-    return sum + stretch + shear + hinge_energy_at(&sim->hinges, &sim->hinge_material, x);
+        sum += sim->cloth.mass[i] * vector_dot(sim->state.v[i], sim->state.v[i]) / 2;
+    if (sim->scene->material.strain_limit > 0)
+        stretch += strain_limit_energy(&sim->cloth.strain_limit, &sim->cloth.triangles, x);
+    return sum + stretch + shear +
+           hinge_energy_at(&sim->cloth.hinges, &sim->cloth.hinge_material, x);
 }
 
 static double height_of(const simulation *sim) {
     double sum = 0;
     for (int i = 0; i < sim->mesh->vertex_count; i++)
-        sum -= sim->mass[i] * vector_dot(sim->x[i], sim->scene->gravity);
+        sum -= sim->cloth.mass[i] * vector_dot(sim->state.x[i], sim->scene->surroundings.gravity);
     return sum;
 }
 
@@ -170,7 +171,7 @@ static double height_of(const simulation *sim) {
 static int has_too_much(const simulation *sim, double first, double highest, double now) {
     const double given = highest - height_of(sim);
     const double allowed = first + (given > 0 ? given : 0);
-    return now > 3 * allowed + 1e-9 * sim->total_mass;
+    return now > 3 * allowed + 1e-9 * sim->cloth.total_mass;
 }
 
 /* Of cloth as it is worn among moving bodies, which put in what the monitor believes that they do.
@@ -180,7 +181,7 @@ static int has_too_much(const simulation *sim, double first, double highest, dou
 static int has_run_away(const simulation *sim, int is_refused) {
     const monitor *m = &sim->monitor;
     const double most_speed = 20; /* m/s */
-    const double scale = m->reference + sim->total_mass * most_speed * most_speed;
+    const double scale = m->reference + sim->cloth.total_mass * most_speed * most_speed;
     return m->energy > 2 * m->reference + m->noise || (is_refused && m->next_energy > 1e3 * scale);
 }
 
@@ -189,9 +190,9 @@ static unsigned char *saved(simulation *sim, size_t *size) {
     *size = simulation_saved_size(sim);
     unsigned char *bytes = malloc(*size);
     for (int k = 0; k < PHASE_COUNT; k++)
-        sim->phases[k].seconds = 0;
+        sim->account.phases[k].seconds = 0;
     for (int k = 0; k < EFFECT_COUNT; k++)
-        sim->effects[k].seconds = 0;
+        sim->account.effects[k].seconds = 0;
     if (bytes)
         simulation_save(sim, bytes, *size);
     return bytes;
@@ -247,7 +248,8 @@ static void tell_account(const simulation *sim, char *error) {
 
 static int run(const mesh *m, const scene *s, int steps, int is_worn, char *error) {
     simulation *sim = simulation_new(m, s, error);
-    int outcome = FINISHED, driven = s->drag > 0 && vector_length(s->wind) > 0;
+    int outcome = FINISHED,
+        driven = s->surroundings.drag > 0 && vector_length(s->surroundings.wind) > 0;
     if (!sim)
         return error[0] ? REFUSED : SILENT;
     for (int n = 0; n < s->collider_count; n++)
@@ -307,10 +309,11 @@ static int run_scene(unsigned seed, char *error) {
     s.collider_count = any(&seed, 3);
     for (int n = 0; n < s.collider_count; n++)
         colliders[n] = random_collider(size, &seed);
-    s.strain_limit = s.stretch > 0 && one_in(&seed, 3) ? decades(&seed, -3, 0) : 0;
-    s.self_gap = one_in(&seed, 3) ? size * decades(&seed, -5, 0) / columns : 0;
-    s.self_friction = decades(&seed, -2, 1);
-    s.limits.penetration = 0.1 * size;
+    s.material.strain_limit =
+        s.material.stretch > 0 && one_in(&seed, 3) ? decades(&seed, -3, 0) : 0;
+    s.self_collision.gap = one_in(&seed, 3) ? size * decades(&seed, -5, 0) / columns : 0;
+    s.self_collision.friction = decades(&seed, -2, 1);
+    s.monitor.penetration = 0.1 * size;
     if (mesh_clean(&m, found, error) == 0 && mesh_connect(&m, &non_manifold, error) == 0 &&
         mesh_check(&m, found) == 0)
         outcome = run(&m, &s, 3, 0, error);
@@ -348,18 +351,18 @@ static int run_driven(unsigned seed, char *error) {
     const int along = 6 + any(&seed, 8);
     mesh m = cloth_sheet(along, along, 0.5 / along, 0.3, seed);
     scene s = cloth_scene();
-    s.step = between(&seed, 0.005, 0.033);
-    s.stretch = pow(10, between(&seed, 1.5, 4));
-    s.shear = s.stretch * between(&seed, 0.02, 0.5);
-    s.bend = pow(10, between(&seed, -6, -3));
-    s.drag = one_in(&seed, 2) ? 0.2 : 0;
+    s.time.step = between(&seed, 0.005, 0.033);
+    s.material.stretch = pow(10, between(&seed, 1.5, 4));
+    s.material.shear = s.material.stretch * between(&seed, 0.02, 0.5);
+    s.material.bend = pow(10, between(&seed, -6, -3));
+    s.surroundings.drag = one_in(&seed, 2) ? 0.2 : 0;
     s.colliders = bodies;
     s.collider_count = 2 + any(&seed, 2);
     for (int n = 0; n < s.collider_count; n++)
         bodies[n] = driven_body(&seed);
     s.pins = &hold;
     s.pin_count = any(&seed, 2);
-    s.self_gap = one_in(&seed, 2) ? 0.1 * 0.5 / along : 0;
+    s.self_collision.gap = one_in(&seed, 2) ? 0.1 * 0.5 / along : 0;
     const int outcome = run(&m, &s, 40, 1, error);
     cloth_free(&m);
     return outcome;

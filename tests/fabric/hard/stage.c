@@ -62,11 +62,11 @@ double stage_energy(const stage *on) {
     simulation *sim = on->sim;
     const double(*x)[3] = simulation_positions(sim);
     double stretch, shear, sum = 0;
-    triangle_energies(&sim->triangles, &sim->triangle_material, x, &stretch, &shear);
-    hinge_update_angles(&sim->hinges, x);
+    triangle_energies(&sim->cloth.triangles, &sim->cloth.triangle_material, x, &stretch, &shear);
+    hinge_update_angles(&sim->cloth.hinges, x);
     for (int i = 0; i < on->m.vertex_count; i++)
-        sum += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
-    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + sum;
+        sum += sim->cloth.mass[i] * vector_dot(sim->state.v[i], sim->state.v[i]) / 2;
+    return stretch + shear + hinge_energy(&sim->cloth.hinges, &sim->cloth.hinge_material) + sum;
 }
 
 double stage_area(const stage *on) {
@@ -74,8 +74,8 @@ double stage_area(const stage *on) {
     for (int t = 0; t < on->m.triangle_count; t++) {
         const int *v = on->m.triangle[t];
         double one[3], other[3], cross[3];
-        vector_subtract(on->sim->x[v[1]], on->sim->x[v[0]], one);
-        vector_subtract(on->sim->x[v[2]], on->sim->x[v[0]], other);
+        vector_subtract(on->sim->state.x[v[1]], on->sim->state.x[v[0]], one);
+        vector_subtract(on->sim->state.x[v[2]], on->sim->state.x[v[0]], other);
         vector_cross(one, other, cross);
         area += vector_length(cross) / 2;
     }
@@ -86,7 +86,7 @@ double stage_distance(const stage *on, const stage *other, const int *of) {
     double most = 0;
     for (int i = 0; i < on->m.vertex_count; i++) {
         double apart[3];
-        vector_subtract(on->sim->x[i], other->sim->x[of ? of[i] : i], apart);
+        vector_subtract(on->sim->state.x[i], other->sim->state.x[of ? of[i] : i], apart);
         most = fmax(most, vector_length(apart));
     }
     return most;

@@ -83,8 +83,8 @@ static collider ball(void) {
 
 static stage sheet_over(collider *body) {
     stage on = stage_of(cloth_sheet(9, 9, 0.05, 0.2, 3), cloth_scene());
-    on.s.tolerance = 1e-10;
-    on.s.drag = 0.3;
+    on.s.solution.tolerance = 1e-10;
+    on.s.surroundings.drag = 0.3;
     on.s.colliders = body;
     on.s.collider_count = 1;
     return on;
@@ -144,7 +144,7 @@ static double turned_by(const stage *on, const double (*before)[3], double middl
     double sine = 0, cosine = 0;
     for (int i = 0; i < on->m.vertex_count; i++) {
         const double a = before[i][0] - middle, b = before[i][1] - middle;
-        const double c = on->sim->x[i][0] - middle, d = on->sim->x[i][1] - middle;
+        const double c = on->sim->state.x[i][0] - middle, d = on->sim->state.x[i][1] - middle;
         sine += a * d - b * c;
         cosine += a * c + b * d;
     }
@@ -154,7 +154,7 @@ static double turned_by(const stage *on, const double (*before)[3], double middl
 static double fastest(const stage *on) {
     double speed = 0;
     for (int i = 0; i < on->m.vertex_count; i++)
-        speed = fmax(speed, vector_length(on->sim->v[i]));
+        speed = fmax(speed, vector_length(on->sim->state.v[i]));
     return speed;
 }
 
@@ -172,13 +172,13 @@ static void S42_turning_table(void **state) {
                       .keyframe_count = 2,
                       .keyframes = path};
     stage on = sheet_over(&table);
-    on.s.tolerance = 1e-5;
+    on.s.solution.tolerance = 1e-5;
     stage_begin(&on);
     stage_run(&on, 50);
     double(*before)[3] = calloc((size_t)on.m.vertex_count, sizeof *before);
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++)
-            before[i][a] = on.sim->x[i][a];
+            before[i][a] = on.sim->state.x[i][a];
     const double lay = fastest(&on);
     stage_run(&on, 50);
     const double midway = turned_by(&on, (const double(*)[3])before, 0.2);
@@ -221,9 +221,9 @@ static void S42_turning_bar(void **state) {
         on.m.position[i][1] = 0;
         on.m.position[i][2] = -down;
     }
-    on.s.tolerance = 1e-4;
-    on.s.stretch = 300;
-    on.s.drag = 0.3;
+    on.s.solution.tolerance = 1e-4;
+    on.s.material.stretch = 300;
+    on.s.surroundings.drag = 0.3;
     on.s.pins = &hold;
     on.s.pin_count = 1;
     on.s.colliders = &bar;
@@ -232,8 +232,8 @@ static void S42_turning_bar(void **state) {
     stage_run(&on, 25);
     stage_assert_finite(&on);
     for (int i = 0; i < on.m.vertex_count; i++) {
-        ahead = fmin(ahead, on.sim->x[i][1]);
-        farthest = fmax(farthest, on.sim->x[i][1]);
+        ahead = fmin(ahead, on.sim->state.x[i][1]);
+        farthest = fmax(farthest, on.sim->state.x[i][1]);
     }
     const run_faults f = simulation_faults(on.sim);
     print_message("S42 bar: cloth from y = %.3f to %.3f m, depth %.2g m, %ld rejected, %ld and %ld "
@@ -259,11 +259,11 @@ static void S42_sleeps_until_it_starts(void **state) {
                       .keyframes = path};
     stage on = sheet_over(&table);
     double lowest = INFINITY;
-    on.s.sleep = 1e-3;
+    on.s.solution.sleep = 1e-3;
     stage_begin(&on);
     stage_run(&on, 300);
     for (int i = 0; i < on.m.vertex_count; i++)
-        lowest = fmin(lowest, on.sim->x[i][2]);
+        lowest = fmin(lowest, on.sim->state.x[i][2]);
     print_message("S42 lifted: lowest at %.4f m, %ld steps slept\n", lowest,
                   simulation_steps_slept(on.sim));
     assert_true(lowest > 0.0999);

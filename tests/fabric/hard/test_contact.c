@@ -24,10 +24,10 @@ static void rests(collider *on_what, const char *name) {
     const int count = on.m.vertex_count, steps = 300;
     double worst_speed = 0, worst_move = 0;
     int flips = 0;
-    on.s.step = 1.0 / 30;
-    on.s.tolerance = 1e-3;
-    on.s.drag = 1;
-    on.s.bend = 1e-4;
+    on.s.time.step = 1.0 / 30;
+    on.s.solution.tolerance = 1e-3;
+    on.s.surroundings.drag = 1;
+    on.s.material.bend = 1e-4;
     on.s.colliders = on_what;
     on.s.collider_count = 1;
     stage_begin(&on);
@@ -35,11 +35,11 @@ static void rests(collider *on_what, const char *name) {
     int *before = calloc((size_t)count, sizeof *before), *now = calloc((size_t)count, sizeof *now);
     for (int n = 0; n < steps; n++) {
         stage_run(&on, 1);
-        memcpy(kept + n * count, on.sim->x, sizeof *kept * (size_t)count);
+        memcpy(kept + n * count, on.sim->state.x, sizeof *kept * (size_t)count);
         note_contacts(&on, now);
         double sum = 0;
         for (int i = 0; i < count; i++) {
-            sum += vector_dot(on.sim->v[i], on.sim->v[i]);
+            sum += vector_dot(on.sim->state.v[i], on.sim->state.v[i]);
             flips += n >= steps - 30 && now[i] != before[i];
         }
         memcpy(before, now, sizeof *now * (size_t)count);
@@ -90,8 +90,8 @@ static void S28_nothing_falls_through_a_thin_table(void **state) {
                       .friction = 0.3,
                       .gap = 0.004};
     stage on = stage_of(cloth_sheet(8, 8, 0.1, 0.3, 1), cloth_scene());
-    on.s.step = 0.033;
-    on.s.tolerance = 1e-3;
+    on.s.time.step = 0.033;
+    on.s.solution.tolerance = 1e-3;
     on.s.colliders = &table;
     on.s.collider_count = 1;
     stage_begin(&on);
@@ -118,18 +118,18 @@ static void S28_nothing_is_run_through_by_a_fast_rod(void **state) {
                    {.low = {0.69, -1}, .high = {0.71, 1}, .velocity = {0, 0, 0}}};
     stage on = stage_of(cloth_sheet(8, 8, 0.1, 0.3, 1), cloth_scene());
     double deepest = 0;
-    on.s.step = 0.033;
-    on.s.tolerance = 1e-3;
+    on.s.time.step = 0.033;
+    on.s.solution.tolerance = 1e-3;
     on.s.pins = hold;
     on.s.pin_count = 2;
     on.s.colliders = &rod;
     on.s.collider_count = 1;
-    on.s.limits.energy = 1e300; /* the pins hold on whatever it takes */
+    on.s.monitor.energy = 1e300; /* the pins hold on whatever it takes */
     stage_begin(&on);
     for (int n = 0; n < 9; n++) {
         stage_run(&on, 1);
         const double depth =
-            collisions_depth(&on.sim->collisions, simulation_time(on.sim), on.sim->x_next);
+            collisions_depth(&on.sim->collisions, simulation_time(on.sim), on.sim->step.x_next);
         deepest = fmax(deepest, depth);
     }
     stage_assert_finite(&on);
@@ -149,9 +149,9 @@ static void test_bdf2_forgets_at_contact(void **state) {
                       .gap = 0.005};
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.3, 2), cloth_scene());
     int with = 0, without = 0;
-    on.s.integrator = INTEGRATOR_BDF2;
-    on.s.newton_tolerance = 1e-6;
-    on.s.newton_iterations = 50;
+    on.s.time.integrator = INTEGRATOR_BDF2;
+    on.s.solution.newton_tolerance = 1e-6;
+    on.s.solution.newton_iterations = 50;
     on.s.colliders = &floor;
     on.s.collider_count = 1;
     stage_begin(&on);

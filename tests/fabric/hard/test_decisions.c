@@ -42,8 +42,8 @@ static void test_a_contact_that_pulls(void **state) {
     assert_int_equal(c->before[5].count, 1);
     for (int pulls = 0; pulls < 4; pulls++) {
         c->before[5].list[0].pulls = pulls;
-        collisions_detect(c, simulation_time(sim), on.s.step, (const double(*)[3])sim->x,
-                          (const double(*)[3])sim->v, (const double(*)[3])sim->guess);
+        collisions_detect(c, simulation_time(sim), on.s.time.step, (const double(*)[3])sim->state.x,
+                          (const double(*)[3])sim->state.v, (const double(*)[3])sim->step.guess);
         assert_int_equal(c->now[5].count, pulls < 2);
     }
     stage_end(&on);

@@ -19,16 +19,16 @@ enum { ALONG = 30 };
 /* All effects, on 900 vertices; what a test does not want it takes away. */
 static stage full_sheet(void) {
     stage on = stage_of(cloth_sheet(ALONG, ALONG, 0.03, 0.3, 1), cloth_scene());
-    on.s.step = 0.01;
+    on.s.time.step = 0.01;
     on.s.pins = &hold;
     on.s.pin_count = 1;
     on.s.colliders = &ball;
     on.s.collider_count = 1;
-    on.s.strain_limit = 0.5;
-    on.s.drag = 0.2;
-    on.s.self_gap = 0.004;
-    on.s.bend = 1e-4;
-    on.s.bend_damping = 1e-6;
+    on.s.material.strain_limit = 0.5;
+    on.s.surroundings.drag = 0.2;
+    on.s.self_collision.gap = 0.004;
+    on.s.material.bend = 1e-4;
+    on.s.material.bend_damping = 1e-6;
     return on;
 }
 
@@ -48,7 +48,8 @@ static double needed_bytes(const stage *on) {
     const double vertices = on->m.vertex_count, triangles = on->m.triangle_count;
     const double hinges = on->m.hinge_count, blocks = (double)simulation_matrix_blocks(sim);
     const scene *s = &on->s;
-    const int has_bend = s->bend > 0, has_triangles = s->stretch > 0 || s->shear > 0;
+    const int has_bend = s->material.bend > 0,
+              has_triangles = s->material.stretch > 0 || s->material.shear > 0;
     double bytes = sizeof *sim;
     bytes += vertices * (8 + 6 * 24); /* mass; x, v, guess, dv, x_next, v_next */
     bytes += triangles * (12 + 56);   /* vertices, rest shape */
@@ -61,15 +62,15 @@ static double needed_bytes(const stage *on) {
         bytes += triangles * 24;
     if (has_bend) /* corner, vertex, role, block, weight, angle */
         bytes += hinges * (16 + 16 + 16 + 40 + 8 + 8);
-    if (has_bend && !s->limits.off)
+    if (has_bend && !s->monitor.off)
         bytes += hinges * 8 + vertices * 24;
-    if (s->strain_limit > 0)
+    if (s->material.strain_limit > 0)
         bytes += triangles * (4 + 1);
     if (s->pin_count > 0)
-        bytes += vertices * 4 + sim->collisions.pinned * 4;
+        bytes += vertices * 4 + sim->collisions.pinned.count * 4;
     if (s->collider_count > 0)
         bytes += vertices * 2 * 200;
-    if (s->self_gap > 0)
+    if (s->self_collision.gap > 0)
         bytes += triangles * (48 + 4) + vertices * (24 + 4); /* box, owned; v and turn */
     return bytes;
 }
@@ -90,10 +91,10 @@ static void no_change(scene *s) {
     (void)s;
 }
 static void no_bend(scene *s) {
-    s->bend = s->bend_damping = 0;
+    s->material.bend = s->material.bend_damping = 0;
 }
 static void no_shear(scene *s) {
-    s->shear = s->shear_damping = 0;
+    s->material.shear = s->material.shear_damping = 0;
 }
 static void no_pins(scene *s) {
     s->pin_count = 0;
@@ -102,13 +103,13 @@ static void no_colliders(scene *s) {
     s->collider_count = 0;
 }
 static void no_self_collision(scene *s) {
-    s->self_gap = 0;
+    s->self_collision.gap = 0;
 }
 static void no_limit(scene *s) {
-    s->strain_limit = 0;
+    s->material.strain_limit = 0;
 }
 static void no_monitor(scene *s) {
-    s->limits.off = 1;
+    s->monitor.off = 1;
 }
 static void nothing(scene *s) {
     no_bend(s);
@@ -117,7 +118,8 @@ static void nothing(scene *s) {
     no_self_collision(s);
     no_limit(s);
     no_monitor(s);
-    s->stretch = s->shear = s->stretch_damping = s->shear_damping = s->drag = 0;
+    s->material.stretch = s->material.shear = s->material.stretch_damping =
+        s->material.shear_damping = s->surroundings.drag = 0;
 }
 
 static void test_storage_goes_by_the_effects(void **state) {
@@ -186,7 +188,7 @@ static void test_a_thousand_colliders(void **state) {
     assert_true(many.sim->collisions.visits > 0);
     assert_true(many.sim->collisions.visits == one.sim->collisions.visits);
     const size_t bytes = sizeof(double[3]) * (size_t)one.m.vertex_count;
-    assert_memory_equal(many.sim->x, one.sim->x, bytes);
+    assert_memory_equal(many.sim->state.x, one.sim->state.x, bytes);
     stage_end(&many);
     stage_end(&one);
     free(all);
@@ -200,21 +202,21 @@ static void test_falls_into_reach(void **state) {
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
     on.s.colliders = &floor;
     on.s.collider_count = 1;
-    on.s.step = 0.02;
+    on.s.time.step = 0.02;
     stage_begin(&on);
     stage_run(&on, 100);
     for (int i = 0; i < on.m.vertex_count; i++)
-        assert_true(on.sim->x[i][2] > -7.9);
-    assert_true(on.sim->x[0][2] < -7.8);
+        assert_true(on.sim->state.x[i][2] > -7.9);
+    assert_true(on.sim->state.x[0][2] < -7.8);
     stage_end(&on);
 }
 
 static stage lying_sheet(collider *table) {
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    on.s.step = 0.02;
+    on.s.time.step = 0.02;
     on.s.colliders = table;
     on.s.collider_count = 1;
-    on.s.sleep = 1e-3;
+    on.s.solution.sleep = 1e-3;
     return on;
 }
 
@@ -231,22 +233,22 @@ static void test_cloth_sleeps(void **state) {
     stage_begin(&on);
     stage_run(&on, 4);
     assert_int_equal(simulation_steps_slept(on.sim), 0); /* it falls */
-    assert_true(on.sim->slow_steps == 0);
+    assert_true(on.sim->step.slow_steps == 0);
     stage_run(&on, 146);
     const long taken = simulation_steps_taken(on.sim), slept = simulation_steps_slept(on.sim);
-    const long visited = on.sim->effects[EFFECT_STRETCH].visited;
+    const long visited = on.sim->account.effects[EFFECT_STRETCH].visited;
     print_message("slept through %ld of 150 steps\n", slept);
     assert_true(slept > 20);
     for (int i = 0; i < on.m.vertex_count; i++)
-        assert_true(vector_length(on.sim->v[i]) == 0);
+        assert_true(vector_length(on.sim->state.v[i]) == 0);
     stage_run(&on, 50);
     assert_int_equal(simulation_steps_slept(on.sim), slept + 50);
     assert_int_equal(simulation_steps_taken(on.sim), taken);
-    assert_int_equal(on.sim->effects[EFFECT_STRETCH].visited, visited);
+    assert_int_equal(on.sim->account.effects[EFFECT_STRETCH].visited, visited);
     assert_near(simulation_time(on.sim), 4, 1e-12);
     stage_run(&on, 10);
     assert_int_equal(simulation_steps_slept(on.sim), slept + 50);
-    assert_true(on.sim->x[0][2] < -0.2);
+    assert_true(on.sim->state.x[0][2] < -0.2);
     stage_end(&on);
 }
 
@@ -272,8 +274,8 @@ static void test_what_is_driven_is_awake(void **state) {
         on.s.collider_count = 2;
         on.s.pins = &corner;
         on.s.pin_count = 1;
-        on.s.drag = 1e-9;
-        on.s.wind[0] = what == 2 ? 1e-6 : 0;
+        on.s.surroundings.drag = 1e-9;
+        on.s.surroundings.wind[0] = what == 2 ? 1e-6 : 0;
         stage_begin(&on);
         stage_run(&on, 60);
         assert_int_equal(simulation_steps_slept(on.sim) > 0, what == 3);
@@ -301,7 +303,8 @@ static void test_sleep_is_saved(void **state) {
     assert_int_equal(simulation_restore(other.sim, bytes, size), 0);
     stage_run(&other, 1);
     assert_int_equal(simulation_steps_slept(other.sim), simulation_steps_slept(on.sim) + 1);
-    assert_memory_equal(on.sim->x, other.sim->x, sizeof(double[3]) * (size_t)on.m.vertex_count);
+    assert_memory_equal(on.sim->state.x, other.sim->state.x,
+                        sizeof(double[3]) * (size_t)on.m.vertex_count);
     free(bytes);
     stage_end(&on);
     stage_end(&other);
@@ -316,9 +319,10 @@ static void test_monitor_can_be_off(void **state) {
     stage_begin(&off);
     stage_run(&on, 20);
     stage_run(&off, 20);
-    assert_memory_equal(on.sim->x, off.sim->x, sizeof(double[3]) * (size_t)on.m.vertex_count);
-    assert_true(on.sim->effects[EFFECT_MONITOR].visited > 0);
-    assert_int_equal(off.sim->effects[EFFECT_MONITOR].visited, 0);
+    assert_memory_equal(on.sim->state.x, off.sim->state.x,
+                        sizeof(double[3]) * (size_t)on.m.vertex_count);
+    assert_true(on.sim->account.effects[EFFECT_MONITOR].visited > 0);
+    assert_int_equal(off.sim->account.effects[EFFECT_MONITOR].visited, 0);
     assert_true(on.sim->monitor.energy > 0 && off.sim->monitor.energy == 0);
     assert_true(simulation_faults(on.sim).watched && !simulation_faults(off.sim).watched);
     stage_end(&on);
@@ -337,7 +341,7 @@ static void test_monitor_that_is_off(void **state) {
     step.passing = 0;
     step.shortest = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
-        on.sim->v_next[i][0] = 1e6; /* out of nothing */
+        on.sim->step.v_next[i][0] = 1e6; /* out of nothing */
     assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_GOOD);
     step.passing = 1;
     assert_int_equal(monitor_check(&on.sim->monitor, &step), STEP_PASSING);

@@ -11,9 +11,9 @@ static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 
 static stage held_sheet(void) {
     stage on = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
-    on.s.tolerance = 1e-4;
-    on.s.step = 0.02;
-    on.s.drag = 0.3;
+    on.s.solution.tolerance = 1e-4;
+    on.s.time.step = 0.02;
+    on.s.surroundings.drag = 0.3;
     on.s.pins = &hold;
     on.s.pin_count = 1;
     return on;
@@ -39,8 +39,8 @@ static void assert_changes_no_bit(void (*change)(scene *), const char *effect) {
     stage_run(&plain, 25);
     stage_run(&with, 25);
     const size_t bytes = sizeof(double[3]) * (size_t)plain.m.vertex_count;
-    assert_memory_equal(plain.sim->x, with.sim->x, bytes);
-    assert_memory_equal(plain.sim->v, with.sim->v, bytes);
+    assert_memory_equal(plain.sim->state.x, with.sim->state.x, bytes);
+    assert_memory_equal(plain.sim->state.v, with.sim->state.v, bytes);
     assert_int_equal(simulation_iterations(plain.sim), simulation_iterations(with.sim));
     assert_int_equal(visited(&with, effect), 0);
     stage_end(&plain);
@@ -72,8 +72,8 @@ static void add_later_collider(scene *s) {
 }
 
 static void add_later_wind(scene *s) {
-    s->wind[1] = 5;
-    s->wind_from = 0.5;
+    s->surroundings.wind[1] = 5;
+    s->surroundings.wind_from = 0.5;
 }
 
 static void add_pin_of_nothing(scene *s) {
@@ -108,20 +108,20 @@ static void test_absent_effects_cost_nothing(void **state) {
         "stretch", "shear", "bend", "stretch damping", "shear damping", "bend damping",   "gravity",
         "drag",    "wind",  "pins", "contact",         "friction",      "tangential drag"};
     stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
-    on.s = (scene){.density = 0.2,
-                   .step = 0.01,
-                   .tolerance = 1e-4,
-                   .max_iterations = 100,
-                   .limits = on.s.limits};
-    on.s.gravity[2] = -9.81;
+    on.s = (scene){.material.density = 0.2,
+                   .time.step = 0.01,
+                   .solution.tolerance = 1e-4,
+                   .solution.max_iterations = 100,
+                   .monitor = on.s.monitor};
+    on.s.surroundings.gravity[2] = -9.81;
     stage_begin(&on);
     stage_run(&on, 3);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         assert_int_equal(visited(&on, names[k]), strcmp(names[k], "gravity") == 0 ? 3 * 25 : 0);
     assert_int_equal(simulation_matrix_blocks(on.sim), 25);
-    assert_int_equal(on.sim->hinges.count, 0);
+    assert_int_equal(on.sim->cloth.hinges.count, 0);
     assert_null(on.sim->collisions.now);
-    assert_null(on.sim->triangles.block);
+    assert_null(on.sim->cloth.triangles.block);
     stage_end(&on);
 }
 
@@ -130,22 +130,22 @@ static void test_wind_begins_and_ends(void **state) {
     (void)state;
     stage calm = held_sheet(), windy = held_sheet();
     const size_t bytes = sizeof(double[3]) * (size_t)calm.m.vertex_count;
-    windy.s.wind[1] = 5;
-    windy.s.wind_from = 0.2;
-    windy.s.wind_until = 0.3;
+    windy.s.surroundings.wind[1] = 5;
+    windy.s.surroundings.wind_from = 0.2;
+    windy.s.surroundings.wind_until = 0.3;
     stage_begin(&calm);
     stage_begin(&windy);
     stage_run(&calm, 10);
     stage_run(&windy, 10);
-    assert_memory_equal(calm.sim->x, windy.sim->x, bytes);
+    assert_memory_equal(calm.sim->state.x, windy.sim->state.x, bytes);
     stage_run(&calm, 1);
     stage_run(&windy, 1);
     assert_true(stage_distance(&calm, &windy, NULL) > 1e-5);
     stage_run(&windy, 14);
-    const long triangles = windy.sim->triangles.count;
+    const long triangles = windy.sim->cloth.triangles.count;
     assert_int_equal(visited(&windy, "wind"), 5 * triangles);
     assert_int_equal(visited(&windy, "drag"), 25 * triangles);
-    assert_int_equal(windy.sim->plans_changed, 2);
+    assert_int_equal(windy.sim->account.plans_changed, 2);
     assert_near(simulation_time(windy.sim), 0.5, 1e-15);
     stage_end(&calm);
     stage_end(&windy);
@@ -163,14 +163,14 @@ static void test_wind_along_the_cloth(void **state) {
             on.m.position[i][2] = -on.m.position[i][0];
             on.m.position[i][0] = 0;
         }
-        on.s.wind[1] = 8;
-        on.s.gravity[2] = 0; /* all that is gained is the wind's */
-        on.s.tangential_drag = along ? 0.1 : 0;
+        on.s.surroundings.wind[1] = 8;
+        on.s.surroundings.gravity[2] = 0; /* all that is gained is the wind's */
+        on.s.surroundings.tangential_drag = along ? 0.1 : 0;
         stage_begin(&on);
         stage_run(&on, 100);
         out[along] = -INFINITY;
         for (int i = 0; i < on.m.vertex_count; i++)
-            out[along] = fmax(out[along], on.sim->x[i][1] - on.m.position[i][1]);
+            out[along] = fmax(out[along], on.sim->state.x[i][1] - on.m.position[i][1]);
         assert_int_equal(simulation_steps_rejected(on.sim), 0);
         assert_int_equal(visited(&on, "tangential drag"), along ? 100 * on.m.triangle_count : 0);
         stage_end(&on);
@@ -191,7 +191,7 @@ static void test_pin_is_released(void **state) {
     stage_run(&kept, 15);
     stage_run(&released, 15);
     const size_t bytes = sizeof(double[3]) * (size_t)kept.m.vertex_count;
-    assert_memory_equal(kept.sim->x, released.sim->x, bytes);
+    assert_memory_equal(kept.sim->state.x, released.sim->state.x, bytes);
     stage_run(&kept, 20);
     stage_run(&released, 20);
     for (int i = 0; i < kept.m.vertex_count; i++) {
@@ -201,7 +201,7 @@ static void test_pin_is_released(void **state) {
         assert_true(simulation_positions(released.sim)[i][2] < -0.3);
     }
     assert_int_equal(visited(&released, "pins"), 15 * 7);
-    assert_int_equal(released.sim->effects[EFFECT_PINS].on, 0);
+    assert_int_equal(released.sim->account.effects[EFFECT_PINS].on, 0);
     stage_end(&kept);
     stage_end(&released);
 }
@@ -215,14 +215,14 @@ static void test_pin_moves_for_a_while(void **state) {
     moving.move_from = 0.05;
     moving.move_until = 0.15;
     on.s.pins = &moving;
-    on.s.step = 0.03;
+    on.s.time.step = 0.03;
     stage_begin(&on);
     for (int n = 1; n <= 10; n++) {
         stage_run(&on, 1);
         const double expected = 0.4 * fmin(0.1, fmax(0, n * 0.03 - 0.05));
         for (int i = 0; i < on.m.vertex_count; i++)
             if (on.m.material[i][0] < 0.01)
-                assert_near(on.sim->x[i][1] - on.m.position[i][1], expected, 1e-14);
+                assert_near(on.sim->state.x[i][1] - on.m.position[i][1], expected, 1e-14);
     }
     stage_end(&on);
 }
@@ -237,21 +237,21 @@ static void test_collider_is_removed(void **state) {
                       .gap = 0.005,
                       .until = 0.4};
     stage on = stage_of(cloth_sheet(5, 5, 0.1, 0.3, 1), cloth_scene());
-    on.s.step = 0.02;
+    on.s.time.step = 0.02;
     on.s.colliders = &table;
     on.s.collider_count = 1;
     stage_begin(&on);
     stage_run(&on, 20);
     const long until_then = visited(&on, "contact");
-    assert_near(on.sim->x[0][2], -0.005, 1e-6);
+    assert_near(on.sim->state.x[0][2], -0.005, 1e-6);
     stage_run(&on, 10);
-    assert_true(on.sim->x[0][2] < -0.1);
+    assert_true(on.sim->state.x[0][2] < -0.1);
     assert_int_equal(visited(&on, "contact"), until_then);
     stage_end(&on);
 }
 
 static double strain_of(const stage *on) {
-    return triangle_greatest_strain(&on->sim->triangles, simulation_positions(on->sim));
+    return triangle_greatest_strain(&on->sim->cloth.triangles, simulation_positions(on->sim));
 }
 
 /* A cloth that its weight stretches by a third, and the same with a limit of 5 %: at rest it is
@@ -263,14 +263,14 @@ static void test_strain_is_limited(void **state) {
         stage on = stage_of(cloth_sheet(7, 7, 0.1, 0.3, 1), cloth_scene());
         on.s.pins = &hold;
         on.s.pin_count = 1;
-        on.s.gravity[0] = 9.81; /* along the cloth */
-        on.s.gravity[2] = 0;
-        on.s.density = 1;
-        on.s.stretch = 20;
-        on.s.step = 0.02;
-        on.s.tolerance = 1e-6;
-        on.s.drag = 1;
-        on.s.strain_limit = limited ? 0.05 : 0;
+        on.s.surroundings.gravity[0] = 9.81; /* along the cloth */
+        on.s.surroundings.gravity[2] = 0;
+        on.s.material.density = 1;
+        on.s.material.stretch = 20;
+        on.s.time.step = 0.02;
+        on.s.solution.tolerance = 1e-6;
+        on.s.surroundings.drag = 1;
+        on.s.material.strain_limit = limited ? 0.05 : 0;
         stage_begin(&on);
         for (int n = 0; n < 150; n++) {
             stage_run(&on, 1);
@@ -295,7 +295,7 @@ static void test_strain_limit_is_a_gradient(void **state) {
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.3, 1), cloth_scene());
     const int n = 3 * on.m.vertex_count;
     const double d = 1e-7, none[3] = {0, 0, 0};
-    on.s.strain_limit = 0.1;
+    on.s.material.strain_limit = 0.1;
     stage_begin(&on);
     simulation *sim = on.sim;
     double *still = calloc((size_t)on.m.vertex_count, sizeof *still);
@@ -303,19 +303,20 @@ static void test_strain_limit_is_a_gradient(void **state) {
     unsigned seed = 2;
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++)
-            sim->x[i][a] = (a < 2 ? 1.2 : 1) * sim->x[i][a] + 0.01 * random_number(&seed);
-    const double(*x)[3] = (const double(*)[3])sim->x;
-    strain_limit_find(&sim->strain_limit, &sim->triangles, x);
-    assert_true(sim->strain_limit.count > 10);
+            sim->state.x[i][a] =
+                (a < 2 ? 1.2 : 1) * sim->state.x[i][a] + 0.01 * random_number(&seed);
+    const double(*x)[3] = (const double(*)[3])sim->state.x;
+    strain_limit_find(&sim->cloth.strain_limit, &sim->cloth.triangles, x);
+    assert_true(sim->cloth.strain_limit.count > 10);
     system_reset(&sim->system, still, none, 1);
-    strain_limit_forces(&sim->strain_limit, &sim->triangles, 1, x, (const double(*)[3])rest,
-                        &sim->system);
+    strain_limit_forces(&sim->cloth.strain_limit, &sim->cloth.triangles, 1, x,
+                        (const double(*)[3])rest, &sim->system);
     for (int k = 0; k < n; k++) {
-        double *at = &sim->x[0][0] + k, was = *at;
+        double *at = &sim->state.x[0][0] + k, was = *at;
         *at = was + d;
-        const double up = strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
+        const double up = strain_limit_energy(&sim->cloth.strain_limit, &sim->cloth.triangles, x);
         *at = was - d;
-        const double down = strain_limit_energy(&sim->strain_limit, &sim->triangles, x);
+        const double down = strain_limit_energy(&sim->cloth.strain_limit, &sim->cloth.triangles, x);
         *at = was;
         assert_near((&sim->system.b[0][0])[k], -(up - down) / (2 * d), 1e-4);
     }
@@ -331,8 +332,8 @@ static void triangles_alone(stage *on, const triangle_material *material) {
     simulation *sim = on->sim;
     double *still = calloc((size_t)on->m.vertex_count, sizeof *still);
     system_reset(&sim->system, still, none, 0.02);
-    triangle_forces(&sim->triangles, material, 0.02, (const double(*)[3])sim->x,
-                    (const double(*)[3])sim->v, &sim->system);
+    triangle_forces(&sim->cloth.triangles, material, 0.02, (const double(*)[3])sim->state.x,
+                    (const double(*)[3])sim->state.v, &sim->system);
     free(still);
 }
 
@@ -358,8 +359,8 @@ static void test_triangle_effects_add_up(void **state) {
     stage_begin(&part);
     for (int i = 0; i < sum.m.vertex_count; i++)
         for (int a = 0; a < 3; a++) {
-            sum.sim->x[i][a] = part.sim->x[i][a] += 0.02 * random_number(&seed);
-            sum.sim->v[i][a] = part.sim->v[i][a] = random_number(&seed);
+            sum.sim->state.x[i][a] = part.sim->state.x[i][a] += 0.02 * random_number(&seed);
+            sum.sim->state.v[i][a] = part.sim->state.v[i][a] = random_number(&seed);
         }
     for (int way = 0; way < 3; way++) { /* the parts from..until make the whole */
         static const int from[] = {0, 4, 0}, until[] = {4, 6, 2};
@@ -380,7 +381,7 @@ static void test_triangle_effects_add_up(void **state) {
 }
 
 static void add_wide_limit(scene *s) {
-    s->strain_limit = 5;
+    s->material.strain_limit = 5;
 }
 
 static void test_wide_limit(void **state) {
@@ -398,7 +399,7 @@ static void test_events_are_listed(void **state) {
     s.collider_count = 1;
     s.pins = &let_go;
     s.pin_count = 1;
-    s.wind_until = 2;
+    s.surroundings.wind_until = 2;
     assert_int_equal(plan_events(&s, time, 2), 3);
     assert_true(time[0] == 1 && time[1] == 2);
 }

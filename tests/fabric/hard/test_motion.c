@@ -12,7 +12,7 @@
 static stage free_sheet(int columns, double noise) {
     stage on = stage_of(cloth_sheet(columns, columns, 0.1, 0.3, 1), cloth_scene());
     unsigned seed = 3;
-    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++)
             on.m.position[i][a] += noise * random_number(&seed);
@@ -23,8 +23,8 @@ static void angular_momentum(const stage *on, double sum[3]) {
     sum[0] = sum[1] = sum[2] = 0;
     for (int i = 0; i < on->m.vertex_count; i++) {
         double part[3];
-        vector_cross(on->sim->x[i], on->sim->v[i], part);
-        vector_add_scaled(sum, on->sim->mass[i], part, sum);
+        vector_cross(on->sim->state.x[i], on->sim->state.v[i], part);
+        vector_add_scaled(sum, on->sim->cloth.mass[i], part, sum);
     }
 }
 
@@ -32,11 +32,11 @@ static void angular_momentum(const stage *on, double sum[3]) {
 static double momentum_lost(double h) {
     stage on = free_sheet(6, 0);
     double before[3], after[3];
-    on.s.step = h;
+    on.s.time.step = h;
     stage_begin(&on);
     for (int i = 0; i < on.m.vertex_count; i++) {
-        on.sim->v[i][0] = -2 * (on.sim->x[i][1] - 0.25);
-        on.sim->v[i][1] = 2 * (on.sim->x[i][0] - 0.25);
+        on.sim->state.v[i][0] = -2 * (on.sim->state.x[i][1] - 0.25);
+        on.sim->state.v[i][1] = 2 * (on.sim->state.x[i][0] - 0.25);
     }
     stage_changed(&on);
     angular_momentum(&on, before);
@@ -57,7 +57,7 @@ static void S07_angular_momentum_is_lost_in_order_of_h(void **state) {
 static stage compressed_sheet(void) {
     stage on = free_sheet(8, 0);
     unsigned seed = 3;
-    on.s.step = 0.033;
+    on.s.time.step = 0.033;
     for (int i = 0; i < on.m.vertex_count; i++) {
         on.m.position[i][0] *= 0.8;
         on.m.position[i][2] = 1e-4 * random_number(&seed);
@@ -67,13 +67,13 @@ static stage compressed_sheet(void) {
 
 /* The right side's h f at positions x and velocity 0. */
 static void force_at(simulation *sim, double (*x)[3], double (*v)[3], double *b) {
-    double(*kept_x)[3] = sim->x, (*kept_v)[3] = sim->v;
-    sim->x = x;
-    sim->v = v;
+    double(*kept_x)[3] = sim->state.x, (*kept_v)[3] = sim->state.v;
+    sim->state.x = x;
+    sim->state.v = v;
     evaluateForces(sim);
     memcpy(b, sim->system.b, sizeof *sim->system.b * (size_t)sim->mesh->vertex_count);
-    sim->x = kept_x;
-    sim->v = kept_v;
+    sim->state.x = kept_x;
+    sim->state.v = kept_v;
 }
 
 /* Puts the exact M - h^2 df/dx, by differences of the forces, in place of A: no clamp, no
@@ -85,7 +85,7 @@ static void use_exact_jacobian(simulation *sim) {
     double *exact = calloc((size_t)n * (size_t)n, sizeof *exact);
     double *up = calloc((size_t)n, sizeof *up), *down = calloc((size_t)n, sizeof *down);
     double(*x)[3] = calloc((size_t)n, sizeof *x), (*still)[3] = calloc((size_t)n, sizeof *still);
-    memcpy(x, sim->x, sizeof *x * (size_t)sim->mesh->vertex_count);
+    memcpy(x, sim->state.x, sizeof *x * (size_t)sim->mesh->vertex_count);
     for (int k = 0; k < n; k++) {
         const double was = (&x[0][0])[k];
         (&x[0][0])[k] = was + d;
@@ -94,7 +94,7 @@ static void use_exact_jacobian(simulation *sim) {
         force_at(sim, x, still, down);
         (&x[0][0])[k] = was;
         for (int i = 0; i < n; i++)
-            exact[i * n + k] = -sim->h * (up[i] - down[i]) / (2 * d);
+            exact[i * n + k] = -sim->step.h * (up[i] - down[i]) / (2 * d);
     }
     evaluateForces(sim);
     for (int i = 0; i < A->row_count; i++)
@@ -103,7 +103,7 @@ static void use_exact_jacobian(simulation *sim) {
                 for (int c = 0; c < 3; c++) {
                     const int row = 3 * i + r, column = 3 * A->column[k] + c;
                     A->value[k][r][c] = (exact[row * n + column] + exact[column * n + row]) / 2 +
-                                        (row == column ? sim->mass[i] : 0);
+                                        (row == column ? sim->cloth.mass[i] : 0);
                 }
     free(exact);
     free(up);
@@ -119,7 +119,7 @@ static void S09_clamped_system_is_solved(void **state) {
     const double first = stage_energy(&on);
     for (int n = 0; n < 60; n++) {
         stage_run(&on, 1);
-        assert_int_equal(on.sim->solver_status, SOLVER_CONVERGED);
+        assert_int_equal(on.sim->step.solver_status, SOLVER_CONVERGED);
         assert_below(stage_energy(&on), first);
     }
     assert_int_equal(simulation_steps_rejected(on.sim), 0);
@@ -135,7 +135,7 @@ static void S09_unclamped_system_breaks_down(void **state) {
     use_exact_jacobian(on.sim);
     collisionDetection(on.sim);
     solveSystem(on.sim);
-    assert_int_equal(on.sim->solver_status, SOLVER_BREAKDOWN);
+    assert_int_equal(on.sim->step.solver_status, SOLVER_BREAKDOWN);
     updateSystem(on.sim);
     assert_int_equal(simulation_steps_rejected(on.sim), 1);
     stage_end(&on);
@@ -146,14 +146,14 @@ static stage held_sheet(int columns) {
     stage on = stage_of(cloth_sheet(columns, columns, 0.1, 0.3, 1), cloth_scene());
     on.s.pins = &hold;
     on.s.pin_count = 1;
-    on.s.tolerance = 1e-4;
+    on.s.solution.tolerance = 1e-4;
     return on;
 }
 
 static double lowest(const stage *on) {
     double z = INFINITY;
     for (int i = 0; i < on->m.vertex_count; i++)
-        z = fmin(z, on->sim->x[i][2]);
+        z = fmin(z, on->sim->state.x[i][2]);
     return z;
 }
 
@@ -167,9 +167,9 @@ static void S17_huge_steps_gain_no_energy(void **state) {
     for (int h = 0; h < 4; h++)
         for (int k = 0; k < 5; k++) {
             stage on = held_sheet(5);
-            on.s.step = steps[h];
-            on.s.stretch = stiffness[k];
-            on.s.limits.energy = 1e-3;
+            on.s.time.step = steps[h];
+            on.s.material.stretch = stiffness[k];
+            on.s.monitor.energy = 1e-3;
             stage_begin(&on);
             for (int n = 0; n < 4; n++) {
                 double fallen = 0;
@@ -182,8 +182,8 @@ static void S17_huge_steps_gain_no_energy(void **state) {
                 }
                 stage_assert_finite(&on);
                 for (int i = 0; i < on.m.vertex_count; i++)
-                    fallen -= on.sim->mass[i] * 9.81 * on.sim->x[i][2];
-                const double scale = on.sim->total_mass * 9.81 * 0.4;
+                    fallen -= on.sim->cloth.mass[i] * 9.81 * on.sim->state.x[i][2];
+                const double scale = on.sim->cloth.total_mass * 9.81 * 0.4;
                 worst = fmax(worst, (stage_energy(&on) - fallen) / scale);
                 assert_below(stage_energy(&on) - fallen, 0.01 * scale);
             }
@@ -199,16 +199,16 @@ static void S26_energy_is_watched(void **state) {
     for (int watched = 0; watched < 2; watched++) {
         stage on = held_sheet(5);
         int count;
-        on.s.step = 1.0 / 30;
-        on.s.stretch = 1e8;
-        on.s.limits.energy = watched ? 0.25 : 1e300;
+        on.s.time.step = 1.0 / 30;
+        on.s.material.stretch = 1e8;
+        on.s.monitor.energy = watched ? 0.25 : 1e300;
         stage_begin(&on);
         const monitor *m = &on.sim->monitor;
         stage_run(&on, 1);
         assert_int_equal(m->energy > 10 * m->reference, !watched);
         stage_run(&on, 2);
         const rejection *log = simulation_rejections(on.sim, &count);
-        assert_near(simulation_time(on.sim), 3 * on.s.step, 1e-15);
+        assert_near(simulation_time(on.sim), 3 * on.s.time.step, 1e-15);
         assert_int_equal(count, simulation_steps_rejected(on.sim));
         assert_int_equal(count > 0, watched);
         for (int n = 0; n < count; n++) {
@@ -224,10 +224,10 @@ static void S26_energy_is_watched(void **state) {
 static void S26_sudden_storm(void **state) {
     (void)state;
     stage on = held_sheet(6);
-    on.s.step = 0.033;
-    on.s.drag = 1;
-    on.s.wind[0] = on.s.wind[2] = 1e3;
-    on.s.wind_from = 2 * 0.033;
+    on.s.time.step = 0.033;
+    on.s.surroundings.drag = 1;
+    on.s.surroundings.wind[0] = on.s.surroundings.wind[2] = 1e3;
+    on.s.surroundings.wind_from = 2 * 0.033;
     stage_begin(&on);
     stage_run(&on, 2);
     assert_int_equal(simulation_steps_rejected(on.sim), 0);
@@ -243,19 +243,19 @@ static void S18_stiffness_ratio(void **state) {
     (void)state;
     long most = 0;
     stage on = held_sheet(8);
-    on.s.step = 1.0 / 30;
+    on.s.time.step = 1.0 / 30;
     stage_begin(&on);
-    for (int t = 0; t < on.sim->triangles.count; t += 2)
-        on.sim->triangles.rest[t].area *= 1e8;
+    for (int t = 0; t < on.sim->cloth.triangles.count; t += 2)
+        on.sim->cloth.triangles.rest[t].area *= 1e8;
     for (int n = 0; n < 10; n++) {
-        const long before = simulation_iterations(on.sim), rounds = on.sim->phases[2].calls;
+        const long before = simulation_iterations(on.sim), rounds = on.sim->account.phases[2].calls;
         stage_run(&on, 1);
-        const long solves = on.sim->phases[2].calls - rounds;
+        const long solves = on.sim->account.phases[2].calls - rounds;
         const long each = (simulation_iterations(on.sim) - before) / solves;
         most = each > most ? each : most;
     }
     print_message("S18 iterations a solve: %ld\n", most);
-    assert_int_equal(on.sim->solver_status, SOLVER_CONVERGED);
+    assert_int_equal(on.sim->step.solver_status, SOLVER_CONVERGED);
     assert_in_range(most, 1, 3000);
     stage_assert_finite(&on);
     assert_true(lowest(&on) > -0.7 * 1.5);
@@ -267,11 +267,11 @@ static void S19_mass_ratio(void **state) {
     long before = LONG_MAX;
     for (double ratio = 1; ratio <= 1e8; ratio *= 100) {
         stage on = held_sheet(8);
-        on.s.step = 1.0 / 30;
-        on.s.tolerance = 1e-6;
+        on.s.time.step = 1.0 / 30;
+        on.s.solution.tolerance = 1e-6;
         stage_begin(&on);
         for (int i = 0; i < on.m.vertex_count; i += 2)
-            on.sim->mass[i] *= ratio;
+            on.sim->cloth.mass[i] *= ratio;
         stage_run(&on, 3);
         const long now = simulation_iterations(on.sim);
         print_message("S19 mass ratio %g: %ld iterations\n", ratio, now);
@@ -286,8 +286,8 @@ static void S19_mass_ratio(void **state) {
 /* A flap held by one edge falls for 0.32 s in N steps. */
 static stage flap(int steps) {
     stage on = held_sheet(6);
-    on.s.tolerance = 1e-9;
-    on.s.step = 0.32 / steps;
+    on.s.solution.tolerance = 1e-9;
+    on.s.time.step = 0.32 / steps;
     stage_begin(&on);
     stage_run(&on, steps);
     assert_int_equal(simulation_steps_rejected(on.sim), 0);
@@ -298,7 +298,7 @@ static double rms_distance(const stage *a, const stage *b) {
     double sum = 0;
     for (int i = 0; i < a->m.vertex_count; i++)
         for (int c = 0; c < 3; c++)
-            sum += pow(a->sim->x[i][c] - b->sim->x[i][c], 2);
+            sum += pow(a->sim->state.x[i][c] - b->sim->state.x[i][c], 2);
     return sqrt(sum / a->m.vertex_count);
 }
 

@@ -58,12 +58,12 @@ static void pile(int count, int steps, double deepest_allowed) {
     double deepest = 0, speed = 0;
     int crossed = 0;
     const clock_t begin = clock();
-    on.s.step = 0.02;
-    on.s.tolerance = 1e-4;
-    on.s.bend = 1e-4;
-    on.s.drag = 0.2;
-    on.s.self_gap = 0.006;
-    on.s.self_friction = 0.3;
+    on.s.time.step = 0.02;
+    on.s.solution.tolerance = 1e-4;
+    on.s.material.bend = 1e-4;
+    on.s.surroundings.drag = 0.2;
+    on.s.self_collision.gap = 0.006;
+    on.s.self_collision.friction = 0.3;
     on.s.colliders = &ground;
     on.s.collider_count = 1;
     stage_begin(&on);
@@ -72,10 +72,10 @@ static void pile(int count, int steps, double deepest_allowed) {
         const int now = crossings(&on);
         crossed = now > crossed ? now : crossed;
         for (int i = 0; i < on.m.vertex_count; i++)
-            deepest = fmax(deepest, -on.sim->x[i][2]);
+            deepest = fmax(deepest, -on.sim->state.x[i][2]);
     }
     for (int i = 0; i < on.m.vertex_count; i++)
-        speed = fmax(speed, vector_length(on.sim->v[i]));
+        speed = fmax(speed, vector_length(on.sim->state.v[i]));
     print_message("S36 %d layers, %d steps: depth %.3g m, %d crossings, fastest %.3g m/s, %ld "
                   "rejected, %.1f s\n",
                   count, steps, deepest, crossed, speed, simulation_steps_rejected(on.sim),
@@ -114,10 +114,10 @@ static void S43_squeezed(void **state) {
                                .keyframe_count = 2,
                                .keyframes = path}};
         stage on = stage_of(cloth_sheet(9, 9, 0.0375, 0.2, 3), cloth_scene());
-        on.s.tolerance = 1e-4;
-        on.s.bend = 1e-4;
-        on.s.drag = 0.2;
-        on.s.self_gap = 0.004;
+        on.s.solution.tolerance = 1e-4;
+        on.s.material.bend = 1e-4;
+        on.s.surroundings.drag = 0.2;
+        on.s.self_collision.gap = 0.004;
         on.s.colliders = bodies;
         on.s.collider_count = 2;
         char error[256] = "";
@@ -159,18 +159,18 @@ static void S44_sheets_crash(void **state) {
         for (int a = 0; a < 3; a++)
             v[i][a] -= x[i][a];
         v[i][2] += i / each < count / 2 ? 100 : -100;
-        vector_add_scaled(momentum, on.sim->mass[i], v[i], momentum);
+        vector_add_scaled(momentum, on.sim->cloth.mass[i], v[i], momentum);
     }
     assert_int_equal(self_collision_init(&s, &on.m, 0.006, 0.3, 0.02), 0);
     impact_step step = {.h = 0.02,
                         .x = x,
                         .v = v,
-                        .of = {on.sim->mass, &on.sim->collisions},
+                        .of = {on.sim->cloth.mass, &on.sim->collisions},
                         .itself = &s,
                         .bodies = &on.sim->collisions};
     assert_int_equal(impact_resolve(&step, &work), 0);
     for (int i = 0; i < on.m.vertex_count; i++)
-        vector_add_scaled(after, on.sim->mass[i], v[i], after);
+        vector_add_scaled(after, on.sim->cloth.mass[i], v[i], after);
     print_message("S44 %d sheets: %d pairs pass, work %.3g J\n", (int)count, s.left, work);
     assert_int_equal(s.left, 0);
     assert_true(work <= 0);
@@ -191,12 +191,12 @@ static void S37_ribbon_folds_onto_itself(void **state) {
         on.m.position[i][2] = on.m.position[i][1];
         on.m.position[i][1] = 0.004 * sin(9 * on.m.position[i][2]);
     }
-    on.s.step = 0.02;
-    on.s.tolerance = 1e-4;
-    on.s.drag = 0.1;
-    on.s.bend = 1e-6;
-    on.s.self_gap = 0.004;
-    on.s.self_friction = 0.3;
+    on.s.time.step = 0.02;
+    on.s.solution.tolerance = 1e-4;
+    on.s.surroundings.drag = 0.1;
+    on.s.material.bend = 1e-6;
+    on.s.self_collision.gap = 0.004;
+    on.s.self_collision.friction = 0.3;
     on.s.colliders = &ground;
     on.s.collider_count = 1;
     stage_begin(&on);
@@ -206,7 +206,7 @@ static void S37_ribbon_folds_onto_itself(void **state) {
         const int now = crossings(&on);
         crossed = now > crossed ? now : crossed;
         for (int i = 0; i < on.m.vertex_count; i++)
-            deepest = fmax(deepest, -0.02 - on.sim->x[i][2]);
+            deepest = fmax(deepest, -0.02 - on.sim->state.x[i][2]);
     }
     print_message("S37 ribbon: %d crossings at most, depth %.3g m, %ld rejected\n", crossed,
                   deepest, simulation_steps_rejected(on.sim));
@@ -224,21 +224,21 @@ static double body_through(collider *body, int steps, double speed, double h) {
                           {.low = {-1, 0.59}, .high = {1, 0.61}}};
     stage on = stage_of(cloth_sheet(7, 7, 0.1, 0, 1), cloth_scene());
     double lowest = INFINITY;
-    on.s.step = h;
-    on.s.tolerance = 1e-4;
-    on.s.stretch = 30;
-    on.s.gravity[2] = 0;
+    on.s.time.step = h;
+    on.s.solution.tolerance = 1e-4;
+    on.s.material.stretch = 30;
+    on.s.surroundings.gravity[2] = 0;
     on.s.pins = hold;
     on.s.pin_count = 4;
     body->velocity[2] = -speed;
     on.s.colliders = body;
     on.s.collider_count = 1;
-    on.s.limits.energy = 1e300; /* the pins hold on whatever it takes */
+    on.s.monitor.energy = 1e300; /* the pins hold on whatever it takes */
     stage_begin(&on);
     stage_run(&on, steps);
     stage_assert_finite(&on);
     for (int i = 0; i < on.m.vertex_count; i++)
-        lowest = fmin(lowest, on.sim->x[i][2]);
+        lowest = fmin(lowest, on.sim->state.x[i][2]);
     const double top = body->position[2] - speed * simulation_time(on.sim);
     print_message("  body at %.3f m, cloth down to %.3f m, %ld rejected\n", top, lowest,
                   simulation_steps_rejected(on.sim));

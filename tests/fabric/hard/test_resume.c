@@ -17,9 +17,9 @@ typedef struct saved {
 /* Seconds are no part of what must be the same. */
 static void forget_seconds(simulation *sim) {
     for (int k = 0; k < PHASE_COUNT; k++)
-        sim->phases[k].seconds = 0;
+        sim->account.phases[k].seconds = 0;
     for (int k = 0; k < EFFECT_COUNT; k++)
-        sim->effects[k].seconds = 0;
+        sim->account.effects[k].seconds = 0;
 }
 
 static saved save(simulation *sim) {
@@ -46,14 +46,14 @@ static void look(const stage *on, met *found) {
     const simulation *sim = on->sim;
     long contacts = 0, sticking = 0;
     collisions_count(&sim->collisions, &contacts, &sticking);
-    found->halved |= sim->ticks < TICKS_PER_STEP;
+    found->halved |= sim->step.ticks < TICKS_PER_STEP;
     found->sticking |= sticking > 0;
     found->sliding |= contacts > sticking;
     found->two_states |= sim->integrator.h_before > 0;
-    found->plan_changed |= sim->plans_changed > 0;
-    found->rejected = sim->steps_rejected;
+    found->plan_changed |= sim->account.plans_changed > 0;
+    found->rejected = sim->account.steps_rejected;
     found->self_visits = sim->self_collision.visits;
-    found->limited = sim->effects[EFFECT_STRAIN_LIMIT].visited;
+    found->limited = sim->account.effects[EFFECT_STRAIN_LIMIT].visited;
 }
 
 /* Runs a stage, saves after every step, goes on from each. make: a stage that has not begun. */
@@ -112,19 +112,19 @@ static collider balls[2] = {{.kind = COLLIDER_SPHERE,
 /* Wind that begins, pins that move and let go, a ball that comes and a floor that goes. */
 static stage crowded(int integrator) {
     stage on = stage_of(cloth_sheet(7, 6, 0.1, 0.3, 3), cloth_scene());
-    on.s.integrator = integrator;
-    on.s.step = 0.025;
-    on.s.tolerance = 1e-4;
-    on.s.newton_tolerance = 1e-4;
-    on.s.newton_iterations = 50;
-    on.s.bend = 1e-4;
-    on.s.drag = 0.4;
-    on.s.wind[1] = 3;
-    on.s.wind_from = 0.06;
-    on.s.wind_until = 0.16;
-    on.s.strain_limit = 0.02;
-    on.s.self_gap = 0.004;
-    on.s.self_friction = 0.3;
+    on.s.time.integrator = integrator;
+    on.s.time.step = 0.025;
+    on.s.solution.tolerance = 1e-4;
+    on.s.solution.newton_tolerance = 1e-4;
+    on.s.solution.newton_iterations = 50;
+    on.s.material.bend = 1e-4;
+    on.s.surroundings.drag = 0.4;
+    on.s.surroundings.wind[1] = 3;
+    on.s.surroundings.wind_from = 0.06;
+    on.s.surroundings.wind_until = 0.16;
+    on.s.material.strain_limit = 0.02;
+    on.s.self_collision.gap = 0.004;
+    on.s.self_collision.friction = 0.3;
     on.s.pins = pins;
     on.s.pin_count = 2;
     on.s.colliders = balls;
@@ -148,7 +148,7 @@ static void test_everything_at_once(void **state) {
 static stage swinging(int integrator) {
     stage on = crowded(integrator);
     on.s.collider_count = 0;
-    on.s.self_gap = 0;
+    on.s.self_collision.gap = 0;
     return on;
 }
 
@@ -163,15 +163,15 @@ static void test_integrators(void **state) {
 static stage stormy(int integrator) {
     static pin held = {.low = {-0.01, -0.01}, .high = {0.01, 2}};
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 6), cloth_scene());
-    on.s.integrator = integrator;
-    on.s.step = 0.033;
-    on.s.drag = 1;
-    on.s.wind[0] = on.s.wind[2] = 1e3;
-    on.s.wind_from = 2 * 0.033;
-    on.s.wind_until = 4 * 0.033;
-    on.s.newton_tolerance = 1e-4;
-    on.s.newton_iterations = 50;
-    on.s.bend = 1e-5;
+    on.s.time.integrator = integrator;
+    on.s.time.step = 0.033;
+    on.s.surroundings.drag = 1;
+    on.s.surroundings.wind[0] = on.s.surroundings.wind[2] = 1e3;
+    on.s.surroundings.wind_from = 2 * 0.033;
+    on.s.surroundings.wind_until = 4 * 0.033;
+    on.s.solution.newton_tolerance = 1e-4;
+    on.s.solution.newton_iterations = 50;
+    on.s.material.bend = 1e-5;
     on.s.pins = &held;
     on.s.pin_count = 1;
     return on;
@@ -192,11 +192,11 @@ static stage winding(int integrator) {
     static const int triangle[2][3] = {{0, 1, 2}, {1, 0, 3}};
     stage on = stage_of(cloth_of(4, material, 2, triangle), cloth_scene());
     static pin edge = {.low = {-1.1, -0.1}, .high = {0.1, 1.1}};
-    on.s.integrator = integrator;
-    on.s.step = 0.01;
-    on.s.newton_tolerance = 1e-6;
-    on.s.newton_iterations = 50;
-    on.s.bend = 1e-3;
+    on.s.time.integrator = integrator;
+    on.s.time.step = 0.01;
+    on.s.solution.newton_tolerance = 1e-6;
+    on.s.solution.newton_iterations = 50;
+    on.s.material.bend = 1e-3;
     on.s.pins = &edge;
     on.s.pin_count = 1;
     return on;
@@ -207,14 +207,14 @@ static void test_wound_hinge(void **state) {
     stage whole = winding(INTEGRATOR_EULER), rest = winding(INTEGRATOR_EULER);
     stage_begin(&whole);
     stage_begin(&rest);
-    whole.sim->hinges.angle[0] = 2 * acos(-1.0); /* once around, and flat again */
+    whole.sim->cloth.hinges.angle[0] = 2 * acos(-1.0); /* once around, and flat again */
     stage_changed(&whole);
     saved before = save(whole.sim);
     assert_int_equal(simulation_restore(rest.sim, before.bytes, before.size), 0);
     stage_run(&whole, 2);
     stage_run(&rest, 2);
     saved one = save(whole.sim), other = save(rest.sim);
-    assert_true(fabs(rest.sim->hinges.angle[0]) > 3.2);
+    assert_true(fabs(rest.sim->cloth.hinges.angle[0]) > 3.2);
     assert_same(&one, &other);
     free(before.bytes);
     free(one.bytes);
@@ -239,9 +239,9 @@ static const solution solutions[] = {
 
 static stage solved(int number) {
     stage on = crowded(INTEGRATOR_LINEAR_EULER);
-    on.s.method = (int)solutions[number].method;
-    on.s.preconditioner = (int)solutions[number].preconditioner;
-    on.s.precision = (int)solutions[number].precision;
+    on.s.solution.method = (int)solutions[number].method;
+    on.s.solution.preconditioner = (int)solutions[number].preconditioner;
+    on.s.solution.precision = (int)solutions[number].precision;
     return on;
 }
 

@@ -33,11 +33,12 @@ static void test_push_is_limited(void **state) {
     const approach little = {.normal = {0, 0, 1}, .room = -1e-4};
     const approach away = {.normal = {0, 0, 1}, .room = 0.02};
     const collisions *c = &on.sim->collisions;
-    for (double h = on.s.step; h > on.s.step / 10; h /= 2) {
-        assert_near(collisions_given_speed(c, &plane, &deep, h), 0.005 / on.s.step, 1e-12);
+    for (double h = on.s.time.step; h > on.s.time.step / 10; h /= 2) {
+        assert_near(collisions_given_speed(c, &plane, &deep, h), 0.005 / on.s.time.step, 1e-12);
         assert_near(collisions_given_speed(c, &plane, &away, h), -0.02 / h, 1e-12);
     }
-    assert_near(collisions_given_speed(c, &plane, &little, on.s.step), 1e-4 / on.s.step, 1e-12);
+    assert_near(collisions_given_speed(c, &plane, &little, on.s.time.step), 1e-4 / on.s.time.step,
+                1e-12);
     stage_end(&on);
 }
 
@@ -110,12 +111,12 @@ static void test_friction_is_tangential(void **state) {
     double(*v)[3] = calloc((size_t)on.m.vertex_count, sizeof *v);
     v[5][0] = 0.1;
     v[5][2] = -3;
-    system_reset(&sim->system, sim->mass, on.s.gravity, 0);
+    system_reset(&sim->system, sim->cloth.mass, on.s.surroundings.gravity, 0);
     const int d = sim->system.A.row_start[5];
     collisions_add_friction(c, 0.01, (const double(*)[3])v, &sim->system);
     const double factor = 0.01 * 0.5 * 2 / 0.1;
-    assert_near(sim->system.A.value[d][2][2], sim->mass[5], 1e-14);
-    assert_near(sim->system.A.value[d][0][0], sim->mass[5] + factor, 1e-14);
+    assert_near(sim->system.A.value[d][2][2], sim->cloth.mass[5], 1e-14);
+    assert_near(sim->system.A.value[d][0][0], sim->cloth.mass[5] + factor, 1e-14);
     assert_near(sim->system.b[5][0], -factor * 0.1, 1e-14);
     assert_near(sim->system.b[5][2], 0, 1e-14);
     free(v);
@@ -127,7 +128,7 @@ static void test_impulses(void **state) {
     (void)state;
     stage on = sheet_with(&plane);
     stage_begin(&on);
-    const double *mass = on.sim->mass;
+    const double *mass = on.sim->cloth.mass;
     const movable of = {mass, &on.sim->collisions};
     const feature both = {.count = 2, .vertex = {2, 7}, .weight = {1, -1}};
     const double up[3] = {0, 0, 1};
@@ -180,7 +181,7 @@ static void test_drawing_apart(void **state) {
             on.m.position[i][2] = 0.006;
         }
     stage_begin(&on);
-    const movable of = {on.sim->mass, &on.sim->collisions};
+    const movable of = {on.sim->cloth.mass, &on.sim->collisions};
     double(*v)[3] = calloc((size_t)on.m.vertex_count, sizeof *v), work = 0;
     const double(*x)[3] = (const double(*)[3])on.m.position;
     self_collision s;
@@ -208,7 +209,7 @@ static void test_drawing_apart(void **state) {
     mesh fine = cloth_sheet(5, 5, 0.01, 0.2, 3); /* its vertices are nearer than the gap */
     stage flat = stage_of(fine, cloth_scene());
     stage_begin(&flat);
-    const movable all = {flat.sim->mass, &flat.sim->collisions};
+    const movable all = {flat.sim->cloth.mass, &flat.sim->collisions};
     double(*still)[3] = calloc((size_t)flat.m.vertex_count, sizeof *still);
     assert_int_equal(self_collision_init(&s, &flat.m, 0.03, 0, 0.02), 0);
     const double(*at)[3] = (const double(*)[3])flat.m.position;
@@ -294,9 +295,9 @@ static void test_monitor(void **state) {
     collider below = plane;
     below.position[2] = -1;
     stage on = sheet_with(&below);
-    on.s.limits.energy = 1e300;
+    on.s.monitor.energy = 1e300;
     stage_begin(&on);
-    double(*x)[3] = on.sim->x_next;
+    double(*x)[3] = on.sim->step.x_next;
     const size_t bytes = sizeof *x * (size_t)on.m.vertex_count;
     const double falling[16][3] = {{0, 0, -2}};
     collisions_find_near(&on.sim->collisions, 0, 1, (const double(*)[3])on.m.position, falling,
@@ -317,7 +318,7 @@ static void test_monitor(void **state) {
     /* Penetration: deep and deeper than before. */
     memcpy(x, on.m.position, bytes);
     x[3][2] = -1.05;
-    on.s.limits.growth = 1e300;
+    on.s.monitor.growth = 1e300;
     assert_int_equal(verdict_on(&on, 0, 0), STEP_PENETRATION);
     assert_int_equal(verdict_on(&on, 0, 1), STEP_GOOD);
     monitor_accept(&on.sim->monitor);
@@ -339,25 +340,25 @@ static void test_gains_add_up(void **state) {
     collider below = plane;
     below.position[2] = -1;
     stage on = sheet_with(&below);
-    memset(on.s.gravity, 0, sizeof on.s.gravity);
-    on.s.drag = 0;
-    on.s.limits.energy = 0.1;
+    memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
+    on.s.surroundings.drag = 0;
+    on.s.monitor.energy = 0.1;
     stage_begin(&on);
     simulation *sim = on.sim;
-    memcpy(sim->x_next, on.m.position, sizeof *sim->x_next * (size_t)on.m.vertex_count);
+    memcpy(sim->step.x_next, on.m.position, sizeof *sim->step.x_next * (size_t)on.m.vertex_count);
     for (int i = 0; i < on.m.vertex_count; i++)
-        sim->v[i][0] = 1;
+        sim->state.v[i][0] = 1;
     stage_changed(&on);
     const double parts[3] = {1.05, 0.5, 0.59}; /* of the first energy, one after the other */
     for (int n = 0; n < 3; n++) {
         for (int i = 0; i < on.m.vertex_count; i++)
-            sim->v_next[i][0] = sqrt(parts[n]);
+            sim->step.v_next[i][0] = sqrt(parts[n]);
         assert_int_equal(verdict_on(&on, 0, 1), STEP_GOOD);
         monitor_accept(&sim->monitor);
     }
     for (double part = 0.6; part < 1.15; part += 0.09) {
         for (int i = 0; i < on.m.vertex_count; i++)
-            sim->v_next[i][0] = sqrt(part);
+            sim->step.v_next[i][0] = sqrt(part);
         const monitor_verdict verdict = verdict_on(&on, 0, 1);
         assert_int_equal(verdict, part < 1.1 ? STEP_GOOD : STEP_ENERGY);
         if (verdict == STEP_GOOD)
@@ -372,25 +373,25 @@ static void test_gains_add_up(void **state) {
 static void test_futile_halving(void **state) {
     (void)state;
     stage on = sheet_with(&plane);
-    on.s.limits.energy = 1e300;
+    on.s.monitor.energy = 1e300;
     stage_begin(&on);
-    double(*x)[3] = on.sim->x_next;
+    double(*x)[3] = on.sim->step.x_next;
     memcpy(x, on.m.position, sizeof *x * (size_t)on.m.vertex_count);
     for (int n = 0; n < 31; n++) {
-        on.sim->ticks = 1;
+        on.sim->step.ticks = 1;
         assert_int_equal(verdict_on(&on, 1, 1), STEP_GOOD);
         monitor_accept(&on.sim->monitor);
-        on.sim->ticks = 2;
+        on.sim->step.ticks = 2;
         assert_int_equal(verdict_on(&on, 1, 0), STEP_PASSING);
     }
     assert_int_equal(verdict_on(&on, 1, 1), STEP_GOOD);
     monitor_accept(&on.sim->monitor);
-    on.sim->ticks = 2;
+    on.sim->step.ticks = 2;
     assert_int_equal(verdict_on(&on, 1, 0), STEP_GOOD);
-    on.sim->ticks = 4;
+    on.sim->step.ticks = 4;
     assert_int_equal(verdict_on(&on, 1, 0), STEP_PASSING);
     for (int n = 0; n < 32; n++) {
-        on.sim->ticks = 2;
+        on.sim->step.ticks = 2;
         assert_int_equal(verdict_on(&on, 1, 0), STEP_GOOD);
         monitor_accept(&on.sim->monitor);
     }
@@ -412,17 +413,17 @@ static void test_midpoint_does_not_bounce(void **state) {
     collider ground = plane;
     ground.position[2] = -0.1;
     stage on = sheet_with(&ground);
-    on.s.integrator = INTEGRATOR_MIDPOINT;
-    on.s.newton_tolerance = 1e-6;
-    on.s.newton_iterations = 50;
-    on.s.limits.energy = 1e300;
+    on.s.time.integrator = INTEGRATOR_MIDPOINT;
+    on.s.solution.newton_tolerance = 1e-6;
+    on.s.solution.newton_iterations = 50;
+    on.s.monitor.energy = 1e300;
     stage_begin(&on);
     int landed = 0;
     for (int n = 0; n < 30; n++) {
         stage_run(&on, 1);
         for (int i = 0; i < on.m.vertex_count; i++) {
-            landed += on.sim->x[i][2] < -0.094;
-            assert_below(on.sim->v[i][2], 0.1);
+            landed += on.sim->state.x[i][2] < -0.094;
+            assert_below(on.sim->state.v[i][2], 0.1);
         }
     }
     assert_true(landed > 10);
@@ -433,18 +434,18 @@ static void test_midpoint_does_not_bounce(void **state) {
 static void test_bdf2_of_unequal_steps(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());
-    on.s.integrator = INTEGRATOR_BDF2;
-    on.s.newton_tolerance = 1e-10;
-    on.s.newton_iterations = 50;
+    on.s.time.integrator = INTEGRATOR_BDF2;
+    on.s.solution.newton_tolerance = 1e-10;
+    on.s.solution.newton_iterations = 50;
     stage_begin(&on);
     stage_run(&on, 3);
-    on.sim->ticks /= 2;
-    on.sim->easy_steps = -100;
+    on.sim->step.ticks /= 2;
+    on.sim->step.easy_steps = -100;
     stage_run(&on, 1);
-    on.sim->ticks *= 2;
+    on.sim->step.ticks *= 2;
     stage_run(&on, 2);
     for (int i = 0; i < on.m.vertex_count; i++)
-        assert_near(on.sim->v[i][2], -9.81 * simulation_time(on.sim), 1e-9);
+        assert_near(on.sim->state.v[i][2], -9.81 * simulation_time(on.sim), 1e-9);
     stage_end(&on);
 }
 
@@ -454,7 +455,7 @@ static void test_start_inside(void **state) {
     collider ball = {
         .kind = COLLIDER_SPHERE, .position = {0.15, 0.15, -0.02}, .size = {0.12}, .gap = 0.005};
     stage on = sheet_with(&ball);
-    on.s.gravity[2] = 0;
+    on.s.surroundings.gravity[2] = 0;
     stage_begin(&on);
     stage_run(&on, 60);
     const run_faults f = simulation_faults(on.sim);
@@ -470,7 +471,7 @@ static void test_start_inside(void **state) {
     assert_int_equal(f.start_inside, inside);
     assert_true(f.start_depth > 0.02 && f.start_depth < 0.12);
     assert_near(collisions_depth(&on.sim->collisions, simulation_time(on.sim),
-                                 (const double(*)[3])on.sim->x),
+                                 (const double(*)[3])on.sim->state.x),
                 0, 1e-6);
     assert_below(f.greatest_strain, 1);
     stage_end(&on);
@@ -487,10 +488,10 @@ static void test_fallback_to_direct_solution(void **state) {
     }
     on.s.pins = &hold;
     on.s.pin_count = 1;
-    on.s.max_iterations = 20;
-    on.s.gravity[0] = 5;
-    on.s.tolerance = 1e-8;
-    on.s.limits.energy = 1;
+    on.s.solution.max_iterations = 20;
+    on.s.surroundings.gravity[0] = 5;
+    on.s.solution.tolerance = 1e-8;
+    on.s.monitor.energy = 1;
     stage_begin(&on);
     stage_run(&on, 3);
     const run_faults f = simulation_faults(on.sim);
@@ -528,7 +529,7 @@ static void test_ends_in_touch(void **state) {
     impact_step step = {.h = h,
                         .x = x,
                         .v = v,
-                        .of = {on.sim->mass, &on.sim->collisions},
+                        .of = {on.sim->cloth.mass, &on.sim->collisions},
                         .itself = &s,
                         .bodies = &on.sim->collisions};
     assert_int_equal(impact_resolve(&step, &work), 0);
@@ -562,7 +563,7 @@ static double thrown_at_itself(double wild, unsigned seed) {
     impact_step step = {.h = h,
                         .x = x,
                         .v = v,
-                        .of = {on.sim->mass, &on.sim->collisions},
+                        .of = {on.sim->cloth.mass, &on.sim->collisions},
                         .itself = &s,
                         .bodies = &on.sim->collisions};
     assert_int_equal(impact_resolve(&step, &work), 0);
@@ -602,9 +603,9 @@ static void test_step_grows_again(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());
     stage_begin(&on);
-    on.sim->ticks /= 4;
+    on.sim->step.ticks /= 4;
     stage_run(&on, 5);
-    assert_int_equal(on.sim->ticks, TICKS_PER_STEP);
+    assert_int_equal(on.sim->step.ticks, TICKS_PER_STEP);
     assert_in_range(simulation_steps_taken(on.sim), 7, 12);
     stage_end(&on);
 }

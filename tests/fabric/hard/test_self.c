@@ -119,16 +119,16 @@ static stage folding(double gap) {
                               .gap = 0.01};
     static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}, .until = 0.6};
     stage on = stage_of(cloth_sheet(13, 7, 0.05, 0.3, 1), cloth_scene());
-    on.s.step = 0.02;
-    on.s.tolerance = 1e-4;
-    on.s.drag = 0.1;
-    on.s.bend = 1e-5;
+    on.s.time.step = 0.02;
+    on.s.solution.tolerance = 1e-4;
+    on.s.surroundings.drag = 0.1;
+    on.s.material.bend = 1e-5;
     on.s.colliders = &ground;
     on.s.collider_count = 1;
     on.s.pins = &hold;
     on.s.pin_count = 1;
-    on.s.self_gap = gap;
-    on.s.self_friction = 0.3;
+    on.s.self_collision.gap = gap;
+    on.s.self_collision.friction = 0.3;
     return on;
 }
 
@@ -146,7 +146,7 @@ static void test_cloth_folds_on_itself(void **state) {
         stage_assert_finite(&on);
         print_message("self-collision %s: %d crossings at most, %ld rejected, visited %ld\n",
                       kept ? "on" : "off", most[kept], simulation_steps_rejected(on.sim),
-                      on.sim->effects[EFFECT_SELF_COLLISION].visited);
+                      on.sim->account.effects[EFFECT_SELF_COLLISION].visited);
         stage_end(&on);
     }
     assert_true(most[0] > 0);
@@ -158,12 +158,12 @@ static void test_momentum_stays(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(8, 6, 0.1, 0.3, 1), cloth_scene());
     double before[3] = {0, 0, 0}, after[3] = {0, 0, 0}, size = 0;
-    memset(on.s.gravity, 0, sizeof on.s.gravity);
-    on.s.self_gap = 0.01;
-    on.s.bend = 0;
-    on.s.step = 0.02;
-    on.s.tolerance = 1e-12;
-    on.s.limits.energy = 1e300; /* the velocity is put in behind the monitor's back */
+    memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
+    on.s.self_collision.gap = 0.01;
+    on.s.material.bend = 0;
+    on.s.time.step = 0.02;
+    on.s.solution.tolerance = 1e-12;
+    on.s.monitor.energy = 1e300; /* the velocity is put in behind the monitor's back */
     for (int i = 0; i < on.m.vertex_count; i++) { /* folded: the right half above the left */
         if (on.m.position[i][0] < 0.36)
             continue;
@@ -172,14 +172,14 @@ static void test_momentum_stays(void **state) {
     }
     stage_begin(&on);
     for (int i = 0; i < on.m.vertex_count; i++) {
-        on.sim->v[i][2] = on.sim->x[i][2] > 0 ? -1 : 1;
-        vector_add_scaled(before, on.sim->mass[i], on.sim->v[i], before);
-        size += on.sim->mass[i];
+        on.sim->state.v[i][2] = on.sim->state.x[i][2] > 0 ? -1 : 1;
+        vector_add_scaled(before, on.sim->cloth.mass[i], on.sim->state.v[i], before);
+        size += on.sim->cloth.mass[i];
     }
     stage_changed(&on);
     stage_run(&on, 20);
     for (int i = 0; i < on.m.vertex_count; i++)
-        vector_add_scaled(after, on.sim->mass[i], on.sim->v[i], after);
+        vector_add_scaled(after, on.sim->cloth.mass[i], on.sim->state.v[i], after);
     vector_subtract(after, before, after);
     assert_below(vector_length(after) / size, 1e-10);
     assert_int_equal(crossings(&on), 0);
@@ -194,14 +194,14 @@ static void test_flat_cloth_has_its_bits(void **state) {
     static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
     with.s.pins = without.s.pins = &hold;
     with.s.pin_count = without.s.pin_count = 1;
-    with.s.self_gap = 0.005;
+    with.s.self_collision.gap = 0.005;
     stage_begin(&with);
     stage_begin(&without);
     stage_run(&with, 20);
     stage_run(&without, 20);
-    assert_memory_equal(with.sim->x, without.sim->x, sizeof(double[3]) * 49);
-    assert_true(with.sim->effects[EFFECT_SELF_COLLISION].visited > 0);
-    assert_int_equal(without.sim->effects[EFFECT_SELF_COLLISION].visited, 0);
+    assert_memory_equal(with.sim->state.x, without.sim->state.x, sizeof(double[3]) * 49);
+    assert_true(with.sim->account.effects[EFFECT_SELF_COLLISION].visited > 0);
+    assert_int_equal(without.sim->account.effects[EFFECT_SELF_COLLISION].visited, 0);
     assert_null(without.sim->self_collision.grid.box);
     stage_end(&with);
     stage_end(&without);
@@ -231,7 +231,7 @@ static void test_thin_triangles_stay(void **state) {
         assert_int_equal(self_collision_init(&s, &on.m, gap, 0, h), 0);
         assert_int_equal(self_collision_find(&s, h, (const double(*)[3])x, (const double(*)[3])v),
                          0);
-        const movable of = {on.sim->mass, &on.sim->collisions};
+        const movable of = {on.sim->cloth.mass, &on.sim->collisions};
         const double change = self_collision_push(&s, &of, h, (const double(*)[3])x, v, &work);
         assert_int_equal(change > 0, !is_thin);
         self_collision_free(&s);
@@ -254,7 +254,7 @@ static void test_neighbours_stay(void **state) {
     assert_int_equal(self_collision_init(&s, &on.m, gap, 0, h), 0);
     assert_int_equal(self_collision_find(&s, h, (const double(*)[3])x, (const double(*)[3])v), 0);
     assert_true(s.pair_count > 0);
-    const movable of = {on.sim->mass, &on.sim->collisions};
+    const movable of = {on.sim->cloth.mass, &on.sim->collisions};
     assert_true(self_collision_push(&s, &of, h, (const double(*)[3])x, v, &work) == 0);
     self_collision_free(&s);
     stage_end(&on);

@@ -50,7 +50,7 @@ static stage held(mesh m) {
     stage on = stage_of(m, cloth_scene());
     on.s.pins = &hold;
     on.s.pin_count = 1;
-    on.s.tolerance = 1e-4;
+    on.s.solution.tolerance = 1e-4;
     return on;
 }
 
@@ -72,7 +72,7 @@ static void S12_slivers(void **state) {
     assert_int_equal(mesh_clean(&on.m, found, error), 0);
     assert_int_equal(mesh_check(&on.m, found), 0);
     assert_int_equal(found[MESH_FLAT_TRIANGLE].count,
-                     on.m.triangle_count - on.sim->triangles.count);
+                     on.m.triangle_count - on.sim->cloth.triangles.count);
     assert_in_range(found[MESH_FLAT_TRIANGLE].count, 5, slivers + 1);
     assert_in_range(found[MESH_FLAT_TRIANGLE].first, on.m.triangle_count - slivers - 1,
                     on.m.triangle_count - 1);
@@ -104,13 +104,13 @@ static void S30_components_are_independent(void **state) {
     stage both = held(cloth_of(2 * each, (const double(*)[2])material, 2 * one.triangle_count,
                                (const int(*)[3])triangle));
     stage alone = held(one);
-    both.s.tolerance = alone.s.tolerance = 1e-12;
+    both.s.solution.tolerance = alone.s.solution.tolerance = 1e-12;
     stage_begin(&both);
     stage_begin(&alone);
     stage_run(&both, 20);
     stage_run(&alone, 20);
     for (int i = 0; i < each; i++)
-        both.sim->x[place[i]][1] -= 10;
+        both.sim->state.x[place[i]][1] -= 10;
     const double first = stage_distance(&alone, &both, NULL);
     const double second = stage_distance(&alone, &both, place);
     print_message("S30 components differ from single runs by %.3g and %.3g m\n", first, second);
@@ -125,17 +125,17 @@ static void S30_components_are_independent(void **state) {
 static double drop(int across) {
     stage on = held(cloth_sheet(across, across, 0.8 / (across - 1), 0, 1));
     double lowest = 0;
-    on.s.bend = 0.05;
-    on.s.bend_damping = 0;
-    on.s.step = 0.1;
-    on.s.drag = 3;
+    on.s.material.bend = 0.05;
+    on.s.material.bend_damping = 0;
+    on.s.time.step = 0.1;
+    on.s.surroundings.drag = 3;
     stage_begin(&on);
     stage_run(&on, 120);
     for (int i = 0; i < on.m.vertex_count; i++)
-        lowest = fmin(lowest, on.sim->x[i][2]);
+        lowest = fmin(lowest, on.sim->state.x[i][2]);
     double speed = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
-        speed = fmax(speed, vector_length(on.sim->v[i]));
+        speed = fmax(speed, vector_length(on.sim->state.v[i]));
     print_message("S32 %d x %d: drop %.6f m, speed %.2g m/s, rejected %ld\n", across, across,
                   -lowest, speed, simulation_steps_rejected(on.sim));
     stage_end(&on);
@@ -185,7 +185,7 @@ static void S33_numbering_does_not_matter(void **state) {
     for (unsigned seed = 1; seed <= 5; seed++) {
         stage on = held(cloth_sheet(10, 10, 0.1, 0.3, 1));
         stage other = held(permuted(&on.m, seed, place));
-        on.s.tolerance = other.s.tolerance = 1e-12;
+        on.s.solution.tolerance = other.s.solution.tolerance = 1e-12;
         stage_begin(&on);
         stage_begin(&other);
         stage_run(&on, 10);
@@ -267,9 +267,9 @@ static void S13_material_coordinates(void **state) {
         assert_int_equal(mesh_check(&run[k].m, found), 0);
         const int generated = k == 1 || k == 2;
         assert_int_equal(found[MESH_NO_MATERIAL].count, generated ? run[k].m.triangle_count : 0);
-        run[k].s.tolerance = 1e-13;
+        run[k].s.solution.tolerance = 1e-13;
         stage_begin(&run[k]);
-        memcpy(run[k].sim->v, push, sizeof push);
+        memcpy(run[k].sim->state.v, push, sizeof push);
         stage_changed(&run[k]);
         stage_run(&run[k], 20);
         stage_assert_finite(&run[k]);
@@ -355,11 +355,11 @@ static stage long_triangles(void) {
     stage on = stage_of(cloth_of(2 * (segments + 1), (const double(*)[2])material, 2 * segments,
                                  (const int(*)[3])triangle),
                         cloth_scene());
-    on.s.stretch = 400;
-    on.s.shear = 80;
-    on.s.bend = 1e-4;
-    on.s.step = 0.033;
-    on.s.tolerance = 1e-4;
+    on.s.material.stretch = 400;
+    on.s.material.shear = 80;
+    on.s.material.bend = 1e-4;
+    on.s.time.step = 0.033;
+    on.s.solution.tolerance = 1e-4;
     on.s.pins = &hold;
     on.s.pin_count = 1;
     return on;
@@ -372,7 +372,7 @@ static void S40_ribbon_of_800_to_1(void **state) {
     (void)state;
     enum { steps = 100 };
     stage on = long_triangles(), direct = long_triangles();
-    direct.s.method = METHOD_DIRECT;
+    direct.s.solution.method = METHOD_DIRECT;
     if (!direct_solver_available()) {
         cloth_free(&on.m);
         cloth_free(&direct.m);
@@ -391,7 +391,7 @@ static void S40_ribbon_of_800_to_1(void **state) {
     stage_assert_finite(&on);
     assert_in_range(f.solved_directly, steps - 3, steps - 1); /* every 51st is tried again */
     assert_int_equal(f.not_solved, 0);
-    assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.max_iterations);
+    assert_in_range(simulation_iterations(on.sim), 0, 3L * on.s.solution.max_iterations);
     assert_below(stage_distance(&on, &direct, NULL), 1e-4);
     stage_end(&on);
     stage_end(&direct);
@@ -431,14 +431,14 @@ static mesh tube(int has_slit) {
 
 static scene of_tubes(void) {
     scene s = cloth_scene();
-    s.step = 0.01;
-    s.stretch = 400;
-    s.shear = 100;
-    s.bend = 1e-3;
-    s.bend_damping = 1e-5;
-    s.drag = 1;
-    s.tolerance = 1e-6;
-    s.gravity[2] = 0;
+    s.time.step = 0.01;
+    s.material.stretch = 400;
+    s.material.shear = 100;
+    s.material.bend = 1e-3;
+    s.material.bend_damping = 1e-5;
+    s.surroundings.drag = 1;
+    s.solution.tolerance = 1e-6;
+    s.surroundings.gravity[2] = 0;
     return s;
 }
 
@@ -447,7 +447,7 @@ static void radii(const stage *on, double *least, double *most) {
     *least = INFINITY;
     *most = 0;
     for (int i = 0; i < on->m.vertex_count; i++) {
-        const double radius = hypot(on->sim->x[i][0], on->sim->x[i][1]);
+        const double radius = hypot(on->sim->state.x[i][0], on->sim->state.x[i][1]);
         *least = fmin(*least, radius);
         *most = fmax(*most, radius);
     }
@@ -482,11 +482,11 @@ static void S41_tube_springs_back(void **state) {
     double least, most;
     stage on = stage_of(tube(0), of_tubes());
     on.m.bent_at_rest = 1;
-    on.s.limits.energy = 1e300; /* the test squeezes it by hand */
+    on.s.monitor.energy = 1e300; /* the test squeezes it by hand */
     stage_begin(&on);
     for (int i = 0; i < on.m.vertex_count; i++) { /* an ellipse of about the same length */
-        on.sim->x[i][0] *= 1.35;
-        on.sim->x[i][1] *= 0.5;
+        on.sim->state.x[i][0] *= 1.35;
+        on.sim->state.x[i][1] *= 0.5;
     }
     stage_changed(&on);
     radii(&on, &least, &most);

@@ -84,19 +84,17 @@ void cloth_free(mesh *m) {
 
 scene cloth_scene(void) {
     return (scene){.name = "test",
-                   .density = 0.2,
-                   .stretch = 100,
-                   .shear = 30,
-                   .bend = 1e-3,
-                   .stretch_damping = 0.5,
-                   .shear_damping = 0.1,
-                   .bend_damping = 1e-5,
-                   .gravity = {0, 0, -9.81},
-                   .step = 0.01,
-                   .steps = 10,
-                   .tolerance = 1e-10,
-                   .max_iterations = 10000,
-                   .limits = {.energy = 0.25, .growth = 0.5, .strain = 1, .penetration = 0.01}};
+                   .material = {.density = 0.2,
+                                .stretch = 100,
+                                .shear = 30,
+                                .bend = 1e-3,
+                                .stretch_damping = 0.5,
+                                .shear_damping = 0.1,
+                                .bend_damping = 1e-5},
+                   .surroundings.gravity = {0, 0, -9.81},
+                   .time = {.step = 0.01, .steps = 10},
+                   .solution = {.tolerance = 1e-10, .max_iterations = 10000},
+                   .monitor = {.energy = 0.25, .growth = 0.5, .strain = 1, .penetration = 0.01}};
 }
 
 double (*cloth_moved(const mesh *m, double size, unsigned seed))[3] {

@@ -244,8 +244,8 @@ static void slope_new(slope *on, double angle, double friction) {
     on->plane.position[2] = -0.005;
     on->s.colliders = &on->plane;
     on->s.collider_count = 1;
-    on->s.gravity[0] = 9.81 * sin(angle);
-    on->s.gravity[2] = -9.81 * cos(angle);
+    on->s.surroundings.gravity[0] = 9.81 * sin(angle);
+    on->s.surroundings.gravity[2] = -9.81 * cos(angle);
     on->sim = simulation_new(&on->m, &on->s, error);
     assert_non_null(on->sim);
 }
@@ -298,7 +298,7 @@ static void test_contact_does_not_hold_back(void **state) {
     slope on;
     slope_new(&on, 0, 0.5);
     run(on.sim, 20);
-    on.s.gravity[2] = 9.81;
+    on.s.surroundings.gravity[2] = 9.81;
     run(on.sim, 30);
     const double moved = simulation_positions(on.sim)[0][2];
     assert_true(moved > 0.5 * 9.81 * 0.25 * 0.25);
@@ -342,7 +342,7 @@ static void S29_many_contacts_at_once(void **state) {
     s.collider_count = 4;
     s.pins = &held;
     s.pin_count = 1;
-    s.step = 0.033;
+    s.time.step = 0.033;
     simulation *sim = simulation_new(&m, &s, error);
     assert_non_null(sim);
     for (int n = 0; n < 60; n++) {

@@ -32,13 +32,13 @@ static void begin(stage *on, integrator_kind kind, double step) {
         on->m.position[i][1] = 1.02 * v;
         on->m.position[i][2] = 0.05 * sin(6 * u) * cos(4 * v);
     }
-    on->s.step = step;
-    on->s.integrator = (int)kind;
-    on->s.newton_tolerance = 1e-11;
-    on->s.newton_iterations = 200;
-    on->s.tolerance = 1e-3;
+    on->s.time.step = step;
+    on->s.time.integrator = (int)kind;
+    on->s.solution.newton_tolerance = 1e-11;
+    on->s.solution.newton_iterations = 200;
+    on->s.solution.tolerance = 1e-3;
     if (kind == INTEGRATOR_LINEAR_EULER)
-        on->s.tolerance = 1e-12;
+        on->s.solution.tolerance = 1e-12;
     on->sim = simulation_new(&on->m, &on->s, error);
     if (!on->sim)
         fail_msg("%s", error);
@@ -58,14 +58,14 @@ static void end(stage *on) {
 
 static scene soft_scene(void) {
     scene s = cloth_scene();
-    s.stretch = 4;
-    s.shear = 2;
-    s.bend = 1e-4;
-    s.stretch_damping = 0.004;
-    s.shear_damping = 0.002;
-    s.bend_damping = 1e-6;
-    s.drag = 0.3;
-    s.wind[0] = 1;
+    s.material.stretch = 4;
+    s.material.shear = 2;
+    s.material.bend = 1e-4;
+    s.material.stretch_damping = 0.004;
+    s.material.shear_damping = 0.002;
+    s.material.bend_damping = 1e-6;
+    s.surroundings.drag = 0.3;
+    s.surroundings.wind[0] = 1;
     return s;
 }
 
@@ -75,8 +75,10 @@ static void force_at(simulation *sim, vectors x, vectors v, vectors f) {
     const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
     const expansion here = {1, at, none, moving};
     forces_assemble(sim, &here);
-    triangle_damping_forces(&sim->triangles, &sim->triangle_material, 1, at, moving, sim->system.b);
-    hinge_damping_forces(&sim->hinges, &sim->hinge_material, 1, at, moving, sim->system.b);
+    triangle_damping_forces(&sim->cloth.triangles, &sim->cloth.triangle_material, 1, at, moving,
+                            sim->system.b);
+    hinge_damping_forces(&sim->cloth.hinges, &sim->cloth.hinge_material, 1, at, moving,
+                         sim->system.b);
     memcpy(f, sim->system.b, sizeof(vectors));
 }
 
@@ -90,14 +92,14 @@ static void runge_kutta(simulation *sim, double h, int steps, vectors x, vectors
             for (int i = 0; i < COUNT; i++)
                 for (int a = 0; a < 3; a++) {
                     xs[i][a] = x[i][a] + h * node[stage_number] * rate[i][a];
-                    vs[i][a] = v[i][a] + h * node[stage_number] * f[i][a] / sim->mass[i];
+                    vs[i][a] = v[i][a] + h * node[stage_number] * f[i][a] / sim->cloth.mass[i];
                 }
             force_at(sim, xs, vs, f);
             for (int i = 0; i < COUNT; i++)
                 for (int a = 0; a < 3; a++) {
                     rate[i][a] = vs[i][a];
                     dx[i][a] += h * weight[stage_number] * vs[i][a];
-                    dv[i][a] += h * weight[stage_number] * f[i][a] / sim->mass[i];
+                    dv[i][a] += h * weight[stage_number] * f[i][a] / sim->cloth.mass[i];
                 }
         }
         for (int i = 0; i < COUNT; i++)
@@ -156,33 +158,34 @@ static void test_backward_euler_equation(void **state) {
     stage on = {.s = soft_scene()};
     begin(&on, INTEGRATOR_EULER, h);
     run(&on, 3);
-    memcpy(v, on.sim->v, sizeof v);
+    memcpy(v, on.sim->state.v, sizeof v);
     run(&on, 1);
-    memcpy(x, on.sim->x, sizeof x);
+    memcpy(x, on.sim->state.x, sizeof x);
     vectors after;
-    memcpy(after, on.sim->v, sizeof after);
+    memcpy(after, on.sim->state.v, sizeof after);
     force_at(on.sim, x, after, f);
     for (int i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++)
-            assert_near(on.sim->mass[i] * (after[i][a] - v[i][a]), h * f[i][a], 1e-11);
+            assert_near(on.sim->cloth.mass[i] * (after[i][a] - v[i][a]), h * f[i][a], 1e-11);
     assert_true(simulation_newton_iterations(on.sim) >= 8);
     end(&on);
 }
 
 static double energy(simulation *sim) {
     double stretch, shear, kinetic = 0;
-    triangle_energies(&sim->triangles, &sim->triangle_material, (const double(*)[3])sim->x,
-                      &stretch, &shear);
-    hinge_update_angles(&sim->hinges, (const double(*)[3])sim->x);
+    triangle_energies(&sim->cloth.triangles, &sim->cloth.triangle_material,
+                      (const double(*)[3])sim->state.x, &stretch, &shear);
+    hinge_update_angles(&sim->cloth.hinges, (const double(*)[3])sim->state.x);
     for (int i = 0; i < COUNT; i++)
-        kinetic += sim->mass[i] * vector_dot(sim->v[i], sim->v[i]) / 2;
-    return stretch + shear + hinge_energy(&sim->hinges, &sim->hinge_material) + kinetic;
+        kinetic += sim->cloth.mass[i] * vector_dot(sim->state.v[i], sim->state.v[i]) / 2;
+    return stretch + shear + hinge_energy(&sim->cloth.hinges, &sim->cloth.hinge_material) + kinetic;
 }
 
 static scene free_scene(void) {
     scene s = soft_scene();
-    s.stretch_damping = s.shear_damping = s.bend_damping = s.drag = 0;
-    memset(s.gravity, 0, sizeof s.gravity);
+    s.material.stretch_damping = s.material.shear_damping = s.material.bend_damping =
+        s.surroundings.drag = 0;
+    memset(s.surroundings.gravity, 0, sizeof s.surroundings.gravity);
     return s;
 }
 
@@ -210,9 +213,9 @@ static void momenta(const simulation *sim, double linear[3], double angular[3]) 
     memset(angular, 0, sizeof(double[3]));
     for (int i = 0; i < COUNT; i++) {
         double moment[3];
-        vector_cross(sim->x[i], sim->v[i], moment);
-        vector_add_scaled(linear, sim->mass[i], sim->v[i], linear);
-        vector_add_scaled(angular, sim->mass[i], moment, angular);
+        vector_cross(sim->state.x[i], sim->state.v[i], moment);
+        vector_add_scaled(linear, sim->cloth.mass[i], sim->state.v[i], linear);
+        vector_add_scaled(angular, sim->cloth.mass[i], moment, angular);
     }
 }
 
@@ -223,11 +226,11 @@ static void S07_angular_momentum(void **state) {
     for (int n = 0; n < 4; n++) {
         const int steps = n % 2 == 0 ? 20 : 40;
         stage on = {.s = free_scene()};
-        on.s.limits.energy = 1e300; /* the spin is put in behind the monitor's back */
+        on.s.monitor.energy = 1e300; /* the spin is put in behind the monitor's back */
         begin(&on, n < 2 ? INTEGRATOR_EULER : INTEGRATOR_MIDPOINT, 0.04 / steps);
         for (int i = 0; i < COUNT; i++) {
             const double spin[3] = {0.3, 0.2, 5};
-            vector_cross(spin, on.sim->x[i], on.sim->v[i]);
+            vector_cross(spin, on.sim->state.x[i], on.sim->state.v[i]);
         }
         double linear[3], first[3], last[3], off[3];
         momenta(on.sim, linear, first);
@@ -255,11 +258,11 @@ static void test_damping_forces(void **state) {
     const double(*at)[3] = (const double(*)[3])x, (*moving)[3] = (const double(*)[3])v;
     vectors apart = {{0}};
     const double none[3] = {0, 0, 0};
-    system_reset(&sim->system, sim->mass, none, h);
-    triangle_forces(&sim->triangles, &t, h, at, moving, &sim->system);
-    hinge_forces(&sim->hinges, &b, h, at, moving, &sim->system);
-    triangle_damping_forces(&sim->triangles, &t, h, at, moving, apart);
-    hinge_damping_forces(&sim->hinges, &b, h, at, moving, apart);
+    system_reset(&sim->system, sim->cloth.mass, none, h);
+    triangle_forces(&sim->cloth.triangles, &t, h, at, moving, &sim->system);
+    hinge_forces(&sim->cloth.hinges, &b, h, at, moving, &sim->system);
+    triangle_damping_forces(&sim->cloth.triangles, &t, h, at, moving, apart);
+    hinge_damping_forces(&sim->cloth.hinges, &b, h, at, moving, apart);
     for (int i = 0; i < COUNT; i++)
         for (int a = 0; a < 3; a++)
             assert_near(apart[i][a], sim->system.b[i][a], 1e-13);
@@ -285,18 +288,18 @@ static void test_pins_and_contacts(void **state) {
         on.s.colliders = &ball;
         on.s.collider_count = 1;
         begin(&on, (integrator_kind)kind, 0.02);
-        on.s.newton_tolerance = 1e-5;
-        assert_int_equal(on.sim->collisions.pinned, 1);
-        const int held = on.sim->collisions.held[0];
+        on.s.solution.newton_tolerance = 1e-5;
+        assert_int_equal(on.sim->collisions.pinned.count, 1);
+        const int held = on.sim->collisions.pinned.list[0];
         run(&on, 60);
-        assert_near(on.sim->x[held][0], on.m.position[held][0] + 0.1 * simulation_time(on.sim),
-                    1e-15);
+        assert_near(on.sim->state.x[held][0],
+                    on.m.position[held][0] + 0.1 * simulation_time(on.sim), 1e-15);
         long contacts;
         collisions_count(&on.sim->collisions, &contacts, NULL);
         assert_true(contacts > 0);
         for (int i = 0; i < COUNT; i++) {
             double off[3];
-            vector_subtract(on.sim->x[i], ball.position, off);
+            vector_subtract(on.sim->state.x[i], ball.position, off);
             assert_true(vector_length(off) > 0.15 + 0.01 - 2e-3);
         }
         end(&on);

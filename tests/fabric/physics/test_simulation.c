@@ -30,8 +30,8 @@ static void S24_free_fall(void **state) {
 static void S06_momentum_is_kept(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    on.s.tolerance = 1e-12;
-    memset(on.s.gravity, 0, sizeof on.s.gravity);
+    on.s.solution.tolerance = 1e-12;
+    memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
     unsigned seed = 3;
     for (int i = 0; i < on.m.vertex_count; i++)
         for (int a = 0; a < 3; a++)
@@ -40,8 +40,8 @@ static void S06_momentum_is_kept(void **state) {
     stage_run(&on, 60);
     double sum[3] = {0, 0, 0}, size = 0;
     for (int i = 0; i < on.m.vertex_count; i++) {
-        vector_add_scaled(sum, on.sim->mass[i], on.sim->v[i], sum);
-        size += on.sim->mass[i] * vector_length(on.sim->v[i]);
+        vector_add_scaled(sum, on.sim->cloth.mass[i], on.sim->state.v[i], sum);
+        size += on.sim->cloth.mass[i] * vector_length(on.sim->state.v[i]);
     }
     assert_true(size > 0);
     assert_below(vector_length(sum) / size, 1e-10);
@@ -52,9 +52,9 @@ static void S06_momentum_is_kept(void **state) {
 static void S08_energy_does_not_grow(void **state) {
     (void)state;
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    memset(on.s.gravity, 0, sizeof on.s.gravity);
-    on.s.stretch_damping = on.s.shear_damping = on.s.bend_damping = 0;
-    on.s.step = 0.033;
+    memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
+    on.s.material.stretch_damping = on.s.material.shear_damping = on.s.material.bend_damping = 0;
+    on.s.time.step = 0.033;
     unsigned seed = 3;
     for (int i = 0; i < on.m.vertex_count; i++) {
         for (int a = 0; a < 2; a++)
@@ -78,7 +78,7 @@ static void S10_collapsed_sheet_recovers(void **state) {
     (void)state;
     for (int to_point = 0; to_point < 2; to_point++) {
         stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.2, 1), cloth_scene());
-        memset(on.s.gravity, 0, sizeof on.s.gravity);
+        memset(on.s.surroundings.gravity, 0, sizeof on.s.surroundings.gravity);
         for (int i = 0; i < on.m.vertex_count; i++) {
             on.m.position[i][1] = on.m.position[i][2] = 0;
             on.m.position[i][0] *= to_point ? 0 : 1;
@@ -86,14 +86,14 @@ static void S10_collapsed_sheet_recovers(void **state) {
         stage_begin(&on);
         stage_run(&on, 200);
         double area = 0, rest = 0;
-        for (int t = 0; t < on.sim->triangles.count; t++) {
-            const int *v = on.sim->triangles.vertex[t];
+        for (int t = 0; t < on.sim->cloth.triangles.count; t++) {
+            const int *v = on.sim->cloth.triangles.vertex[t];
             double one[3], other[3], cross[3];
-            vector_subtract(on.sim->x[v[1]], on.sim->x[v[0]], one);
-            vector_subtract(on.sim->x[v[2]], on.sim->x[v[0]], other);
+            vector_subtract(on.sim->state.x[v[1]], on.sim->state.x[v[0]], one);
+            vector_subtract(on.sim->state.x[v[2]], on.sim->state.x[v[0]], other);
             vector_cross(one, other, cross);
             area += vector_length(cross) / 2;
-            rest += on.sim->triangles.rest[t].area;
+            rest += on.sim->cloth.triangles.rest[t].area;
         }
         assert_true(area >= 0.9 * rest);
         stage_end(&on);
@@ -106,7 +106,7 @@ static void S22_pins_are_exact(void **state) {
     pin pins[2] = {{.low = {-0.01, -0.01}, .high = {0.01, 0.51}, .velocity = {0, 0, 0}},
                    {.low = {0.49, -0.01}, .high = {0.51, 0.51}, .velocity = {0.03, -0.02, 0.05}}};
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    on.s.tolerance = 1e-4;
+    on.s.solution.tolerance = 1e-4;
     on.s.pins = pins;
     on.s.pin_count = 2;
     stage_begin(&on);
@@ -137,16 +137,16 @@ static void test_cloth_comes_to_rest(void **state) {
                      .friction = 0.5,
                      .gap = 0.005};
     stage on = stage_of(cloth_sheet(6, 6, 0.1, 0.3, 1), cloth_scene());
-    on.s.step = 0.033;
-    on.s.tolerance = 1e-3;
-    on.s.drag = 1;
+    on.s.time.step = 0.033;
+    on.s.solution.tolerance = 1e-3;
+    on.s.surroundings.drag = 1;
     on.s.colliders = &ball;
     on.s.collider_count = 1;
     stage_begin(&on);
     stage_run(&on, 300);
     double sum = 0;
     for (int i = 0; i < on.m.vertex_count; i++)
-        sum += vector_dot(on.sim->v[i], on.sim->v[i]);
+        sum += vector_dot(on.sim->state.v[i], on.sim->state.v[i]);
     assert_below(sqrt(sum / on.m.vertex_count), 1e-3);
     /* At rest the right side is next to nothing; a tolerance relative to it alone asks too much. */
     const long before = simulation_iterations(on.sim);
@@ -169,7 +169,7 @@ static void test_far_collider_changes_no_bit(void **state) {
     with.s.pin_count = without.s.pin_count = 1;
     with.s.colliders = &far;
     with.s.collider_count = 1;
-    with.s.wind[0] = 3; /* no drag: no wind */
+    with.s.surroundings.wind[0] = 3; /* no drag: no wind */
     stage_begin(&with);
     stage_begin(&without);
     stage_run(&with, 30);
@@ -188,12 +188,13 @@ static void test_matrix_follows_the_effects(void **state) {
     stage_begin(&on);
     assert_true(simulation_matrix_blocks(on.sim) > 36 + edges);
     simulation_free(on.sim);
-    on.s.bend = on.s.bend_damping = 0;
+    on.s.material.bend = on.s.material.bend_damping = 0;
     stage_begin(&on);
     assert_int_equal(simulation_matrix_blocks(on.sim), 36 + edges);
     simulation_free(on.sim);
-    on.s.stretch = on.s.shear = on.s.stretch_damping = on.s.shear_damping = 0;
-    on.s.drag = 0.3;
+    on.s.material.stretch = on.s.material.shear = on.s.material.stretch_damping =
+        on.s.material.shear_damping = 0;
+    on.s.surroundings.drag = 0.3;
     stage_begin(&on);
     assert_int_equal(simulation_matrix_blocks(on.sim), 36);
     stage_run(&on, 5);

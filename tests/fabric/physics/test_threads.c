@@ -20,10 +20,10 @@ static double (*result(int threads))[3] {
     pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 2}, .velocity = {0, 0, 0.1}};
     mesh m = cloth_sheet(14, 13, 0.1, 0.3, 5);
     scene s = cloth_scene();
-    s.step = 0.033;
-    s.tolerance = 1e-3;
-    s.drag = 0.5;
-    s.wind[1] = 2;
+    s.time.step = 0.033;
+    s.solution.tolerance = 1e-3;
+    s.surroundings.drag = 0.5;
+    s.surroundings.wind[1] = 2;
     s.pins = &hold;
     s.pin_count = 1;
     s.colliders = &ball;
