@@ -11,7 +11,7 @@ void newton_assemble_at_base(simulation *sim);
 
 /**
  * With the system assembled at the base, and contacts and friction found: iterates until the
- * stage's residual is below the scene's newton_tolerance. sim->dv holds a guess before and the
+ * stage's residual is below the scene's newton_tolerance. sim->step.dv holds a guess before and the
  * change of velocity after; solver.residual what the constraints take, as after solver_solve.
  *
  * An iteration's matrix is positive definite, so the residual r falls along its step d at first:

@@ -9,7 +9,7 @@
 #include "effects/effect.h"
 #include "simulation.h"
 
-/** Fills sim->effects, from the scene and the mesh, at time 0. */
+/** Fills the account's effects, from the scene and the mesh, at time 0. */
 void plan_make(simulation *sim);
 
 /** Brings what is on to the time at which the next step begins. */
