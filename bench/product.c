@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clock.h"
-#include "mesh.h"
-#include "sparse_product.h"
+#include "base/clock.h"
+#include "mesh/mesh.h"
+#include "system/sparse_product.h"
 
 typedef void product(const block_matrix *A, const double (*x)[3], double (*y)[3]);
 

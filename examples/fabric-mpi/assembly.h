@@ -4,8 +4,8 @@
 #ifndef FABRIC_MPI_ASSEMBLY_H
 #define FABRIC_MPI_ASSEMBLY_H
 
-#include "forces.h"
 #include "part.h"
+#include "step/forces.h"
 
 /** The leader's system without what the parts have: one block a row. Ends the program where memory
  *  is out. */

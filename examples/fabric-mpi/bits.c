@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "options.h"
-#include "words.h"
+#include "base/options.h"
+#include "base/words.h"
 
 enum { ORDERS = 2 };
 static const char *const orders[ORDERS] = {[BITS_SERIAL] = "serial", [BITS_ANY] = "any"};

@@ -14,9 +14,9 @@
 #include "part_picture.h"
 #include "petsc_options.h"
 #include "solution.h"
-#include "solver_direct.h"
-#include "solver_fallback.h"
-#include "solver_parts.h"
+#include "solver/solver_direct.h"
+#include "solver/solver_fallback.h"
+#include "solver/solver_parts.h"
 
 /** What the leader asks for; the rest of it follows in what each function sends. */
 enum request { MAKE, START, FORCES, MISSED, SOLVE, DEFECT, IMPULSES, FREE, END };

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh_parts.h"
+#include "mesh/mesh_parts.h"
 #include "part_layout.h"
 #include "part_picture.h"
 #include "solution_petsc.h"
-#include "solver_domains_parts.h"
-#include "solver_parts.h"
+#include "solver/solver_domains_parts.h"
+#include "solver/solver_parts.h"
 
 void part_give_up(const char *why) {
     fprintf(stderr, "fabric-mpi: %s\n", why);

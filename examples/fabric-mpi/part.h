@@ -20,8 +20,8 @@
 #include <petscsf.h>
 
 #include "bits.h"
-#include "scene.h"
-#include "simulation_state.h"
+#include "scene/scene.h"
+#include "step/simulation_state.h"
 
 enum { LEADER = 0 };
 

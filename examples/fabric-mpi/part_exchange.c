@@ -4,7 +4,7 @@
 
 #include "part_layout.h"
 #include "petsc_check.h"
-#include "solver_parts.h"
+#include "solver/solver_parts.h"
 
 /* roots: how many the rank offers; leaf k, of `count`, is leaf[k] here and root[k] there. */
 static void connect(PetscSF *sf, int roots, int count, int *leaf, PetscSFNode *root) {

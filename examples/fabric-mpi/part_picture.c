@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
+#include "base/files.h"
+#include "base/vector.h"
 #include "output/camera.h"
 #include "output/picture.h"
 #include "output/stage.h"
 #include "petsc_check.h"
-#include "vector.h"
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };

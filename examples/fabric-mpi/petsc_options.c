@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/words.h"
 #include "petsc_check.h"
-#include "words.h"
 
 /* What a misspelt option is compared with: PETSc has no list of those that it knows. */
 static const char *const common[] = {"ksp_type",

@@ -6,7 +6,7 @@
 
 #include "part_layout.h"
 #include "petsc_check.h"
-#include "solver_precondition.h"
+#include "solver/solver_precondition.h"
 
 enum { SIZE = 3 }; /* of a block */
 

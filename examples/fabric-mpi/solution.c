@@ -8,12 +8,12 @@
 #include <string.h>
 
 #include "assembly.h"
+#include "base/vector.h"
 #include "part_layout.h"
 #include "solution_parts.h"
 #include "solution_petsc.h"
-#include "solver_parts.h"
-#include "sparse_product.h"
-#include "vector.h"
+#include "solver/solver_parts.h"
+#include "system/sparse_product.h"
 
 /* The leader's, of the vertices that the solution constrains; other ghosts are free here. */
 static void receive_constraints(part *p, const constraints *whole) {

@@ -5,11 +5,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "solution_parts.h"
-#include "solver_domains_parts.h"
-#include "solver_parts.h"
-#include "sparse_product.h"
-#include "vector.h"
+#include "solver/solver_domains_parts.h"
+#include "solver/solver_parts.h"
+#include "system/sparse_product.h"
 
 static const double (*read_only(double (*a)[3]))[3] {
     return (const double(*)[3])a;

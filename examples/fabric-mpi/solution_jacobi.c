@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "part_layout.h"
 #include "solution_parts.h"
-#include "solver_parts.h"
-#include "solver_precondition.h"
-#include "vector.h"
+#include "solver/solver_parts.h"
+#include "solver/solver_precondition.h"
 
 /* residual = S (b - product), preconditioned = P residual */
 static void start_residual(part *p) {

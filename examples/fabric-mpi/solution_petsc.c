@@ -10,7 +10,7 @@
 #include "petsc_check.h"
 #include "petsc_system.h"
 #include "solution_parts.h"
-#include "solver_parts.h"
+#include "solver/solver_parts.h"
 
 typedef struct petsc_solver {
     petsc_system system;

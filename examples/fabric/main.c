@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/words.h"
 #include "commands/commands.h"
-#include "words.h"
 
 static const command *const commands[] = {&run_command,     &plan_command,   &compare_command,
                                           &render_command,  &export_command, &mesh_command,

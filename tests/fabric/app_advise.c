@@ -16,8 +16,8 @@
 
 #include "accuracy/advise.h"
 #include "accuracy/measure.h"
-#include "integrator.h"
-#include "scene.h"
+#include "scene/scene.h"
+#include "step/integrator.h"
 
 typedef struct trial {
     const char *scene;

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh_parts.h"
+#include "mesh/mesh_parts.h"
 
 static const uint64_t TABLECLOTH_HASH = 0x256c9cbf8cb3ed56u, PATCH_HASH = 0x502232c7b4da6f67u;
 

@@ -11,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/words.h"
 #include "listen.h"
-#include "scene.h"
-#include "surface.h"
-#include "words.h"
+#include "mesh/surface.h"
+#include "scene/scene.h"
 
 static const char FILE_NAME[] = "scene-test.yaml";
 

@@ -79,7 +79,7 @@ if(VALGRIND AND NOT REDCC_SANITIZE)
   set(sheet_PINS free)
   set(sheet_MONITOR unwatched)
   # Only the sources that ask what a build has are compiled anew.
-  set(asking forces.c integrator.c simulation.c simulation_state.c effects/triangle.c)
+  set(asking step/forces.c step/integrator.c step/simulation.c step/simulation_state.c effects/triangle.c)
   list(TRANSFORM asking PREPEND ${PROJECT_SOURCE_DIR}/examples/fabric/)
   set_source_files_properties(${asking} PROPERTIES COMPILE_OPTIONS -Wno-unknown-pragmas)
   add_executable(effect_cost EXCLUDE_FROM_ALL hard/effect_cost.c)

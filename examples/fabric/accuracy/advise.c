@@ -7,10 +7,10 @@
 #include <string.h>
 
 #include "accuracy/measure.h"
-#include "integrator.h"
-#include "random.h"
-#include "solver.h"
-#include "solver_direct.h"
+#include "base/random.h"
+#include "solver/solver.h"
+#include "solver/solver_direct.h"
+#include "step/integrator.h"
 
 /* Part of the error that is aimed at, that algebra may have, and by which starts are moved. */
 static const double aim = 0.7, of_algebra = 0.1, moved = 1e-3;

@@ -7,8 +7,8 @@
 #ifndef FABRIC_ACCURACY_ADVISE_H
 #define FABRIC_ACCURACY_ADVISE_H
 
-#include "mesh.h"
-#include "scene.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
 
 typedef struct advice {
     scene settings;     /* the scene in the advised settings; its lists are the scene's own */

@@ -7,9 +7,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "integrator.h"
-#include "simulation_state.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "step/integrator.h"
+#include "step/simulation_state.h"
 
 double cpu_seconds(void) {
     struct timespec now;

@@ -3,9 +3,9 @@
 #ifndef FABRIC_ACCURACY_MEASURE_H
 #define FABRIC_ACCURACY_MEASURE_H
 
-#include "mesh.h"
-#include "scene.h"
-#include "simulation.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+#include "step/simulation.h"
 
 typedef struct measured {
     int finished; /* else the simulator gave up, or was stopped for its rejections */

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
-#include "integrator.h"
+#include "base/files.h"
+#include "step/integrator.h"
 
 /* The reference is refined this often at most. */
 enum { MOST_ROUNDS = 4 };

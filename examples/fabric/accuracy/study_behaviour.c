@@ -10,13 +10,13 @@
 #include <unistd.h>
 
 #include "accuracy/study.h"
-#include "clock.h"
-#include "files.h"
-#include "integrator.h"
-#include "options.h"
+#include "base/clock.h"
+#include "base/files.h"
+#include "base/options.h"
+#include "base/vector.h"
 #include "output/state.h"
-#include "simulation_state.h"
-#include "vector.h"
+#include "step/integrator.h"
+#include "step/simulation_state.h"
 
 /* The scene without what takes energy, in the middle number of steps. */
 static int write_energy(study *of, integrator_kind kind, FILE *file) {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "accuracy/study.h"
-#include "random.h"
+#include "base/random.h"
 
 /* Runs beside the one that nobody moved, and how far each coordinate is moved at most, m. */
 enum { MOVED_RUNS = 16 };

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "accuracy/study.h"
-#include "files.h"
+#include "base/files.h"
 
 /* Labels stand at the lines themselves, in their colours. Formatting would break lines of another
  * language. */

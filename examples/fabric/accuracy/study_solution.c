@@ -4,9 +4,9 @@
 #include <stdio.h>
 
 #include "accuracy/study.h"
-#include "integrator.h"
-#include "solver.h"
-#include "solver_direct.h"
+#include "solver/solver.h"
+#include "solver/solver_direct.h"
+#include "step/integrator.h"
 
 static const char *const preconditioner_names[] = {"gauss-seidel", "block-jacobi", "none", "jacobi",
                                                    "incomplete-cholesky"};

@@ -7,10 +7,10 @@
 
 #include "accuracy/advise.h"
 #include "accuracy/study.h"
+#include "base/files.h"
 #include "commands/commands.h"
-#include "files.h"
-#include "integrator.h"
-#include "solver.h"
+#include "solver/solver.h"
+#include "step/integrator.h"
 
 enum { SCENE, OUTPUT, SET, REPEAT, STEPS, QUICK, ERROR };
 static const option accuracy_options[] = {

@@ -3,8 +3,8 @@
 #ifndef FABRIC_COMMANDS_COMMANDS_H
 #define FABRIC_COMMANDS_COMMANDS_H
 
-#include "options.h"
-#include "scene.h"
+#include "base/options.h"
+#include "scene/scene.h"
 
 extern const command run_command;
 extern const command plan_command;

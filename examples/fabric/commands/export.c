@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/files.h"
 #include "commands/commands.h"
-#include "files.h"
 #include "output/exchange.h"
 #include "output/frames.h"
 #include "output/gltf.h"

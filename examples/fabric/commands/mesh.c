@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* fabric mesh: generates meshes, and renumbers and describes those of files. */
-#include "mesh.h"
+#include "mesh/mesh.h"
 
 #include <math.h>
 #include <stdio.h>

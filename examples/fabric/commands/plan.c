@@ -5,8 +5,8 @@
 
 #include "commands/commands.h"
 #include "output/memory.h"
-#include "plan.h"
-#include "simulation.h"
+#include "step/plan.h"
+#include "step/simulation.h"
 
 enum { ERROR_SIZE = 256 };
 

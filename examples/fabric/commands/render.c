@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/files.h"
 #include "commands/commands.h"
-#include "files.h"
 #include "output/film.h"
 
 enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_ROWS };

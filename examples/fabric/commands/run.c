@@ -9,7 +9,7 @@
 #include <omp.h>
 #endif
 
-#include "clock.h"
+#include "base/clock.h"
 #include "commands/run.h"
 
 enum { ERROR_SIZE = 256, EXIT_INTERRUPTED = 130 };

@@ -3,8 +3,8 @@
 #ifndef FABRIC_COMMANDS_RUN_H
 #define FABRIC_COMMANDS_RUN_H
 
+#include "base/files.h"
 #include "commands/commands.h"
-#include "files.h"
 #include "output/checkpoint.h"
 #include "output/progress.h"
 #include "output/summary.h"

@@ -2,8 +2,8 @@
 /* Air drag and wind (see drag.h for the force). */
 #include "drag.h"
 
+#include "base/vector.h"
 #include "outer_force.h"
-#include "vector.h"
 
 /*
  * With the edges' cross product 2 a n: d = h drag (a / 3) n n' is the triangle's part of each of

@@ -9,7 +9,7 @@
 #ifndef FABRIC_DRAG_H
 #define FABRIC_DRAG_H
 
-#include "system.h"
+#include "system/system.h"
 #include "triangle.h"
 
 /** Adds the drag's part of A and b at positions x (m) and velocities v (m/s), for a step of h s. */

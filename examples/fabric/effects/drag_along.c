@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Air drag along the cloth (see drag.h for the force). */
+#include "base/vector.h"
 #include "drag.h"
 #include "outer_force.h"
-#include "vector.h"
 
 /*
  * With the edges' cross product c = 2 a n: d = h drag (a / 3) (I - n n') is the triangle's part of

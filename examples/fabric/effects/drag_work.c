@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* What wind gives to the cloth (see drag.h for the force). */
-#include "chunk_sum.h"
+#include "base/chunk_sum.h"
+#include "base/vector.h"
 #include "drag.h"
-#include "vector.h"
 
 /* The triangle's normal, twice its area long; returns that length. */
 static double normal_of(const int corner[3], const double (*x)[3], double cross[3]) {

@@ -2,8 +2,8 @@
 /* Bending: the force and its derivatives (see hinge.h for the energy). */
 #include "hinge.h"
 
+#include "base/vector.h"
 #include "hinge_gradient.h"
-#include "vector.h"
 
 /*
  * f = the hinge's part of b, df = its part of A: blocks (i,i) (i,j) (i,k) (i,l) (j,j) (j,k) (j,l)

@@ -11,8 +11,8 @@
 #ifndef FABRIC_HINGE_H
 #define FABRIC_HINGE_H
 
-#include "mesh.h"
-#include "system.h"
+#include "mesh/mesh.h"
+#include "system/system.h"
 
 typedef struct hinge_elements {
     int count;

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "chunk_sum.h"
-#include "mesh_rest.h"
-#include "vector.h"
+#include "base/chunk_sum.h"
+#include "base/vector.h"
+#include "mesh/mesh_rest.h"
 
 static const double pi = 3.14159265358979323846;
 

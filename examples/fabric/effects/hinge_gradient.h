@@ -3,7 +3,7 @@
 #ifndef FABRIC_HINGE_GRADIENT_H
 #define FABRIC_HINGE_GRADIENT_H
 
-#include "vector.h"
+#include "base/vector.h"
 
 /**
  * The gradient of theta in the four corners. With e = x1 - x0, normals n1 = e x (x2 - x0) and

@@ -6,8 +6,8 @@
 #ifndef FABRIC_OUTER_FORCE_H
 #define FABRIC_OUTER_FORCE_H
 
-#include "scene.h"
-#include "system.h"
+#include "scene/scene.h"
+#include "system/system.h"
 #include "triangle.h"
 
 /** What forces are expanded about, all [vertices]. With the unknown dv, the change of velocity, a

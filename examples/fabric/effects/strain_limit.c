@@ -2,7 +2,7 @@
 /* Strain limiting: the force and its derivative (see strain_limit.h for the energy). */
 #include "strain_limit.h"
 
-#include "vector.h"
+#include "base/vector.h"
 
 /*
  * One direction. With n = w / |w|, b = 1 + limit: gradient h dE/dw = h k a (|w| - b) n, second

@@ -2,9 +2,9 @@
 /* Which triangles are limited, and their energy. */
 #include <stdlib.h>
 
-#include "chunk_sum.h"
+#include "base/chunk_sum.h"
+#include "base/vector.h"
 #include "strain_limit.h"
-#include "vector.h"
 
 int strain_limit_init(strain_limit *l, const triangle_elements *e, double limit, double stretch) {
     *l = (strain_limit){.limit = limit, .stiffness = STRAIN_LIMIT_FACTOR * stretch};

@@ -13,8 +13,8 @@
 #ifndef FABRIC_TRIANGLE_H
 #define FABRIC_TRIANGLE_H
 
-#include "mesh.h"
-#include "system.h"
+#include "mesh/mesh.h"
+#include "system/system.h"
 
 typedef struct triangle_rest {
     double cu[3], cv[3]; /* 1/m */

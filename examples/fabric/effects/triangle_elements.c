@@ -4,9 +4,9 @@
 
 #include <stdlib.h>
 
-#include "chunk_sum.h"
-#include "mesh_rest.h"
-#include "vector.h"
+#include "base/chunk_sum.h"
+#include "base/vector.h"
+#include "mesh/mesh_rest.h"
 
 static void sort_three(const int in[3], int out[3]) {
     const int low = in[0] < in[1] ? in[0] : in[1];

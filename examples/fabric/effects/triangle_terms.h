@@ -7,8 +7,8 @@
 #ifndef FABRIC_TRIANGLE_TERMS_H
 #define FABRIC_TRIANGLE_TERMS_H
 
+#include "base/vector.h"
 #include "triangle.h"
-#include "vector.h"
 
 /** Effects of a triangle, each with its damping. */
 enum { TRIANGLE_STRETCH = 1, TRIANGLE_SHEAR = 2 };

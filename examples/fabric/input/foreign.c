@@ -31,7 +31,7 @@ int foreign_read(mesh *m, const char *path, int y_up) {
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "mesh_parts.h"
+#include "mesh/mesh_parts.h"
 
 /* What the child leaves in the file between the two: a header; then positions and triangles, or the
  * bytes of a message. */

@@ -3,7 +3,7 @@
 #ifndef FABRIC_INPUT_FOREIGN_H
 #define FABRIC_INPUT_FOREIGN_H
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 
 /**
  * Reads all triangles of all nodes into one mesh, each moved by its node's transformations; points

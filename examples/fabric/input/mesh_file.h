@@ -3,8 +3,8 @@
 #ifndef FABRIC_INPUT_MESH_FILE_H
 #define FABRIC_INPUT_MESH_FILE_H
 
-#include "mesh.h"
-#include "mesh_rest.h"
+#include "mesh/mesh.h"
+#include "mesh/mesh_rest.h"
 
 /**
  * Reads a mesh; its name's ending tells the format: .obj, .ply, and where fabric was built with

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "input/whole_file.h"
-#include "mesh_parts.h"
+#include "mesh/mesh_parts.h"
 
 enum { MOST_ELEMENTS = 16, MOST_PROPERTIES = 64, WORD_SIZE = 64, MOST_CORNERS = 4096 };
 

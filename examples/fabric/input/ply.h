@@ -3,7 +3,7 @@
 #ifndef FABRIC_INPUT_PLY_H
 #define FABRIC_INPUT_PLY_H
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 
 /**
  * Reads the elements `vertex` (x, y, z) and `face` (a list, vertex_indices or vertex_index); others

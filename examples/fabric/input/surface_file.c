@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "input/mesh_file.h"
-#include "surface_check.h"
+#include "mesh/surface_check.h"
 
 enum { ERROR_SIZE = 256, PLACE_SIZE = 64 };
 

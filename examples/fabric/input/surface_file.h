@@ -3,7 +3,7 @@
 #ifndef FABRIC_INPUT_SURFACE_FILE_H
 #define FABRIC_INPUT_SURFACE_FILE_H
 
-#include "surface.h"
+#include "mesh/surface.h"
 
 /** NULL with a message in error[256] that says what is wrong, where, and what was expected: the
  * file cannot be read, or it is no surface of a solid (surface_check.h). */

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
+#include "base/files.h"
+#include "mesh/surface.h"
 #include "output/sealed_file.h"
-#include "surface.h"
 
 static const sealed_kind CHECKPOINT_KIND = {"FABRICCP", 1, "a checkpoint", 1};
 

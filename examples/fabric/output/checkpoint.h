@@ -20,7 +20,7 @@
 
 #include <stdint.h>
 
-#include "simulation.h"
+#include "step/simulation.h"
 
 /** What a run is beside its simulation. */
 typedef struct run_record {

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
-#include "motion.h"
+#include "base/files.h"
+#include "contact/motion.h"
+#include "mesh/surface.h"
 #include "output/camera.h"
 #include "output/stage.h"
-#include "surface.h"
 
 enum { MOST_CAMERA_POINTS = 200000 };
 

@@ -3,7 +3,7 @@
 #ifndef FABRIC_OUTPUT_FRAMES_H
 #define FABRIC_OUTPUT_FRAMES_H
 
-#include "files.h"
+#include "base/files.h"
 #include "output/state.h"
 
 typedef struct frames {

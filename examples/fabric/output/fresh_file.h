@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "files.h"
+#include "base/files.h"
 
 typedef struct fresh_file {
     const char *path; /* by reference */

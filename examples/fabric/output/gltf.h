@@ -9,7 +9,7 @@
 #define FABRIC_OUTPUT_GLTF_H
 
 #include "output/exchange.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 /* What readers are known to take: more morph targets than a graphics card has layers of textures,
  * or more bytes, they do not. */

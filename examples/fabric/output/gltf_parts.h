@@ -6,10 +6,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "motion.h"
+#include "base/vector.h"
+#include "contact/motion.h"
 #include "output/exchange.h"
-#include "scene.h"
-#include "vector.h"
+#include "scene/scene.h"
 
 /** Least and greatest coordinates of a list of points, in glTF's axes, as floats. */
 typedef struct bounds {

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
-#include "mesh_parts.h"
+#include "base/files.h"
+#include "mesh/mesh_parts.h"
 #include "output/fresh_file.h"
 
 int obj_write(const mesh *m, const char *path) {

@@ -3,7 +3,7 @@
 #ifndef FABRIC_OUTPUT_OBJ_H
 #define FABRIC_OUTPUT_OBJ_H
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 
 /** Writes vertices and triangles beside `path`, then renames; numbers keep every bit. 0, or -1
  *  after a message on standard error. */

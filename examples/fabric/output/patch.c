@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 /** A patch's corners, and the inner points of its cubic: along[i][j] is next to i on the way to j.
  */

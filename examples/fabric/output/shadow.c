@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 enum { SHADOW_SIZE = 2048 };
 

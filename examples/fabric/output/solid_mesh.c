@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh_parts.h"
-#include "surface.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "mesh/mesh_parts.h"
+#include "mesh/surface.h"
 
 enum { AROUND = 48, DOWN = 24 };
 static const double PI = 3.14159265358979323846;

@@ -3,7 +3,7 @@
 #ifndef FABRIC_OUTPUT_SOLID_MESH_H
 #define FABRIC_OUTPUT_SOLID_MESH_H
 
-#include "scene.h"
+#include "scene/scene.h"
 
 /** The collider's surface, counter-clockwise from outside, around its position as the origin; a
  *  plane as a square around the point of it nearest to `middle`, out to `reach` (m). No edges, no

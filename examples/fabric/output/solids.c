@@ -4,9 +4,9 @@
 #include <GL/gl.h>
 #include <math.h>
 
-#include "motion.h"
-#include "surface.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "contact/motion.h"
+#include "mesh/surface.h"
 
 enum { AROUND = 96, DOWN = 48 };
 static const double PI = 3.14159265358979323846;

@@ -3,7 +3,7 @@
 #ifndef FABRIC_OUTPUT_SOLIDS_H
 #define FABRIC_OUTPUT_SOLIDS_H
 
-#include "scene.h"
+#include "scene/scene.h"
 
 /** A box, sphere or cylinder where it is at `time` (s), with normals; a plane is nothing here. */
 void solids_draw(const collider *c, double time);

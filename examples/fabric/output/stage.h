@@ -5,7 +5,7 @@
 
 #include "output/camera.h"
 #include "output/picture.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 typedef struct stage stage;
 

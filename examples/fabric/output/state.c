@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
+#include "base/files.h"
 #include "output/sealed_file.h"
 
 static const sealed_kind STATE_KIND = {"FABRICST", 1, "a state", 0};

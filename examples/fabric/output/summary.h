@@ -3,7 +3,7 @@
 #ifndef FABRIC_OUTPUT_SUMMARY_H
 #define FABRIC_OUTPUT_SUMMARY_H
 
-#include "simulation.h"
+#include "step/simulation.h"
 
 typedef struct run_account {
     const char *program;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "crossings.h"
 
-#include "vector.h"
+#include "base/vector.h"
 
 static double volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
     double ab[3], ac[3], ad[3], cross[3];

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cloth.h"
-#include "simulation.h"
+#include "step/simulation.h"
 
 static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 

@@ -16,12 +16,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/vector.h"
 #include "cloth.h"
-#include "mesh_rest.h"
-#include "shape.h"
-#include "simulation.h"
-#include "simulation_state.h"
-#include "vector.h"
+#include "contact/shape.h"
+#include "mesh/mesh_rest.h"
+#include "step/simulation.h"
+#include "step/simulation_state.h"
 
 enum { PATIENCE = 900 /* s of CPU time: what takes longer will not end */ };
 enum {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 stage stage_of(mesh m, scene s) {
     return (stage){.m = m, .s = s};

@@ -5,8 +5,8 @@
 
 #include "check.h"
 #include "cloth.h"
-#include "simulation.h"
-#include "simulation_state.h"
+#include "step/simulation.h"
+#include "step/simulation_state.h"
 
 typedef struct stage {
     mesh m;

@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-#include "motion.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "contact/motion.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 /* Which contacts there are and stick, as one number a vertex. */
 static void note_contacts(const stage *on, int *noted) {

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "output/memory.h"
-#include "rest.h"
-#include "vector.h"
+#include "step/rest.h"
 
 static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 static collider ball = {

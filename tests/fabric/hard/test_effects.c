@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 static pin hold = {.low = {-0.01, -0.01}, .high = {0.01, 100}};
 

@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "cloth.h"
-#include "mesh_rest.h"
+#include "mesh/mesh_rest.h"
 #include "output/obj.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 enum { MOST = 1 << 14, TRIES = 400 };
 

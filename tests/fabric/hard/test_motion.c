@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vector.h"
+#include "base/vector.h"
 
 static stage free_sheet(int columns, double noise) {
     stage on = stage_of(cloth_sheet(columns, columns, 0.1, 0.3, 1), cloth_scene());

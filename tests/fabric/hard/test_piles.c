@@ -7,11 +7,11 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/vector.h"
+#include "contact/impact.h"
 #include "crossings.h"
-#include "impact.h"
-#include "mesh_parts.h"
-#include "surface.h"
-#include "vector.h"
+#include "mesh/mesh_parts.h"
+#include "mesh/surface.h"
 
 static collider floor_at(double z) {
     return (collider){.kind = COLLIDER_PLANE,

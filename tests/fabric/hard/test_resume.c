@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solver_direct.h"
+#include "solver/solver_direct.h"
 #include "stage.h"
 
 enum { STEPS = 8 };

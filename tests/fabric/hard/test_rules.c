@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "impact.h"
-#include "mesh_parts.h"
-#include "self_collision.h"
-#include "shape.h"
-#include "surface.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "contact/impact.h"
+#include "contact/self_collision.h"
+#include "contact/shape.h"
+#include "mesh/mesh_parts.h"
+#include "mesh/surface.h"
 
 static collider plane = {.kind = COLLIDER_PLANE, .axis = {0, 0, 1}, .friction = 0.5, .gap = 0.005};
 

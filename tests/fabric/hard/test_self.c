@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
+#include "contact/self_collision.h"
 #include "crossings.h"
-#include "self_collision.h"
-#include "vector.h"
 
 static void random_points(double size, unsigned *seed, double x[4][3]) {
     for (int k = 0; k < 4; k++)

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh_rest.h"
-#include "solver_direct.h"
-#include "vector.h"
+#include "base/vector.h"
+#include "mesh/mesh_rest.h"
+#include "solver/solver_direct.h"
 
 enum { columns = 12, slivers = 10 };
 

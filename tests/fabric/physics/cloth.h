@@ -3,8 +3,8 @@
 #ifndef FABRIC_TEST_CLOTH_H
 #define FABRIC_TEST_CLOTH_H
 
-#include "mesh.h"
-#include "scene.h"
+#include "mesh/mesh.h"
+#include "scene/scene.h"
 
 /** A reproducible number in [-1, 1). */
 double random_number(unsigned *state);

@@ -3,7 +3,7 @@
 #ifndef FABRIC_TEST_DENSE_H
 #define FABRIC_TEST_DENSE_H
 
-#include "system.h"
+#include "system/system.h"
 
 /** The half-stored matrix as [n * n], n = 3 rows. The caller frees. */
 double *dense_of(const block_matrix *half);

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "cloth.h"
-#include "collision.h"
-#include "mesh_parts.h"
-#include "shape.h"
-#include "simulation.h"
-#include "surface.h"
-#include "vector.h"
+#include "contact/collision.h"
+#include "contact/shape.h"
+#include "mesh/mesh_parts.h"
+#include "mesh/surface.h"
+#include "step/simulation.h"
 
 static collider shapes[] = {
     {.kind = COLLIDER_PLANE, .axis = {0, 0.6, 0.8}, .gap = 0.01},

@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "cloth.h"
 #include "dense.h"
 #include "effects/drag.h"
 #include "effects/hinge.h"
 #include "effects/triangle.h"
-#include "vector.h"
 
 /* A cloth with one material, and the system its forces go to. */
 typedef struct bench {

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "cloth.h"
 #include "effects/damping.h"
-#include "forces.h"
-#include "simulation_state.h"
-#include "vector.h"
+#include "step/forces.h"
+#include "step/simulation_state.h"
 
 enum { COLUMNS = 5, ROWS = 4, COUNT = COLUMNS * ROWS };
 typedef double vectors[COUNT][3];

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vector.h"
 #include "stage.h"
-#include "vector.h"
 
 /* S24: v = -g t, and after the first step nothing is left to iterate. */
 static void S24_free_fall(void **state) {

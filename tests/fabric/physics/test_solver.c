@@ -7,9 +7,9 @@
 
 #include "cloth.h"
 #include "dense.h"
-#include "solver.h"
-#include "solver_direct.h"
-#include "solver_factor.h"
+#include "solver/solver.h"
+#include "solver/solver_direct.h"
+#include "solver/solver_factor.h"
 
 typedef struct problem {
     mesh m;

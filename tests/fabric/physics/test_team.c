@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "team.h"
+#include "step/team.h"
 
 typedef struct machine {
     double speed[TEAM_LEVELS]; /* of a level, over one thread's */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cloth.h"
-#include "simulation.h"
+#include "step/simulation.h"
 
 /* A pinned cloth with wind falls onto a ball; its positions after some steps. */
 static double (*result(int threads))[3] {

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Cloth against colliders and pins, as constraints on vertices' velocities.
+ *
+ * A vertex in contact is given its velocity along the normal, so that it ends the step at the gap;
+ * the contact ends when the constraint has pulled for two steps. Friction is Coulomb's: a vertex
+ * sticks (all its velocity is given: the collider's) while the tangential force is at most
+ * friction x normal force, else it slides, held back by that force, which enters the linear system
+ * with the normal force of the step before: as -c (v - v_collider) in the tangential plane with
+ * c = h friction force / slip speed, so that it never turns a motion round.
+ */
+#ifndef FABRIC_COLLISION_H
+#define FABRIC_COLLISION_H
+
+#include "impulse.h"
+#include "mesh/mesh.h"
+#include "motion.h"
+#include "scene/scene.h"
+#include "shape.h"
+#include "system/constraint.h"
+#include "system/system.h"
+
+enum { CONTACTS_PER_VERTEX = 3 };
+
+typedef struct contact {
+    int collider;
+    int sticks;        /* else slides */
+    int pulls;         /* steps in a row in which the constraint pulled */
+    double normal[3];  /* unit */
+    double speed;      /* m/s, given along the normal */
+    double force;      /* N, pressing, of the last accepted step */
+    double slip_speed; /* m/s, for the friction's c */
+} contact;
+
+typedef struct vertex_contacts {
+    int count;
+    contact list[CONTACTS_PER_VERTEX];
+} vertex_contacts;
+
+typedef struct met_triangle {
+    int triangle, collider;
+} met_triangle;
+
+/** Triangles that a collider may meet between their vertices in the step being taken. */
+typedef struct met_triangles {
+    met_triangle *list; /* [count] */
+    int count, room;
+    int left;   /* of those, how many still meet one after the impulses */
+    double gap; /* m, the least of their colliders; infinite: there are none */
+} met_triangles;
+
+/** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:
+ *  all that are not watched. */
+typedef struct out_of_reach {
+    int *watched;     /* [count] numbers of the colliders that are looked at, ascending */
+    int count;        /* -1: all are to be looked at */
+    double center[3]; /* m, of the cloth when they were, at */
+    double time;      /* s; then */
+    double clearance; /* m, the centre's distance to the nearest of the others, less its gap */
+    double speed;     /* m/s, of the fastest of the others */
+} out_of_reach;
+
+/** The vertices that pins hold. */
+typedef struct pinned_vertices {
+    int *pin_of;        /* [vertices] index of the pin that holds it; -1: none. NULL: no pins */
+    int count;          /* how many are held: */
+    int *list;          /* [count] these, ascending */
+    double (*speed)[3]; /* [pins + 1] m/s, mean over the step being taken; the last: 0 */
+} pinned_vertices;
+
+typedef struct collisions {
+    const scene *scene;
+    const mesh *mesh;
+    const double *mass; /* [vertices] kg */
+    int vertex_count;
+    pinned_vertices pinned;
+    unsigned char *there; /* [colliders] it exists at present */
+    int *near_list;       /* [any_near] those that may touch the cloth in the step being taken,
+                             ascending */
+    body_motion *motion;  /* [colliders] in the step being taken, of those in near_list that have
+                             keyframes; NULL: none has */
+    int any_near;
+    int any_there; /* how many exist at present */
+    out_of_reach others;
+    int now_empty, before_empty; /* no vertex has a contact in `now`, `before` */
+    long visits;                 /* vertices held against a collider, in all */
+    long friction_visits;        /* contacts with friction, in all */
+    double stick_speed;          /* m/s, slower than this a sliding vertex sticks */
+    vertex_contacts *before;     /* [vertices] of the last accepted step; NULL without colliders */
+    vertex_contacts *now;        /* [vertices] of the step being taken, */
+    double (*carried)[CONTACTS_PER_VERTEX][3]; /* [vertices] m/s, and of the colliders' matter
+                                                  there; NULL: none has keyframes */
+    met_triangles met;
+} collisions;
+
+/** Which pin holds the vertex; -1: none does. */
+static inline int collisions_pin_of(const collisions *c, int vertex) {
+    return c->pinned.pin_of ? c->pinned.pin_of[vertex] : -1;
+}
+
+/** The velocity of the collider's matter at contact n of those that the vertex has in the step
+ * being taken, [3] m/s. */
+static inline const double *collisions_carried(const collisions *c, int vertex, int n) {
+    return c->carried ? c->carried[vertex][n]
+                      : c->scene->colliders[c->now[vertex].list[n].collider].velocity;
+}
+
+/** Mesh, scene and mass [vertices] kg by reference; a vertex without mass, of no triangle, is held
+ *  in place. 0, or -1: out of memory. */
+int collisions_init(collisions *c, const mesh *m, const scene *s, const double *mass);
+void collisions_free(collisions *c);
+
+/** Takes up the pins and colliders that there are at `time`. */
+void collisions_follow(collisions *c, double time);
+
+/** A step of h s begins at `time` (s), positions x and velocities v; dv is the change expected.
+ *  Finds what vertices would come too near to a collider. */
+void collisions_detect(collisions *c, double time, double h, const double (*x)[3],
+                       const double (*v)[3], const double (*dv)[3]);
+
+/** Adds the friction of sliding contacts to A and b, for velocities v and a step of h s. */
+void collisions_add_friction(collisions *c, double h, const double (*v)[3], linear_system *system);
+
+/** Turns contacts and pins into constraints on dv. 0, or -1: out of memory. */
+int collisions_constrain(const collisions *c, const double (*v)[3], constraints *given);
+
+/** With dv solved: adds contacts that were not expected; returns how many. */
+int collisions_add_missed(collisions *c, double time, double h, const double (*x)[3],
+                          const double (*v)[3], const double (*dv)[3]);
+
+/** Last resort for what was still missed: changes v so that x + h v stays out, and adds the work
+ *  that takes to *work, J; mass [vertices] kg. Returns the largest change of a velocity, m/s. */
+double collisions_keep_out(collisions *c, double time, double h, const double *mass,
+                           const double (*x)[3], double (*v)[3], double *work);
+
+/** Finds which colliders may touch the cloth in the step, with velocities v + dv (dv NULL: v; v
+ *  NULL: at rest): what follows looks at no others. */
+void collisions_find_near(collisions *c, double time, double h, const double (*x)[3],
+                          const double (*v)[3], const double (*dv)[3]);
+
+/** Finds the triangles that a near collider may meet between their vertices (shape_triangle.h) in
+ * the step; planes meet none. 0, or -1: out of memory. */
+int collisions_find_triangles(collisions *c, double time, double h, const double (*x)[3],
+                              const double (*v)[3]);
+
+/** One round of impulses over those triangles, as collisions_keep_out. */
+double collisions_push_triangles(collisions *c, const movable *of, double time, double h,
+                                 const double (*x)[3], double (*v)[3], double *work);
+
+/** Counts in c->met.left those of the triangles that are still met, though they could be moved. */
+void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
+                                const double (*x)[3], const double (*v)[3]);
+
+/** The velocity along found->normal, m/s, that ends a step of h s at the collider's gap. What is
+ *  found inside is pushed out by no more than the gap in a step of the scene: the push stays in its
+ *  velocity, and in a part of that step must not be faster. */
+double collisions_given_speed(const collisions *c, const collider *k, const approach *found,
+                              double h);
+
+/** Puts pinned vertices exactly where they are at `time`. */
+void collisions_place_pins(const collisions *c, double time, double (*x)[3], double (*v)[3]);
+
+/** The step of h s is accepted, with velocities v after it; residual as the solver left it. Notes
+ *  the contacts' forces, and which stick or slide from now on. */
+void collisions_accept(collisions *c, double h, const double *mass, const double (*v)[3],
+                       const double (*residual)[3]);
+
+/** The work in J that constraints and friction did in the step of h s that ends with velocities v,
+ *  an upper bound of it where a collider moves; colliders at rest do none above 0, but to push out
+ *  what is too near. residual as the solver left it, for a stage of
+ *  stage_h s. */
+double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
+                       const double (*v)[3], const double (*residual)[3]);
+
+/** How deep the deepest vertex that is not pinned is inside a collider at `time`, m; 0: none is. */
+double collisions_depth(const collisions *c, double time, const double (*x)[3]);
+
+/** How many vertices that are not pinned are inside a collider at `time`. */
+long collisions_inside(const collisions *c, double time, const double (*x)[3]);
+
+/** Contacts now; and of them, how many stick. Either may be NULL. */
+void collisions_count(const collisions *c, long *contacts, long *sticking);
+
+#endif

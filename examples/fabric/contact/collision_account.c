@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What contacts come to: work, depth, numbers. */
+#include "base/chunk_sum.h"
+#include "base/vector.h"
+#include "collision.h"
+#include "shape.h"
+
+/* Friction -f (v - u) does at most f u.u / 4 to what it acts on. */
+static double friction_work(const contact *touch, double friction, const double carried[3],
+                            double h) {
+    if (touch->sticks || !(touch->force > 0))
+        return 0;
+    const double factor = h * friction * touch->force / touch->slip_speed;
+    return factor * vector_dot(carried, carried) / 4;
+}
+
+/* Do nothing but colliders at rest hold the vertex, and push it nowhere? Pushing something out that
+ * is too near is work indeed. */
+static int is_held_at_rest(const collisions *c, int vertex) {
+    if (collisions_pin_of(c, vertex) >= 0)
+        return 0;
+    for (int n = 0; n < c->now[vertex].count; n++) {
+        if (c->now[vertex].list[n].speed > 0 || vector_length(collisions_carried(c, vertex, n)) > 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* What is at rest takes energy, but gives none: a constraint that seems to, by pulling what comes
+ * nearer, hides a solution that is wrong by as much. The sum is what counts: of single vertices the
+ * solver's tolerance has its share, of either sign. */
+double collisions_work(const collisions *c, const constraints *given, double h, double stage_h,
+                       const double (*v)[3], const double (*residual)[3]) {
+    const int count = c->vertex_count, contacts = c->now && !c->now_empty;
+    double moving[CHUNK_SUM_MOST] = {0}, resting[CHUNK_SUM_MOST] = {0};
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < chunk_sum_chunks(count); chunk++)
+        for (int i = chunk * chunk_sum_length(count); i < chunk_sum_end(count, chunk); i++) {
+            if (given->given[i] > 0) { /* the constraint gives -residual to the stage */
+                double *sum = contacts && is_held_at_rest(c, i) ? resting : moving;
+                sum[chunk] -= h / stage_h * vector_dot(residual[i], v[i]);
+            }
+            for (int n = 0; contacts && n < c->now[i].count; n++) {
+                const contact *touch = &c->now[i].list[n];
+                moving[chunk] += friction_work(touch, c->scene->colliders[touch->collider].friction,
+                                               collisions_carried(c, i, n), h);
+            }
+        }
+    const double from_resting = chunk_sum_all(count, resting);
+    return chunk_sum_all(count, moving) + (from_resting < 0 ? from_resting : 0);
+}
+
+/* How deep the vertex is in the deepest of the near colliders, m; 0: it is in none. */
+static double depth_of(const collisions *c, int vertex, double time, const double x[3]) {
+    double deepest = 0;
+    for (int m = 0; m < c->any_near && collisions_pin_of(c, vertex) < 0; m++) {
+        const collider *k = &c->scene->colliders[c->near_list[m]];
+        double p[3], normal[3];
+        motion_to_body(k, time, x, p);
+        const double depth = -shape_distance(k, p, normal);
+        if (depth > deepest)
+            deepest = depth;
+    }
+    return deepest;
+}
+
+double collisions_depth(const collisions *c, double time, const double (*x)[3]) {
+    double deepest = 0;
+    if (!c->now || !c->any_near)
+        return 0;
+#pragma omp parallel for schedule(static) reduction(max : deepest)
+    for (int i = 0; i < c->vertex_count; i++) {
+        const double depth = depth_of(c, i, time, x[i]);
+        if (depth > deepest)
+            deepest = depth;
+    }
+    return deepest;
+}
+
+long collisions_inside(const collisions *c, double time, const double (*x)[3]) {
+    long inside = 0;
+    for (int i = 0; i < c->vertex_count && c->any_near > 0; i++)
+        inside += depth_of(c, i, time, x[i]) > 0;
+    return inside;
+}
+
+void collisions_count(const collisions *c, long *contacts, long *sticking) {
+    long all = 0, still = 0;
+    for (int i = 0; c->before && i < c->vertex_count; i++)
+        for (int n = 0; n < c->before[i].count; n++) {
+            all++;
+            still += c->before[i].list[n].sticks;
+        }
+    if (contacts)
+        *contacts = all;
+    if (sticking)
+        *sticking = still;
+}

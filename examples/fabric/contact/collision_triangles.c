@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Colliders that come between the vertices of a triangle: a thin rod, a tip, a small ball. */
+#include <stdlib.h>
+
+#include "base/vector.h"
+#include "collision.h"
+#include "shape_triangle.h"
+
+/* The triangle's corners in the collider's axes, and their ways relative to it. */
+static void gather(const collisions *c, int number, const int corner[3], double time, double h,
+                   const double (*x)[3], const double (*v)[3], double p[3][3], double u[3][3]) {
+    const collider *k = &c->scene->colliders[number];
+    const body_motion *motion = c->motion ? &c->motion[number] : NULL;
+    for (int n = 0; n < 3; n++)
+        motion_enter(k, motion, time, h, x[corner[n]], v[corner[n]], p[n], u[n]);
+}
+
+/* Where the triangle meets the collider, for the space. */
+static int meets(const collisions *c, int number, const double p[3][3], const double u[3][3],
+                 double weight[3], approach *found) {
+    const collider *k = &c->scene->colliders[number];
+    double at[3] = {0, 0, 0};
+    if (!shape_meets_triangle(k, p, u, weight, found))
+        return 0;
+    for (int n = 0; n < 3; n++)
+        vector_add_scaled(at, weight[n], p[n], at);
+    motion_carry(k, c->motion ? &c->motion[number] : NULL, at, found->normal, found->carried);
+    return 1;
+}
+
+/* May the collider come near to some point of the triangle, or to one that impulses have moved by
+ * another gap? */
+static int may_meet(const collider *k, const double p[3][3], const double u[3][3]) {
+    double middle[3], normal[3], radius = 0, way = 0;
+    for (int a = 0; a < 3; a++)
+        middle[a] = (p[0][a] + p[1][a] + p[2][a]) / 3;
+    for (int n = 0; n < 3; n++) {
+        double arm[3];
+        vector_subtract(p[n], middle, arm);
+        radius = fmax(radius, vector_length(arm));
+        way = fmax(way, vector_length(u[n]));
+    }
+    return shape_distance(k, middle, normal) <= radius + way + 2 * k->gap;
+}
+
+static int add(met_triangles *met, int triangle, int collider_number, double gap) {
+    if (met->count == met->room) {
+        const int room = met->room > 0 ? 2 * met->room : 256;
+        met_triangle *more = realloc(met->list, (size_t)room * sizeof *more);
+        if (!more)
+            return -1;
+        met->list = more;
+        met->room = room;
+    }
+    met->gap = fmin(met->gap, gap);
+    met->list[met->count++] = (met_triangle){triangle, collider_number};
+    return 0;
+}
+
+int collisions_find_triangles(collisions *c, double time, double h, const double (*x)[3],
+                              const double (*v)[3]) {
+    c->met.count = c->met.left = 0;
+    c->met.gap = INFINITY;
+    for (int m = 0; m < c->any_near; m++) {
+        const int n = c->near_list[m];
+        const collider *k = &c->scene->colliders[n];
+        if (k->kind == COLLIDER_PLANE)
+            continue;
+        for (int t = 0; t < c->mesh->triangle_count; t++) {
+            double p[3][3], u[3][3];
+            gather(c, n, c->mesh->triangle[t], time, h, x, v, p, u);
+            if (may_meet(k, (const double(*)[3])p, (const double(*)[3])u) &&
+                add(&c->met, t, n, k->gap) != 0)
+                return -1;
+        }
+    }
+    return 0;
+}
+
+double collisions_push_triangles(collisions *c, const movable *of, double time, double h,
+                                 const double (*x)[3], double (*v)[3], double *work) {
+    double largest = 0;
+    for (int n = 0; n < c->met.count; n++) {
+        const int number = c->met.list[n].collider;
+        const collider *k = &c->scene->colliders[number];
+        const int *corner = c->mesh->triangle[c->met.list[n].triangle];
+        double p[3][3], u[3][3], speed[3];
+        feature point = {.count = 3, .vertex = {corner[0], corner[1], corner[2]}};
+        approach found;
+        gather(c, number, corner, time, h, x, (const double(*)[3])v, p, u);
+        if (!meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
+            continue;
+        feature_velocity(&point, (const double(*)[3])v, speed);
+        const double change =
+            collisions_given_speed(c, k, &found, h) - vector_dot(found.normal, speed);
+        if (change > 0 &&
+            impulse_give(of, &point, found.normal, change, k->friction, found.carried, v, work))
+            largest = fmax(largest, change);
+    }
+    return largest;
+}
+
+void collisions_check_triangles(collisions *c, const movable *of, double time, double h,
+                                const double (*x)[3], const double (*v)[3]) {
+    c->met.left = 0;
+    for (int n = 0; n < c->met.count; n++) {
+        const int number = c->met.list[n].collider;
+        const collider *k = &c->scene->colliders[number];
+        const int *corner = c->mesh->triangle[c->met.list[n].triangle];
+        feature point = {.count = 3, .vertex = {corner[0], corner[1], corner[2]}};
+        double p[3][3], u[3][3];
+        approach found;
+        gather(c, number, corner, time, h, x, v, p, u);
+        /* Half of the way from there to the middle is not through yet. */
+        if (meets(c, number, (const double(*)[3])p, (const double(*)[3])u, point.weight, &found))
+            c->met.left += found.beyond > (1 - TRIANGLE_DEPTH_PART) / 2 * shape_inner_radius(k) &&
+                           impulse_is_possible(of, &point, v, found.normal);
+    }
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Where colliders are, and how they move in a step. A collider without keyframes moves evenly. One
+ * with keyframes goes and turns evenly between two of them, and rests before the first and after
+ * the last; it turns about its turn_axis through its position. In a step that a keyframe falls into
+ * it moves by the mean.
+ *
+ * Contact is found in the body's own axes: a vertex that starts at p there and ends at p + u. The
+ * way between is taken for straight, which for a body that turns by the angle a leaves out a bow of
+ * a^2 / 8 of the distance to its axis; both ends are exact.
+ */
+#ifndef FABRIC_MOTION_H
+#define FABRIC_MOTION_H
+
+#include "scene/scene.h"
+
+/** A place and three axes: a point of the body at p is at origin + turn p in space. */
+typedef struct body_pose {
+    double origin[3]; /* m */
+    double turn[3][3];
+} body_pose;
+
+/** A step of a collider with keyframes. */
+typedef struct body_motion {
+    double h;  /* s */
+    int turns; /* its axes are others in the end */
+    body_pose begin, end;
+} body_motion;
+
+static inline int motion_has_keys(const collider *k) {
+    return k->keyframe_count > 0;
+}
+
+/** Does it turn at some time? */
+int motion_turns(const collider *k);
+
+/** The time after which it does not move any more, s; infinite where its velocity is not 0. */
+double motion_end(const collider *k);
+
+/** Where any collider is at `time`, s. */
+void motion_pose(const collider *k, double time, body_pose *pose);
+
+/** The angle by which it is turned then, rad. */
+double motion_angle(const collider *k, double time);
+
+/** The step of h s that begins at `time`, of one with keyframes. */
+void motion_in_step(const collider *k, double time, double h, body_motion *m);
+
+/** How far a point of the body within `reach` m of its origin may move in the step, m. */
+double motion_way(const body_motion *m, double reach);
+
+/** p: the point x of space in the body's axes at `time`. */
+void motion_to_body(const collider *k, double time, const double x[3], double p[3]);
+
+void motion_enter_keyed(const body_motion *m, const double x[3], const double v[3], double p[3],
+                        double u[3]);
+void motion_carry_keyed(const body_motion *m, const double p[3], double normal[3],
+                        double carried[3]);
+
+/** In the body's axes: p, where x is at the step's begin, and u, its way while it goes with v
+ *  (m/s). m: of one with keyframes, else unused. */
+static inline void motion_enter(const collider *k, const body_motion *m, double time, double h,
+                                const double x[3], const double v[3], double p[3], double u[3]) {
+    if (motion_has_keys(k)) {
+        motion_enter_keyed(m, x, v, p, u);
+        return;
+    }
+    for (int a = 0; a < 3; a++) {
+        p[a] = x[a] - k->position[a] - time * k->velocity[a];
+        u[a] = h * (v[a] - k->velocity[a]);
+    }
+}
+
+/** What was found at p in the body's axes, for the space: turns the normal to where it points at
+ *  the step's end, and gives the mean velocity (m/s) of the body's matter at p. */
+static inline void motion_carry(const collider *k, const body_motion *m, const double p[3],
+                                double normal[3], double carried[3]) {
+    if (motion_has_keys(k))
+        motion_carry_keyed(m, p, normal, carried);
+    else
+        for (int a = 0; a < 3; a++)
+            carried[a] = k->velocity[a];
+}
+
+#endif

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Cloth against itself. After the system is solved, velocities are changed so that in the step no
+ * vertex goes through a triangle and no edge through an edge, and those nearer than the gap draw
+ * apart (Bridson, Fedkiw and Anderson 2002): equal and opposite impulses along the normal, with
+ * friction, one pair after the other in a fixed order. impact.h says how often, and what comes of
+ * those that are left.
+ *
+ * Pairs that may meet are found in a grid of the boxes that the triangles sweep; each vertex and
+ * edge is tested for one of its triangles alone (Curtis, Tamstorf and Manocha 2008).
+ */
+#ifndef FABRIC_SELF_COLLISION_H
+#define FABRIC_SELF_COLLISION_H
+
+#include "impulse.h"
+#include "mesh/mesh.h"
+
+/** Vertex 0 against triangle 1 2 3, or edge 0 1 against edge 2 3. */
+typedef struct self_pair {
+    int vertex[4];
+    int is_edges;
+    int near_at_rest; /* too near in the flat cloth to be kept apart: only kept from passing */
+} self_pair;
+
+/** What is found or looked through side by side is in so many parts, whatever the threads, which
+ * are put together in order. */
+enum { SELF_PARTS = 64 };
+
+/** Where part number `part` of so many begins. */
+static inline int self_part_start(int count, int part) {
+    return (int)((long)count * part / SELF_PARTS);
+}
+
+/** A list that grows. */
+typedef struct self_pairs {
+    self_pair *pair; /* [count] */
+    int count, room;
+} self_pairs;
+
+/** Boxes that triangles sweep, sorted into the cells of a grid; see self_grid.c. */
+typedef struct self_grid {
+    double (*box)[2][3]; /* [triangles] low and high, m */
+    int *owned;          /* [triangles] bits 0-2: its vertices, 3-5: its edges 0-1, 1-2, 2-0 */
+    int *start;          /* [buckets + 1] */
+    struct self_entry *entry;
+    int bucket_room, entry_room;
+    self_pairs part[SELF_PARTS]; /* of what was found last */
+} self_grid;
+
+/** Which pairs need not be looked at again: what asked for nothing does so for as long as its
+ *  vertices keep their velocities. Times are numbers of impulses given since pairs were found. */
+typedef struct self_turns {
+    int now;
+    int *vertex;    /* [vertices] when its velocity changed last */
+    double (*v)[3]; /* [vertices] m/s, at the end of the last round */
+    int *pair;      /* [pairs] when it asked for nothing; -1: not yet */
+    int pair_room;
+} self_turns;
+
+typedef struct self_collision {
+    const mesh *mesh;
+    double gap, friction; /* m */
+    double step;          /* s, the scene's: what is too near draws apart within some of these */
+    self_grid grid;
+    self_pair *pair; /* [pair_count] */
+    int pair_count, pair_room;
+    self_turns turns;
+    int left; /* pairs that still pass through each other, of the step treated last */
+    long visits;
+} self_collision;
+
+/** The mesh by reference. 0, or -1: out of memory. */
+int self_collision_init(self_collision *s, const mesh *m, double gap, double friction, double step);
+void self_collision_free(self_collision *s);
+
+/** Finds the pairs that may come near in a step of h s from positions x (m) with velocities v
+ * (m/s). 0, or -1: out of memory, or not all is finite. */
+int self_collision_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+
+/** One round of impulses over the pairs found last, for this h and x, in order:
+ *  changes v, adds the energy that gives to
+ *  *work (J); returns the largest change of a normal velocity, m/s. */
+double self_collision_push(self_collision *s, const movable *of, double h, const double (*x)[3],
+                           double (*v)[3], double *work);
+
+/** Finds the pairs anew, since what they sweep has changed with the velocities, and counts in
+ *  s->left those that pass. 0, or -1 as above. */
+int self_collision_check(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+
+/** Does the pair pass through itself in the step? */
+int self_collision_passes(const self_collision *s, const self_pair *pair, double h,
+                          const double (*x)[3], const double (*v)[3]);
+
+/** Finds the pairs that may meet in the step; 0, or -1: out of memory, or not all is finite. */
+int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]);
+
+/** How two features meet: weights of the four vertices' velocities, the normal from the second
+ *  feature to the first, and how far apart they are at the start. */
+typedef struct self_contact {
+    double weight[4];
+    double normal[3];
+    double distance; /* m, along the normal at the start */
+} self_contact;
+
+/** Do the pair's features pass through each other on the way from x to y, all [4]? */
+int self_pair_passes(int is_edges, const double x[4][3], const double y[4][3], self_contact *found);
+
+/** Do they end at y nearer than the gap? The normal and the distance are those at x, of the points
+ * that are nearest at y. */
+int self_pair_ends_near(int is_edges, const double x[4][3], const double y[4][3], double gap,
+                        self_contact *found);
+
+/** Are they nearer than the gap at x? */
+int self_pair_is_near(int is_edges, const double x[4][3], double gap, self_contact *found);
+
+#endif

@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Which triangles may meet: the boxes they sweep, in the cells of a grid. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/vector.h"
+#include "self_collision.h"
+
+/** A triangle in a cell. Cells share buckets. */
+typedef struct self_entry {
+    int cell[3];
+    int triangle;
+} self_entry;
+
+enum { MOST_CELLS_EACH = 16 }; /* of a triangle, on average: else cells are made larger */
+
+/* fmin and fmax, for numbers, without a call. */
+static inline double least(double a, double b) {
+    return b < a ? b : a;
+}
+
+static inline double most(double a, double b) {
+    return b > a ? b : a;
+}
+
+static void sweep(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
+    const mesh *m = s->mesh;
+#pragma omp parallel for schedule(static)
+    for (int t = 0; t < m->triangle_count; t++)
+        for (int a = 0; a < 3; a++) {
+            double low = INFINITY, high = -INFINITY;
+            for (int p = 0; p < 3; p++) {
+                const int i = m->triangle[t][p];
+                const double end = x[i][a] + h * v[i][a];
+                low = least(low, least(x[i][a], end));
+                high = most(high, most(x[i][a], end));
+            }
+            s->grid.box[t][0][a] = low - s->gap;
+            s->grid.box[t][1][a] = high + s->gap;
+        }
+}
+
+static double mean_extent(const self_collision *s) {
+    double sum = 0;
+    for (int t = 0; t < s->mesh->triangle_count; t++)
+        for (int a = 0; a < 3; a++)
+            sum += s->grid.box[t][1][a] - s->grid.box[t][0][a];
+    return sum / (3.0 * s->mesh->triangle_count);
+}
+
+/* The box' cells in one direction; far away they all are one. */
+static int cell_of(double at, double size) {
+    const double cell = floor(at / size);
+    return cell > 1e9 ? 1000000000 : (cell < -1e9 ? -1000000000 : (int)cell);
+}
+
+static unsigned bucket_of(const int cell[3], unsigned buckets) {
+    const unsigned key = (unsigned)cell[0] * 73856093u ^ (unsigned)cell[1] * 19349663u ^
+                         (unsigned)cell[2] * 83492791u;
+    return (key ^ key >> 15) & (buckets - 1);
+}
+
+/* Counts the entries, or, with `next`, stores them. */
+static double visit_cells(self_collision *s, double size, unsigned buckets, int *next) {
+    double count = 0;
+    for (int t = 0; t < s->mesh->triangle_count; t++) {
+        int low[3], high[3], cell[3];
+        double cells = 1;
+        for (int a = 0; a < 3; a++) {
+            low[a] = cell_of(s->grid.box[t][0][a], size);
+            high[a] = cell_of(s->grid.box[t][1][a], size);
+            cells *= (double)high[a] - low[a] + 1;
+        }
+        count += cells;
+        if (!next)
+            continue;
+        for (cell[0] = low[0]; cell[0] <= high[0]; cell[0]++)
+            for (cell[1] = low[1]; cell[1] <= high[1]; cell[1]++)
+                for (cell[2] = low[2]; cell[2] <= high[2]; cell[2]++) {
+                    const unsigned bucket = bucket_of(cell, buckets);
+                    if (s->grid.entry)
+                        s->grid.entry[next[bucket]] = (self_entry){{cell[0], cell[1], cell[2]}, t};
+                    next[bucket]++;
+                }
+    }
+    return count;
+}
+
+static int make_room(self_collision *s, int entries, int buckets) {
+    self_grid *g = &s->grid;
+    if (g->entry_room < entries) {
+        free(g->entry);
+        g->entry = malloc((size_t)entries * sizeof *g->entry);
+        g->entry_room = g->entry ? entries : 0;
+    }
+    if (g->bucket_room < buckets) {
+        free(g->start);
+        g->start = malloc(((size_t)buckets + 1) * sizeof *g->start);
+        g->bucket_room = g->start ? buckets : 0;
+    }
+    return g->entry && g->start ? 0 : -1;
+}
+
+/* Fills the buckets; returns how many, 0: out of memory, or a box is not finite. */
+static int fill(self_collision *s, double *size) {
+    const int triangles = s->mesh->triangle_count;
+    *size = 2 * mean_extent(s);
+    if (!isfinite(*size))
+        return 0; /* no cell is large enough */
+    if (!(*size > 0))
+        *size = 1;
+    double cells;
+    while ((cells = visit_cells(s, *size, 1, NULL)) > (double)MOST_CELLS_EACH * triangles)
+        *size *= 2;
+    const int entries = (int)cells;
+    int buckets = 64;
+    while (buckets < entries && buckets < INT_MAX / 4)
+        buckets *= 2;
+    if (make_room(s, entries, buckets) != 0)
+        return 0;
+    int *start = s->grid.start;
+    self_entry *kept = s->grid.entry;
+    memset(start, 0, ((size_t)buckets + 1) * sizeof *start);
+    s->grid.entry = NULL; /* only count */
+    visit_cells(s, *size, (unsigned)buckets, start + 1);
+    s->grid.entry = kept;
+    for (int b = 0; b < buckets; b++)
+        start[b + 1] += start[b];
+    /* Stored from each bucket's start, which moves on to its end; then all move back by one. */
+    visit_cells(s, *size, (unsigned)buckets, start);
+    memmove(start + 1, start, (size_t)buckets * sizeof *start);
+    start[0] = 0;
+    return buckets;
+}
+
+static int add_pair(self_pairs *to, const self_pair *added) {
+    if (to->count == to->room) {
+        const int room = to->room > 0 ? 2 * to->room : 64;
+        self_pair *more = realloc(to->pair, (size_t)room * sizeof *more);
+        if (!more)
+            return -1;
+        to->pair = more;
+        to->room = room;
+    }
+    to->pair[to->count++] = *added;
+    return 0;
+}
+
+/* The square of two vertices' distance in the rest shape. */
+static double rest_square(const mesh *m, int i, int j) {
+    if (m->rest_in_space) {
+        double apart[3];
+        vector_subtract(m->position[i], m->position[j], apart);
+        return vector_dot(apart, apart);
+    }
+    const double u = m->material[i][0] - m->material[j][0];
+    const double v = m->material[i][1] - m->material[j][1];
+    return u * u + v * v;
+}
+
+/* Is a corner of the first feature within two gaps of one of the second in the flat cloth? */
+static int near_at_rest(const self_collision *s, const int vertex[4], int firsts) {
+    for (int p = 0; p < firsts; p++)
+        for (int q = firsts; q < 4; q++) {
+            if (rest_square(s->mesh, vertex[p], vertex[q]) < 4 * s->gap * s->gap)
+                return 1;
+        }
+    return 0;
+}
+
+static int add_if_apart(const self_collision *s, const int vertex[4], int is_edges,
+                        self_pairs *to) {
+    const int firsts = is_edges ? 2 : 1;
+    for (int p = 0; p < firsts; p++)
+        for (int q = firsts; q < 4; q++)
+            if (vertex[p] == vertex[q])
+                return 0;
+    const self_pair pair = {
+        {vertex[0], vertex[1], vertex[2], vertex[3]}, is_edges, near_at_rest(s, vertex, firsts)};
+    return add_pair(to, &pair);
+}
+
+/* The vertices of t against u, those that t owns. */
+static int add_vertices(const self_collision *s, int t, int u, self_pairs *to) {
+    const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
+    for (int p = 0; p < 3; p++) {
+        const int vertex[4] = {a[p], b[0], b[1], b[2]};
+        if ((s->grid.owned[t] >> p & 1) != 0 && add_if_apart(s, vertex, 0, to) != 0)
+            return -1;
+    }
+    return 0;
+}
+
+static int add_edges(const self_collision *s, int t, int u, self_pairs *to) {
+    const int *a = s->mesh->triangle[t], *b = s->mesh->triangle[u];
+    for (int p = 0; p < 3; p++)
+        for (int q = 0; q < 3; q++) {
+            const int vertex[4] = {a[p], a[(p + 1) % 3], b[q], b[(q + 1) % 3]};
+            if ((s->grid.owned[t] >> (3 + p) & 1) != 0 && (s->grid.owned[u] >> (3 + q) & 1) != 0 &&
+                add_if_apart(s, vertex, 1, to) != 0)
+                return -1;
+        }
+    return 0;
+}
+
+/* The boxes meet, and this is the cell where their common part begins: each pair is met once. */
+static int meet_here(const self_collision *s, const self_entry *a, const self_entry *b,
+                     double size) {
+    const double(*one)[3] = (const double(*)[3])s->grid.box[a->triangle];
+    const double(*other)[3] = (const double(*)[3])s->grid.box[b->triangle];
+    for (int k = 0; k < 3; k++)
+        if (one[0][k] > other[1][k] || other[0][k] > one[1][k] || a->cell[k] != b->cell[k])
+            return 0;
+    for (int k = 0; k < 3; k++)
+        if (cell_of(most(one[0][k], other[0][k]), size) != a->cell[k])
+            return 0;
+    return 1;
+}
+
+/* The pairs of some buckets. 0, or -1: out of memory. */
+static int find_in(const self_collision *s, int bucket, int end, double size, self_pairs *to) {
+    to->count = 0;
+    for (; bucket < end; bucket++)
+        for (int i = s->grid.start[bucket]; i < s->grid.start[bucket + 1]; i++)
+            for (int j = i + 1; j < s->grid.start[bucket + 1]; j++) {
+                const self_entry *a = &s->grid.entry[i], *b = &s->grid.entry[j];
+                if (a->triangle == b->triangle || !meet_here(s, a, b, size))
+                    continue;
+                const int t = a->triangle, u = b->triangle;
+                if (add_vertices(s, t, u, to) != 0 || add_vertices(s, u, t, to) != 0 ||
+                    add_edges(s, t, u, to) != 0)
+                    return -1;
+            }
+    return 0;
+}
+
+/* All parts, one behind the other. 0, or -1: out of memory. */
+static int join(self_collision *s) {
+    long count = 0;
+    for (int part = 0; part < SELF_PARTS; part++)
+        count += s->grid.part[part].count;
+    if (count > INT_MAX)
+        return -1;
+    if (s->pair_room < count) {
+        const long room = count + count / 2 < INT_MAX ? count + count / 2 : INT_MAX;
+        free(s->pair);
+        s->pair = malloc((size_t)room * sizeof *s->pair);
+        s->pair_room = s->pair ? (int)room : 0;
+    }
+    if (count > 0 && !s->pair)
+        return -1;
+    for (int part = 0; part < SELF_PARTS; part++) {
+        const self_pairs *from = &s->grid.part[part];
+        if (from->count > 0)
+            memcpy(s->pair + s->pair_count, from->pair, (size_t)from->count * sizeof *from->pair);
+        s->pair_count += from->count;
+    }
+    return 0;
+}
+
+int self_grid_find(self_collision *s, double h, const double (*x)[3], const double (*v)[3]) {
+    double size;
+    int failed = 0;
+    s->pair_count = 0;
+    sweep(s, h, x, v);
+    const int buckets = fill(s, &size);
+    if (buckets == 0)
+        return -1;
+#pragma omp parallel for schedule(dynamic) reduction(| : failed)
+    for (int part = 0; part < SELF_PARTS; part++)
+        failed |= find_in(s, self_part_start(buckets, part), self_part_start(buckets, part + 1),
+                          size, &s->grid.part[part]) != 0;
+    return failed ? -1 : join(s);
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "shape.h"
+
+#include "base/vector.h"
+#include "mesh/surface.h"
+
+/* Distance of a point on a ball's centre and the like, where no direction is better. */
+static void set_up(double normal[3]) {
+    normal[0] = normal[1] = 0;
+    normal[2] = 1;
+}
+
+static double sphere_distance(double radius, const double p[3], double normal[3]) {
+    const double length = vector_length(p);
+    if (length > 0)
+        for (int c = 0; c < 3; c++)
+            normal[c] = p[c] / length;
+    else
+        set_up(normal);
+    return length - radius;
+}
+
+/* The same on a cylinder's axis: some direction square to it. */
+static void set_across(const double axis[3], double normal[3]) {
+    const double other[3] = {fabs(axis[0]) < 0.5 ? 1 : 0, fabs(axis[0]) < 0.5 ? 0 : 1, 0};
+    vector_cross(axis, other, normal);
+    const double length = vector_length(normal);
+    for (int c = 0; c < 3; c++)
+        normal[c] /= length;
+}
+
+/* From the nearest point of the box, or inside it, from the nearest face. */
+static double box_distance(const double half[3], const double p[3], double normal[3]) {
+    double outside[3], depth = -INFINITY;
+    int nearest = 0;
+    for (int c = 0; c < 3; c++) {
+        const double d = fabs(p[c]) - half[c];
+        outside[c] = d > 0 ? d : 0;
+        if (d > depth) {
+            depth = d;
+            nearest = c;
+        }
+    }
+    const double length = vector_length(outside);
+    for (int c = 0; c < 3; c++) {
+        const double size = depth > 0 ? outside[c] / length : (c == nearest ? 1.0 : 0.0);
+        normal[c] = copysign(size, p[c]);
+    }
+    return depth > 0 ? length : depth;
+}
+
+/* A cylinder with flat ends is a box in the plane of its axis and the point, which has no third
+ * side. */
+static double cylinder_distance(const collider *k, const double p[3], double normal[3]) {
+    const double along = vector_dot(p, k->axis);
+    double radial[3];
+    vector_add_scaled(p, -along, k->axis, radial);
+    const double radius = vector_length(radial);
+    const double half[3] = {k->size[0], k->size[1], 1e300};
+    const double flat[3] = {radius, along, 0};
+    double direction[3];
+    const double distance = box_distance(half, flat, direction);
+    for (int c = 0; c < 3; c++) {
+        const double out = radius > 0 ? radial[c] / radius : 0;
+        normal[c] = direction[0] * out + direction[1] * k->axis[c];
+    }
+    if (radius <= 0 && fabs(direction[1]) < 0.5)
+        set_across(k->axis, normal);
+    return distance;
+}
+
+double shape_distance(const collider *k, const double p[3], double normal[3]) {
+    switch (k->kind) {
+    case COLLIDER_BOX:
+        return box_distance(k->size, p, normal);
+    case COLLIDER_SPHERE:
+        return sphere_distance(k->size[0], p, normal);
+    case COLLIDER_CYLINDER:
+        return cylinder_distance(k, p, normal);
+    case COLLIDER_MESH:
+        return surface_distance(k->surface, p, normal);
+    case COLLIDER_PLANE:
+        break;
+    }
+    for (int c = 0; c < 3; c++)
+        normal[c] = k->axis[c];
+    return vector_dot(p, k->axis);
+}
+
+int shape_approach(const collider *k, const double p[3], const double u[3], approach *found) {
+    const double length = vector_length(u);
+    const double near_enough = 1e-3 * k->gap + 1e-9;
+    enum { most_steps = 64 }; /* more only along a surface: taken for a touch */
+    double at[3] = {p[0], p[1], p[2]};
+    double way = 0;
+    double left = shape_distance(k, p, found->normal) - k->gap;
+    if (left > length + near_enough)
+        return 0;
+    if (left > near_enough) {
+        for (int n = 0; left > near_enough && n < most_steps; n++) {
+            way += left;
+            if (way >= length)
+                return 0;
+            vector_add_scaled(p, way / length, u, at);
+            left = shape_distance(k, at, found->normal) - k->gap;
+        }
+        /* `at` is on the plane that the point must stay outside of. */
+        vector_subtract(p, at, at);
+        found->room = vector_dot(found->normal, at);
+    } else {
+        found->room = left;
+    }
+    found->beyond = -vector_dot(found->normal, u) - found->room;
+    return found->beyond > -near_enough;
+}

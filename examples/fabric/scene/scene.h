@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What is simulated: read from a scene file (YAML, docs in scenes/README.md). SI units. */
+#ifndef FABRIC_SCENE_H
+#define FABRIC_SCENE_H
+
+#include <stddef.h>
+
+#include "mesh/mesh.h"
+
+typedef enum collider_kind {
+    COLLIDER_PLANE,
+    COLLIDER_BOX,
+    COLLIDER_SPHERE,
+    COLLIDER_CYLINDER,
+    COLLIDER_MESH
+} collider_kind;
+
+enum { SCENE_FILE_SIZE = 1024 };
+
+/** Where a collider is at a time (see motion.h). */
+typedef struct keyframe {
+    double time;    /* s, ascending */
+    double move[3]; /* m, from the collider's position, */
+    double angle;   /* degrees, about its turn_axis */
+} keyframe;
+
+typedef struct collider {
+    collider_kind kind;
+    double position[3]; /* m, centre (a point of the plane) at time 0 */
+    double velocity[3]; /* m/s */
+    double axis[3];     /* unit: plane's normal, cylinder's axis */
+    double size[3];     /* box: half edges; sphere and cylinder: radius, cylinder: half length */
+    double friction;    /* Coulomb coefficient */
+    double gap;         /* m, cloth rests at this distance */
+    char file[SCENE_FILE_SIZE]; /* mesh: of input/mesh_file.h, with its whole path */
+    struct surface *surface;    /* mesh: read from the file; freed by scene_free */
+    double from, until;         /* s, it is there from then until then; until 0: for good */
+    double turn_axis[3];        /* unit, which it turns about by its keyframes: */
+    int keyframe_count;         /* none: it moves by its velocity alone */
+    keyframe *keyframes;        /* [keyframe_count]; the scene's */
+} collider;
+
+/** What tells which vertices a pin holds. */
+typedef enum pin_kind { PIN_RECTANGLE, PIN_BOX, PIN_NEAREST, PIN_VERTICES } pin_kind;
+
+typedef struct pin {
+    int by;                       /* pin_kind */
+    double low[2], high[2];       /* m, rectangle of material coordinates */
+    double box_low[3];            /* m, box in space, */
+    double box_high[3];           /* where the cloth starts */
+    double nearest[3];            /* m, the vertex nearest to it where the cloth starts */
+    int vertex_count;             /* numbers in the mesh before it is reordered, */
+    int *vertices;                /* [vertex_count], from 1; the scene's */
+    double velocity[3];           /* m/s; 0: held where they are */
+    double move_from, move_until; /* s, it moves from then until then; until 0: for good */
+    double until;                 /* s, it lets go then; 0: never */
+} pin;
+
+/** What a step may do before it is taken again at half the length (see monitor.h). */
+typedef struct monitor_limits {
+    double energy;      /* gained in a step, as part of what was there and was put in */
+    double growth;      /* of a triangle's strain in a step, */
+    double strain;      /* where it ends above this */
+    double penetration; /* m, of a vertex into a collider */
+    int off;            /* looks at none of these, only for what is not finite or not solved */
+} monitor_limits;
+
+/** Where the cloth comes from, */
+typedef enum sheet_kind { SHEET_GENERATED, SHEET_FILE } sheet_kind;
+
+/** and what the rest shape of one from a file is. */
+typedef enum sheet_rest { REST_POSITIONS, REST_TEXTURE } sheet_rest;
+
+/** Where bending is none: where the cloth is flat, or where it starts. */
+typedef enum sheet_angles { ANGLES_FLAT, ANGLES_OF_MESH } sheet_angles;
+
+/** A section `mesh`. */
+typedef struct scene_cloth {
+    int from;                   /* sheet_kind; from a file: */
+    char file[SCENE_FILE_SIZE]; /* of input/mesh_file.h, with its whole path */
+    double scale;               /* m, of the file's unit */
+    int rest;                   /* sheet_rest */
+    int rest_angles;            /* sheet_angles */
+    struct mesh *sheet;         /* as the file has it; freed by scene_free */
+    int vertices, boundary;     /* from a file: as many as it has, and 0 */
+    double side;                /* m; from a file: the square root of its area */
+    unsigned seed;
+    mesh_order order;
+    double origin[3]; /* m, where the sheet's centre is put */
+    double normal[3]; /* unit, the sheet's plane */
+} scene_cloth;
+
+/** A section `material`. */
+typedef struct scene_material {
+    double density; /* kg/m^2 */
+#define MATERIAL(name, required) double name;
+#include "effects/effects.def"
+} scene_material;
+
+/** A section `surroundings`. */
+typedef struct scene_surroundings {
+#define SURROUNDINGS(name) double name;
+#include "effects/effects.def"
+    double gravity[3];            /* m/s^2 */
+    double wind[3];               /* m/s */
+    double wind_from, wind_until; /* s, it blows from then until then; until 0: for good */
+} scene_surroundings;
+
+/** A section `self_collision`. */
+typedef struct scene_self_collision {
+    double gap;      /* m, cloth keeps this distance from itself; 0: goes through itself */
+    double friction; /* Coulomb coefficient */
+} scene_self_collision;
+
+/** A section `time`. */
+typedef struct scene_time {
+    double step; /* s */
+    int steps;
+    int integrator; /* integrator_kind of integrator.h */
+} scene_time;
+
+/** A section `solution`. */
+typedef struct scene_solution {
+    double tolerance; /* of the conjugate gradient, relative */
+    int max_iterations;
+    int method;              /* solver_method of solver.h */
+    int preconditioner;      /* preconditioner_kind of solver.h */
+    int precision;           /* solver_precision of solver.h */
+    double newton_tolerance; /* of integrators that iterate, relative to the right-hand side */
+    int newton_iterations;   /* at most, in a step */
+    double sleep;            /* m/s, a cloth that is slower for some steps sleeps; 0: never */
+} scene_solution;
+
+/** Members are called as the sections of the file. */
+typedef struct scene {
+    char name[64];
+    scene_cloth mesh;
+    scene_material material;
+    scene_surroundings surroundings;
+    int pin_count;
+    pin *pins; /* [pin_count] */
+    int collider_count;
+    collider *colliders; /* [collider_count] */
+    scene_self_collision self_collision;
+    scene_time time;
+    scene_solution solution;
+    monitor_limits monitor;
+} scene;
+
+/** Reads a scene. On an unknown or missing key, or a value out of its range, returns -1 and prints
+ *  "file:line: ..., expected ..." with the nearest valid name to standard error. */
+int scene_read(scene *s, const char *path);
+/** --set material.bend=0.01: the same keys with dots. -1 with a message on a wrong one. */
+int scene_set(scene *s, const char *assignment);
+void scene_free(scene *s);
+
+/** The scene's cloth: generated or from its file, placed by origin and normal, connected, numbered
+ * in its order.
+ *  new_of_old: as for mesh_reorder, [s->mesh.vertices] or NULL. 0, or -1 with a message in
+ *  error[256].
+ */
+int scene_mesh(const scene *s, mesh *m, int *new_of_old, char *error);
+
+/** Does moving air act on the cloth at some time? */
+static inline int scene_has_wind(const scene *s) {
+    return (s->surroundings.drag > 0 || s->surroundings.tangential_drag > 0) &&
+           (s->surroundings.wind[0] != 0 || s->surroundings.wind[1] != 0 ||
+            s->surroundings.wind[2] != 0);
+}
+
+/** Writes the scene so that scene_read gives the same bits. 0, or -1 with errno set. */
+int scene_write(const scene *s, const char *path);
+
+/** What scene_write would write, [*size], to be freed; NULL: out of memory. */
+char *scene_text(const scene *s, size_t *size);
+/** As scene_read, of a text in memory, which is not changed; `name` is said where a file's would
+ *  be. */
+int scene_read_text(scene *s, char *text, size_t size, const char *name);
+
+/** Whether two scenes differ in anything but the count of steps and the names of colliders' files;
+ *  then the first difference is in said[256]: "'material.bend' is 0.01, there 0". */
+int scene_differ(const scene *a, const scene *b, char *said);
+
+#endif

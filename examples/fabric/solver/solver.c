@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * The parallel method, and the choice among all. An iteration is two parallel sweeps: the product A
+ * p, and everything else. The second sweep works on chunks of vertices, three passes one after the
+ * other in one parallel region; every thread sums the chunks' partial sums itself, in order, so
+ * that all have the same step lengths at once.
+ */
+#include "solver.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/vector.h"
+#include "solver_direct.h"
+#include "solver_domains.h"
+#include "solver_packed.h"
+#include "solver_parts.h"
+#include "solver_precondition.h"
+#include "system/sparse_product.h"
+
+void solver_free(solver *s) {
+    free(s->residual);
+    free(s->preconditioned);
+    free(s->direction);
+    free(s->product);
+    free(s->inverse);
+    free(s->sum_direction);
+    free(s->sum_residual);
+    packed_solver_free(s->packed);
+    domain_solver_free(s->domains);
+    direct_solver_free(s->direct);
+    *s = (solver){0};
+}
+
+int solver_init(solver *s, int count) {
+    const size_t n = (size_t)count + 1;
+    *s = (solver){.count = count, .chunks = (count + SOLVER_CHUNK - 1) / SOLVER_CHUNK};
+    s->options.preconditioner = PRECONDITIONER_BLOCK_JACOBI;
+    s->residual = calloc(n, sizeof *s->residual);
+    s->preconditioned = calloc(n, sizeof *s->preconditioned);
+    s->direction = calloc(n, sizeof *s->direction);
+    s->product = calloc(n, sizeof *s->product);
+    s->inverse = calloc(n, sizeof *s->inverse);
+    s->sum_direction = calloc((size_t)s->chunks + 1, sizeof *s->sum_direction);
+    s->sum_residual = calloc((size_t)s->chunks + 1, sizeof *s->sum_residual);
+    if (s->residual && s->preconditioned && s->direction && s->product && s->inverse &&
+        s->sum_direction && s->sum_residual)
+        return 0;
+    solver_free(s);
+    return -1;
+}
+
+/* Frees what only block-Jacobi uses, and solver_defect. */
+static void drop_block_jacobi(solver *s) {
+    if (s->options.needs_defect)
+        return;
+    free(s->direction);
+    free(s->preconditioned);
+    free(s->inverse);
+    free(s->sum_direction);
+    free(s->sum_residual);
+    s->direction = s->preconditioned = NULL;
+    s->inverse = NULL;
+    s->sum_direction = s->sum_residual = NULL;
+}
+
+int solver_choose(solver *s, const block_matrix *A, const solver_options *options, char *error) {
+    s->options = *options;
+    if (options->method == METHOD_DIRECT) {
+        s->direct = direct_solver_new(A, error);
+        drop_block_jacobi(s);
+        return s->direct ? 0 : -1;
+    }
+    if (options->preconditioner == PRECONDITIONER_BLOCK_JACOBI &&
+        options->precision == PRECISION_DOUBLE)
+        return 0;
+    if (options->preconditioner == PRECONDITIONER_GAUSS_SEIDEL &&
+        options->precision == PRECISION_DOUBLE)
+        s->domains = domain_solver_new(A);
+    else
+        s->packed = packed_solver_new(A, options);
+    if (s->domains || s->packed) {
+        drop_block_jacobi(s);
+        return 0;
+    }
+    snprintf(error, 256, "out of memory for the preconditioner");
+    return -1;
+}
+
+double solver_sum(const double *term, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += term[k];
+    return sum;
+}
+
+static int chunk_end(const solver *s, int chunk) {
+    const int end = (chunk + 1) * SOLVER_CHUNK;
+    return end < s->count ? end : s->count;
+}
+
+/* residual = S (b - product), preconditioned = P residual; returns r'Pr. Clears product. */
+static double start_residual(solver *s, const constraints *c, const double (*b)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int chunk = 0; chunk < s->chunks; chunk++) {
+        double sum = 0;
+        for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
+            vector_subtract(b[i], s->product[i], s->residual[i]);
+            constraint_filter(c, i, s->residual[i]);
+            precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
+            sum += vector_dot(s->residual[i], s->preconditioned[i]);
+            for (int a = 0; a < 3; a++)
+                s->product[i][a] = 0;
+        }
+        s->sum_residual[chunk] = sum;
+    }
+    return solver_sum(s->sum_residual, s->chunks);
+}
+
+void solver_filter(const constraints *c, double (*r)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < c->count; i++)
+        constraint_filter(c, i, r[i]);
+}
+
+int solver_apply(const constraints *c, double (*dv)[3]) {
+    int which = UNCONSTRAINED;
+#pragma omp parallel for schedule(static) reduction(max : which)
+    for (int i = 0; i < c->count; i++) {
+        if (c->given[i] == 0)
+            continue;
+        constraint_filter(c, i, dv[i]);
+        const double *z = constraint_at(c, i)->z;
+        for (int a = 0; a < 3; a++) {
+            dv[i][a] += z[a];
+            which = z[a] != 0 ? DRIVEN : (which > CONSTRAINED ? which : CONSTRAINED);
+        }
+    }
+    return which;
+}
+
+static void clear(double (*y)[3], int count) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++)
+        y[i][0] = y[i][1] = y[i][2] = 0;
+}
+
+static void copy(const double (*from)[3], double (*to)[3], int count) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = from[i][c];
+}
+
+/* p'Ap of one chunk. */
+static double direction_sum(const solver *s, int chunk) {
+    double sum = 0;
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++)
+        sum += vector_dot(s->direction[i], s->product[i]);
+    return sum;
+}
+
+/* dv += alpha p, r -= alpha S A p, Pr; returns r'Pr of one chunk. */
+static double advance(solver *s, const constraints *c, int chunk, double alpha, double (*dv)[3]) {
+    double sum = 0;
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
+        vector_add_scaled(dv[i], alpha, s->direction[i], dv[i]);
+        constraint_filter(c, i, s->product[i]);
+        vector_add_scaled(s->residual[i], -alpha, s->product[i], s->residual[i]);
+        precondition(s->inverse[i], s->residual[i], s->preconditioned[i]);
+        sum += vector_dot(s->residual[i], s->preconditioned[i]);
+    }
+    return sum;
+}
+
+/* p = Pr + beta p, and product = 0 for the next iteration. */
+static void turn(solver *s, int chunk, double beta) {
+    for (int i = chunk * SOLVER_CHUNK; i < chunk_end(s, chunk); i++) {
+        vector_add_scaled(s->preconditioned[i], beta, s->direction[i], s->direction[i]);
+        for (int c = 0; c < 3; c++)
+            s->product[i][c] = 0;
+    }
+}
+
+/* All of an iteration but the product. *rz = r'Pr, before and after; returns p'Ap. A p'Ap that is
+ * not positive changes nothing but the direction. */
+static double iterate(solver *s, const constraints *c, double (*dv)[3], double *rz) {
+    const double before = *rz;
+#pragma omp parallel
+    {
+        double curvature, after;
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            s->sum_direction[chunk] = direction_sum(s, chunk);
+        curvature = solver_sum(s->sum_direction, s->chunks);
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            s->sum_residual[chunk] =
+                advance(s, c, chunk, curvature > 0 ? before / curvature : 0, dv);
+        after = solver_sum(s->sum_residual, s->chunks);
+#pragma omp for schedule(static)
+        for (int chunk = 0; chunk < s->chunks; chunk++)
+            turn(s, chunk, after / before);
+    }
+    *rz = solver_sum(s->sum_residual, s->chunks);
+    return solver_sum(s->sum_direction, s->chunks);
+}
+
+/* z of all vertices. */
+static void spread_given(const constraints *c, double (*z)[3]) {
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < c->count; i++)
+        for (int a = 0; a < 3; a++)
+            z[i][a] = constraint_change(c, i)[a];
+}
+
+/* |b - A z| in the preconditioner's norm, squared: what the residual is measured against. */
+static double reference_square(solver *s, const linear_system *system, const constraints *c,
+                               int driven) {
+    if (driven) {
+        spread_given(c, s->residual);
+        half_product(&system->A, (const double(*)[3])s->residual, s->product);
+    }
+    return start_residual(s, c, (const double(*)[3])system->b);
+}
+
+static solver_status iterate_to(double goal, solver *s, const linear_system *system,
+                                const constraints *c, int max_iterations, double (*dv)[3],
+                                double rz, long *iterations) {
+    for (int k = 0;; k++) {
+        if (!isfinite(rz))
+            return SOLVER_NOT_FINITE;
+        if (rz <= goal)
+            return SOLVER_CONVERGED;
+        if (k == max_iterations)
+            return SOLVER_TOO_MANY_ITERATIONS;
+        half_product(&system->A, (const double(*)[3])s->direction, s->product);
+        ++*iterations;
+        const double curvature = iterate(s, c, dv, &rz);
+        if (!isfinite(curvature))
+            return SOLVER_NOT_FINITE;
+        if (!(curvature > 0))
+            return SOLVER_BREAKDOWN;
+    }
+}
+
+/* residual = b - A dv, with what the constraints take. The iteration keeps S r only: along given
+ * directions r may be larger by many orders, and its rounding would drown the rest. */
+void solver_impulses(solver *s, const linear_system *system, const double (*dv)[3]) {
+    clear(s->product, s->count);
+    half_product(&system->A, dv, s->product);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < s->count; i++)
+        vector_subtract(system->b[i], s->product[i], s->residual[i]);
+}
+
+void solver_residual(solver *s, const linear_system *system, const constraints *c,
+                     const double (*dv)[3]) {
+    solver_impulses(s, system, dv);
+    solver_filter(c, s->residual);
+}
+
+void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
+                               int which) {
+    if (which == DRIVEN) {
+        spread_given(c, s->residual); /* read before it is written */
+        solver_residual(s, system, c, (const double(*)[3])s->residual);
+        return;
+    }
+    copy((const double(*)[3])system->b, s->residual, s->count); /* z is 0 */
+    solver_filter(c, s->residual);
+}
+
+double solver_goal(const solver_limits *limits, double reference) {
+    const double relative = limits->tolerance * limits->tolerance * reference;
+    const double absolute = limits->floor * limits->floor;
+    return relative > absolute ? relative : absolute;
+}
+
+double solver_defect(solver *s, const linear_system *system, const constraints *c, double (*dv)[3],
+                     double *reference) {
+    preconditioner_build(&system->A, c, s->inverse);
+    const int which = solver_apply(c, dv);
+    clear(s->product, s->count);
+    *reference = sqrt(reference_square(s, system, c, which == DRIVEN));
+    half_product(&system->A, (const double(*)[3])dv, s->product);
+    return sqrt(start_residual(s, c, (const double(*)[3])system->b));
+}
+
+static solver_status solve_block_jacobi(solver *s, const linear_system *system,
+                                        const constraints *c, const solver_limits *limits,
+                                        double (*dv)[3], long *iterations) {
+    preconditioner_build(&system->A, c, s->inverse);
+    const int which = solver_apply(c, dv);
+    clear(s->product, s->count);
+    const double reference = reference_square(s, system, c, which == DRIVEN);
+    half_product(&system->A, (const double(*)[3])dv, s->product);
+    const double rz = start_residual(s, c, (const double(*)[3])system->b);
+    copy((const double(*)[3])s->preconditioned, s->direction, s->count);
+    if (!isfinite(reference))
+        return SOLVER_NOT_FINITE;
+
+    const solver_status status = iterate_to(solver_goal(limits, reference), s, system, c,
+                                            limits->max_iterations, dv, rz, iterations);
+    if (which != UNCONSTRAINED && status != SOLVER_NOT_FINITE)
+        solver_impulses(s, system, (const double(*)[3])dv);
+    return status;
+}
+
+solver_status solver_solve(solver *s, const linear_system *system, const constraints *c,
+                           const solver_limits *limits, double (*dv)[3], long *iterations) {
+    if (!s->direct && !s->packed && !s->domains)
+        return solve_block_jacobi(s, system, c, limits, dv, iterations);
+    const solver_status status =
+        s->direct    ? direct_solver_solve(s->direct, s, system, c, dv, iterations)
+        : s->domains ? domain_solver_solve(s->domains, s, system, c, limits, dv, iterations)
+                     : packed_solver_solve(s->packed, s, system, c, limits, dv, iterations);
+    if (status != SOLVER_NOT_FINITE)
+        solver_impulses(s, system, (const double(*)[3])dv);
+    return status;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the methods of solution share. */
+#ifndef FABRIC_SOLVER_PARTS_H
+#define FABRIC_SOLVER_PARTS_H
+
+#include "solver.h"
+#include "system/constraint.h"
+
+/** Vertices of a partial sum: a part of the result's bits, so not to be tuned by machine. */
+enum { SOLVER_CHUNK = 64 };
+
+enum { UNCONSTRAINED, CONSTRAINED, DRIVEN /* and some z is not 0 */ };
+
+/** dv = S dv + z; returns which of the above holds. */
+int solver_apply(const constraints *c, double (*dv)[3]);
+
+/** r = S r, every vertex. */
+void solver_filter(const constraints *c, double (*r)[3]);
+
+/** s->residual = S (b - A z), which a relative tolerance goes by; `which` is solver_apply's. */
+void solver_reference_residual(solver *s, const linear_system *system, const constraints *c,
+                               int which);
+
+/** s->residual = S (b - A dv) */
+void solver_residual(solver *s, const linear_system *system, const constraints *c,
+                     const double (*dv)[3]);
+
+/** The square of the residual that is small enough, for S (b - A z) of norm sqrt(reference). */
+double solver_goal(const solver_limits *limits, double reference);
+
+/** The terms' sum, first to last. */
+double solver_sum(const double *term, int count);
+
+#endif

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan.h"
+
+#include "base/vector.h"
+#include "simulation_state.h"
+
+/* The next time after `after` at which something begins or ends; infinite if nothing does. */
+static double next_event(const scene *s, double after) {
+    double next = INFINITY;
+#define CONSIDER(time)                                                                             \
+    if ((time) > after && (time) < next)                                                           \
+        next = (time);
+    CONSIDER(s->surroundings.wind_from)
+    CONSIDER(s->surroundings.wind_until)
+    for (int p = 0; p < s->pin_count; p++)
+        CONSIDER(s->pins[p].until)
+    for (int n = 0; n < s->collider_count; n++) {
+        CONSIDER(s->colliders[n].from)
+        CONSIDER(s->colliders[n].until)
+    }
+#undef CONSIDER
+    return next;
+}
+
+int plan_events(const scene *s, double *time, int most) {
+    int count = 0;
+    for (double at = next_event(s, 0); isfinite(at); at = next_event(s, at)) {
+        if (count < most)
+            time[count] = at;
+        count++;
+    }
+    return count;
+}
+
+static void set_effect(simulation *sim, int effect, const char *name, int active, long elements) {
+    sim->account.effects[effect] = (effect_account){
+        .name = name, .active = active, .on = active, .elements = active ? elements : 0};
+}
+
+static int has_friction(const scene *s) {
+    for (int n = 0; n < s->collider_count; n++)
+        if (s->colliders[n].friction > 0)
+            return 1;
+    return 0;
+}
+
+/* What is on in a step that begins at `time`. */
+static void switch_effects(simulation *sim, double time) {
+    const scene *s = sim->scene;
+    const int blows = time >= s->surroundings.wind_from &&
+                      (s->surroundings.wind_until <= 0 || time < s->surroundings.wind_until);
+    sim->account.effects[EFFECT_WIND].on = sim->account.effects[EFFECT_WIND].active && blows;
+    for (int a = 0; a < 3; a++)
+        sim->in_force.wind[a] = sim->account.effects[EFFECT_WIND].on ? s->surroundings.wind[a] : 0;
+    sim->account.effects[EFFECT_PINS].on = sim->collisions.pinned.count > 0;
+    sim->account.effects[EFFECT_CONTACT].on = sim->collisions.any_there > 0;
+    sim->account.effects[EFFECT_FRICTION].on =
+        sim->account.effects[EFFECT_FRICTION].active && sim->account.effects[EFFECT_CONTACT].on;
+}
+
+void plan_make(simulation *sim) {
+    const scene *s = sim->scene;
+    const int triangles = sim->cloth.triangles.count, vertices = sim->mesh->vertex_count;
+    const int hinges = sim->cloth.hinges.count, pinned = sim->collisions.pinned.count;
+#define EFFECT(NAME, text, active, elements) set_effect(sim, EFFECT_##NAME, text, active, elements);
+#include "effects/effects.def"
+    plan_return_to(sim, 0);
+}
+
+void plan_return_to(simulation *sim, double time) {
+    collisions_follow(&sim->collisions, time);
+    switch_effects(sim, time);
+    sim->in_force.next_event = next_event(sim->scene, time);
+    sim->in_force.plan_time = time;
+}
+
+void plan_follow(simulation *sim) {
+    /* A grid of times in binary fractions of a step misses decimal ones by a rounding. */
+    const double time = simulation_time(sim) + 1e-9 * sim->scene->time.step;
+    if (time < sim->in_force.next_event)
+        return;
+    plan_return_to(sim, time);
+    sim->account.plans_changed++;
+}

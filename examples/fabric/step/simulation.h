@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One cloth in time: the loop of figure 2 of the paper, and its accounts. */
+#ifndef FABRIC_SIMULATION_H
+#define FABRIC_SIMULATION_H
+
+#include <stddef.h>
+
+#include "mesh/mesh.h"
+#include "scene/scene.h"
+
+typedef struct phase {
+    double seconds; /* wall */
+    long calls;
+} phase;
+
+typedef struct effect_account {
+    const char *name; /* "stretch", "shear", "bend", ... */
+    int active;       /* the scene calls for it at some time */
+    int on;           /* it acts at present */
+    long elements;    /* triangles, hinges, ... it works on each step */
+    long visited;     /* elements it worked on, all steps together */
+    double seconds;   /* wall */
+} effect_account;
+
+typedef struct simulation simulation;
+
+/** A step that was taken again at half the length. */
+typedef struct rejection {
+    const char *reason;  /* "energy", "strain", "penetration", "not solved", "not finite" */
+    double time, h;      /* s, where it began and its length */
+    double value, limit; /* what was too much, and what would not have been */
+} rejection;
+
+/* The log keeps the first ones; all are counted. */
+enum { MOST_REJECTIONS = 1000 };
+
+/** Takes mesh and scene by reference: they must outlive it. NULL and a message in error[256]. */
+simulation *simulation_new(const mesh *m, const scene *s, char *error);
+void simulation_free(simulation *sim);
+
+/* The four phases of a step, in this order (figure 2). updateSystem accepts the step, or rejects
+ * it: then positions and velocities stay, and the next round takes half of its length. */
+void evaluateForces(simulation *sim);
+void collisionDetection(simulation *sim);
+void solveSystem(simulation *sim);
+void updateSystem(simulation *sim);
+
+/** Makes what the first step would make room for, to be looked at; not for a simulation that is to
+ *  run. */
+void simulation_make_room(simulation *sim);
+
+/** From now on each step is given as many threads as make it fastest, up to what OpenMP would give
+ *  (team.h), in place of all of these. The bits are the same. */
+void simulation_choose_threads(simulation *sim);
+/** How many that are at present; 0: all. */
+int simulation_threads(const simulation *sim);
+
+/** One step of the scene: the four phases, timed, as often as it takes. 0, or -1 with a message in
+ *  error[256]: no state within the scene's limits could be reached. */
+int simulation_step(simulation *sim, char *error);
+
+/* Between two steps of the scene: all from which a simulation of the same mesh and scene goes on
+ * with the same bits, as bytes that this machine can read. */
+size_t simulation_saved_size(simulation *sim);
+/** bytes: [size], of simulation_saved_size. Changes nothing of the simulation. */
+void simulation_save(simulation *sim, unsigned char *bytes, size_t size);
+/** To a simulation that has just been made. 0, or -1: the bytes are not of such a simulation; then
+ *  all that can be done with it is to free it. Changes nothing of the bytes. */
+int simulation_restore(simulation *sim, unsigned char *bytes, size_t size);
+
+/* What callers may look at; valid until simulation_free. */
+const double (*simulation_positions(const simulation *sim))[3];
+const double (*simulation_velocities(const simulation *sim))[3];
+double simulation_time(const simulation *sim);
+enum { PHASE_FORCES, PHASE_COLLISIONS, PHASE_SOLVE, PHASE_UPDATE, PHASE_COUNT };
+const phase *simulation_phases(const simulation *sim); /* [PHASE_COUNT] */
+const effect_account *simulation_effects(const simulation *sim, int *count);
+long simulation_iterations(const simulation *sim);        /* of conjugate gradients, all */
+long simulation_newton_iterations(const simulation *sim); /* systems solved by Newton's method */
+long simulation_steps_taken(const simulation *sim); /* accepted, parts of halved ones included */
+long simulation_steps_rejected(const simulation *sim);
+long simulation_steps_slept(const simulation *sim); /* of the scene, through which it slept */
+/** *count: of those logged, at most MOST_REJECTIONS. */
+const rejection *simulation_rejections(const simulation *sim, int *count);
+long simulation_matrix_blocks(const simulation *sim); /* stored 3x3 blocks */
+
+/** What is wrong with a run that has come to its end all the same. */
+typedef struct run_faults {
+    /* steps that the monitor let pass since they could not be halved any more */
+    long not_solved, strain, penetration, passing;
+    double greatest_strain, strain_limit; /* of a triangle in all of the run; the scene's limit */
+    double deepest;                       /* m, of a vertex in a collider */
+    long start_inside;                    /* vertices in a collider where the cloth starts, */
+    double start_depth;                   /* m, the deepest of them */
+    int watched;          /* the monitor is on: else strain and depth are not known */
+    long solved_directly; /* systems, because the conjugate gradients did not converge */
+} run_faults;
+
+run_faults simulation_faults(const simulation *sim);
+
+#endif

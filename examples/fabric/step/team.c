@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "team.h"
+
+#include "base/clock.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+/* The share of all seconds that trials may lose; a trial's round may take this many times what the
+ * chosen level's takes; a level must gain this much to be chosen. */
+static const double share = 0.02, margin = 1.5, gain = 0.97;
+/* Of a new round in the means. */
+static const double weight = 0.3;
+/* Rounds before the first trial: the first ones also make room and inspect loops. */
+enum { SETTLED = 3 };
+/* Whether cores are busy at the beginning, regions of some 50 us tell, so many: where they take
+ * this many times what they should. */
+enum { PROBES = 40, PROBE_WORK = 8000 };
+static const double delay = 1.5;
+
+static void set_threads(int threads) {
+#ifdef _OPENMP
+    omp_set_num_threads(threads);
+#else
+    (void)threads;
+#endif
+}
+
+static int most_threads(void) {
+#ifdef _OPENMP
+    return omp_get_max_threads();
+#else
+    return 1;
+#endif
+}
+
+/* Some arithmetic that no compiler leaves out; its seconds. */
+static double work(volatile double *sink) {
+    const double start = clock_seconds();
+    double x = 1;
+    for (int k = 0; k < PROBE_WORK; k++)
+        x = 0.5 * (x + 2 / x);
+    *sink = x;
+    return clock_seconds() - start;
+}
+
+/* Do threads often have no core of their own? By short regions and what is between them, for some
+ * milliseconds: has all of it taken longer than it should have, had no thread waited for a core? */
+static int is_busy(void) {
+    volatile double sink;
+    double least = work(&sink), start = 0, seconds = 0;
+    for (int k = 0; k <= PROBES && seconds <= delay * (double)(2 * PROBES) * least; k++) {
+        if (k == 1) /* the threads have been made */
+            start = clock_seconds();
+#pragma omp parallel
+        {
+            volatile double own;
+            work(&own);
+        }
+        const double between = work(&sink);
+        least = between < least ? between : least;
+        seconds = k > 0 ? clock_seconds() - start : 0;
+    }
+    return seconds > delay * (double)(2 * PROBES) * least;
+}
+
+void team_start(team *t, int most, int busy) {
+    *t = (team){.most = most > 1 ? most : 0};
+    while (t->levels < TEAM_LEVELS && t->most >> t->levels > 0)
+        t->levels++;
+    if (t->most != 0 && busy)
+        t->level = t->levels - 1;
+    t->trial = t->level;
+    t->upward = t->level > 0;
+}
+
+void team_choose(team *t) {
+    const int most = most_threads();
+    team_start(t, most, most > 1 && is_busy());
+}
+
+static double predicted(const team_level *at, long iterations) {
+    return at->others + at->iteration * (double)iterations;
+}
+
+/* The level that is tried next, or the one chosen where it is not time for that. */
+static int next_trial(const team *t) {
+    const int other = t->level + (t->upward ? -1 : 1);
+    const team_level *at = &t->at[t->level];
+    if (at->rounds < SETTLED || other < 0 || other >= t->levels)
+        return t->level;
+    const double least = (margin - 1) * predicted(at, t->last_iterations);
+    const double risk = t->at[other].risk > least ? t->at[other].risk : least;
+    return t->credit >= risk ? other : t->level;
+}
+
+void team_begin(team *t, double now) {
+    if (t->most == 0)
+        return;
+    t->trial = next_trial(t);
+    t->ended = 0;
+    t->begun = now;
+    t->expected = predicted(&t->at[t->level], t->last_iterations);
+    set_threads(t->most >> t->trial);
+}
+
+void team_look(team *t, double now) {
+    if (t->most == 0 || t->trial == t->level || now - t->begun <= margin * t->expected)
+        return;
+    t->ended = 1;
+    set_threads(t->most >> t->level);
+}
+
+static void take_in(team_level *at, const team_round *round) {
+    const double iterations = round->iterations > 0 ? (double)round->iterations : 1;
+    const double iteration = round->solve_seconds / iterations;
+    const double others = round->seconds - round->solve_seconds;
+    const double w = at->rounds < 2 ? 1 : weight; /* the first is forgotten */
+    at->others += w * (others - at->others);
+    at->iteration += w * (iteration - at->iteration);
+    at->rounds++;
+}
+
+/* A trial is over: its level is chosen and the way goes on, or the other way is next. */
+static void weigh(team *t, const team_round *round) {
+    team_level *at = &t->at[t->trial];
+    const double expected = predicted(&t->at[t->level], round->iterations);
+    const double loss = round->seconds - expected;
+    const int better = !t->ended && round->seconds < gain * expected;
+    if (better) {
+        *at = (team_level){0};
+        take_in(at, round);
+        t->level = t->trial;
+    } else {
+        at->risk = loss;
+        t->credit -= loss > 0 ? loss : 0;
+    }
+    const int can_up = t->level > 0, can_down = t->level + 1 < t->levels;
+    const int wants_up = better ? t->upward : !t->upward;
+    t->upward = wants_up ? can_up : !can_down;
+}
+
+void team_end(team *t, const team_round *round) {
+    if (t->most == 0)
+        return;
+    set_threads(t->most);
+    team_level *at = &t->at[t->level];
+    t->last_iterations = round->iterations;
+    t->credit += share * round->seconds;
+    if (t->trial != t->level) {
+        weigh(t, round);
+        return;
+    }
+    const double expected = predicted(at, round->iterations);
+    if (at->rounds == SETTLED - 1)
+        t->credit += (margin - 1) * round->seconds; /* for the first trial */
+    /* Far slower than it was: what was lost pays for finding out what is best by now. */
+    if (t->level + 1 < t->levels && at->rounds >= SETTLED && round->seconds > 2 * expected) {
+        t->credit += (round->seconds - expected) / 2;
+        for (int l = 0; l < t->levels; l++)
+            t->at[l].risk = 0;
+    }
+    take_in(at, round);
+}
+
+int team_threads(const team *t) {
+    return t->most >> t->level;
+}
