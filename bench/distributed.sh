@@ -3,7 +3,8 @@
 # What the bits cost over ranks: fabric-mpi with --bits=serial against --bits=any, where PETSc solves, on
 # the large mesh, to the same tolerance; fabric-serial in the same rounds. Block-jacobi is the same
 # preconditioner on both sides. Against gauss-seidel stand PETSc's sor within each rank, and gamg.
-#   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"; MORE=1 adds the rounds to those in the file
+#   ROUNDS=3 STEPS=3 TOLERANCE=1e-6 SCENE=sheet218k RANKS="1 2"
+#   MORE=1 adds the rounds to those in the file
 # Seconds are those of the steps, wall time: on a machine with other work they say little of several
 # ranks, which wait for each other. Shown are the median of the rounds, the least and the greatest. All
 # are kept, a line a run, in distributed.csv: what solved, ranks (0: fabric-serial, without MPI), round,
@@ -78,7 +79,11 @@ done
 # column VARIANT RANKS NUMBER: this column of all rounds
 column_of() { awk -F, -v v="$1" -v r="$2" -v c="$3" '$1 == v && $2 == r {print $c}' "$csv"; }
 # against VARIANT RANKS VARIANT RANKS COLUMN: the first over the second, round by round
-against() { paste <(column_of "$1" "$2" "$5") <(column_of "$3" "$4" "$5") | awk '{print $1 / $2}'; }
+# of those that have both: one that was stopped lacks some
+against() {
+  awk -F, -v v="$1" -v r="$2" -v w="$3" -v q="$4" -v c="$5" '$1 == v && $2 == r {one[$3] = $c}
+    $1 == w && $2 == q {other[$3] = $c} END {for (n in one) if (n in other) print one[n] / other[n]}' "$csv"
+}
 spread() { sort -g | awk '{v[NR] = $1} END {printf "%.3g (%.3g to %.3g)", NR % 2 ? v[(NR+1)/2] : (v[NR/2]+v[NR/2+1])/2, v[1], v[NR]}'; }
 echo "solution|ranks|seconds|iterations|farthest from fabric-serial"
 cut -d, -f1,2 "$csv" | sed 1d | sort -u | while IFS=, read -r variant ranks; do
