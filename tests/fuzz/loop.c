@@ -224,6 +224,46 @@ static const char *put_do(kernel *k, const char *counter, buffer *b) {
     return again;
 }
 
+typedef struct stride_form {
+    const char *type, *first; /* %1$s: the counter, %2$s: the bound, %3$s: the stride */
+    const char *head;
+    bool is_plain;
+} stride_form;
+
+static const stride_form stride_forms[] = {
+    {"int", "0", "for (; %1$s < %2$s; %1$s += %3$s) ", true},
+    {"int", "0", "for (%1$s = 2; %1$s <= %2$s - 1; %1$s = %3$s + %1$s) ", true},
+    {"long", "%2$s - 1", "for (; %1$s >= 0; %1$s -= %3$s) ", false},
+    {"int", "%2$s", "for (; %1$s > 0; %1$s = %1$s - %3$s) ", false},
+    {"size_t", "0", "for (; %1$s < (size_t)%2$s; %1$s += %3$s) ", true},
+    {"unsigned", "1", "for (; %1$s < (unsigned)%2$s; %1$s += 1 + %3$s) ", true},
+    {"long", "0", "while (%1$s < %2$s) ", true},
+};
+
+/* By a step that is a variable; of programs whose seeds are divisible by 13. Returns what is behind
+ * the body. */
+static const char *put_stride(kernel *k, bool with_bait, const char *counter, buffer *b) {
+    static const char *const types[] = {"int", "int", "long", "short", "unsigned char", "size_t"};
+    const stride_form *form = &stride_forms[below(k, LENGTH(stride_forms))];
+    const bool is_while = strncmp(form->head, "while", 5) == 0;
+    const char *by = new_name(k, "by");
+    k->has_plain_header = form->is_plain;
+    k->may_continue = !is_while;
+    k->has_outer_counter = true;
+    k->counter_type = form->type;
+    put(k, &k->locals, "    %s %s = 0;\n    %s %s = (unsigned char)(1 + n %% %d);\n", form->type,
+        counter, types[below(k, LENGTH(types))], by, 1 + below(k, 9));
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    put(k, b, "%s = %s;\n", counter, text(k, form->first, counter, k->trip));
+    put(k, b, form->head, counter, k->trip, by);
+#pragma GCC diagnostic pop
+    if (chance(k, 60))
+        put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, counter);
+    const char *changed = with_bait && chance(k, 20) ? text(k, "%s |= 1;\n", by) : "";
+    return is_while ? text(k, "%s%s += %s;\n}\n", changed, counter, by) : text(k, "%s}\n", changed);
+}
+
 static void choose_bound(kernel *k) {
     static const char *const types[] = {"int", "int", "int", "long", "short"};
     k->trip_type = types[below(k, LENGTH(types))];
@@ -261,6 +301,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     choose_bound(k);
     if (k->has_idioms && chance(k, 25))
         end = put_do(k, counter, &head);
+    else if (k->has_strides && chance(k, 40))
+        end = put_stride(k, with_bait, counter, &head);
     else if (is_while)
         end = put_while(k, counter, &head);
     else if (k->is_wide && chance(k, 6))
@@ -338,6 +380,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_spans = seed % 3 == 0;
     k.has_helpers = seed % 7 == 0;
     k.has_idioms = seed % 11 == 0;
+    k.has_strides = seed % 13 == 0;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

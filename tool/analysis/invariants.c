@@ -34,6 +34,8 @@ static void assert_counted(const counted_loop *counted) {
     assert(counted->body && counted->increment);
     assert(!counted->lower || ir_is_expression(counted->lower));
     assert(counted->step != 0);
+    assert(!counted->stride || (counted->counter->type->kind == IR_INTEGER &&
+                                (counted->step == 1 || counted->step == -1)));
     assert(counted->start_count <= sizeof counted->starts / sizeof *counted->starts);
     switch (counted->comparison) {
     case IR_OP_LESS:
@@ -46,8 +48,8 @@ static void assert_counted(const counted_loop *counted) {
         break;
     default:
         assert(counted->comparison == IR_OP_NOT_EQUAL);
-        assert(counted->counter->type->kind == IR_POINTER || counted->step == 1 ||
-               counted->step == -1);
+        assert(!counted->stride && (counted->counter->type->kind == IR_POINTER ||
+                                    counted->step == 1 || counted->step == -1));
     }
 }
 

@@ -266,11 +266,17 @@ static const char *printed_text(body_copy *copy, const ir_node *statement) {
     return writer_text(copy->loop->arena, &line);
 }
 
-/** The increment at the end of a while or do loop's body is the executor's own. */
+const ir_node *body_increment(const loop_facts *facts) {
+    const counted_loop *counted = &facts->counted;
+    return counted->steps_inside || !ir_contains(counted->body, counted->increment)
+               ? NULL
+               : counted->increment;
+}
+
 static void drop_increment(body_copy *copy) {
     const loop_text *loop = copy->loop;
-    const ir_node *increment = loop->facts->counted.increment;
-    if (loop->facts->counted.steps_inside || !ir_contains(loop->facts->counted.body, increment))
+    const ir_node *increment = body_increment(loop->facts);
+    if (!increment)
         return;
     increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
     replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),
@@ -312,21 +318,23 @@ static const char *copied_text(body_copy *copy) {
     return result;
 }
 
-static bool reads_below(const ir_node *node, const ir_variable *variable) {
+static bool reads_below(const ir_node *node, const ir_variable *variable, const ir_node *left_out) {
     if (node->kind == IR_VARIABLE && node->variable == variable)
         return true;
+    if (node == left_out)
+        return false;
     unsigned first = 0;
     if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
         ir_child(node, 0)->kind == IR_VARIABLE && !ir_value_is_used(node))
         first = 1; /* only written */
     for (unsigned i = first; i < node->child_count; i++)
-        if (reads_below(node->children[i], variable))
+        if (reads_below(node->children[i], variable, left_out))
             return true;
     return false;
 }
 
 bool body_reads(const loop_facts *facts, const ir_variable *variable) {
-    return reads_below(facts->counted.body, variable);
+    return reads_below(facts->counted.body, variable, body_increment(facts));
 }
 
 const char *private_declaration(loop_text *loop, const ir_variable *variable) {

@@ -134,9 +134,9 @@ static bool is_verifiable(const loop_facts *facts) {
     return true;
 }
 
-/** Variables stepped with the counter, of which the slice asks the value. */
+/** The stride, and variables stepped with the counter, of which the slice asks the value. */
 static unsigned stepped_count(const loop_facts *facts) {
-    unsigned count = 0;
+    unsigned count = facts->counted.stride ? 1 : 0;
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice)
             count += facts->variables.privates[i].by ? 2 : 1;
@@ -156,6 +156,8 @@ void fill_key(loop_text *loop, writer *out) {
     if (!is_verifiable(facts))
         return;
     unsigned number = 1 + facts->inspector.key_count;
+    if (facts->counted.stride)
+        writer_line(out, "redcc__key[%u] = (redcc_word)redcc__stride;", number++);
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice) {
             writer_line(out, "redcc__key[%u] = redcc__from_%u;", number++, i);

@@ -74,9 +74,9 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     writer_fill(out, true);
     writer_line(out, "REDCC_FIRST_AND_LAST {");
     out->depth++;
-    writer_line(out, "%s %s = (%s)REDCC_AN_END(%lld);", loop->counter_type,
+    writer_line(out, "%s %s = (%s)REDCC_AN_END(%s);", loop->counter_type,
                 origin_declarator(loop->arena, counted->counter), loop->counter_type,
-                (long long)counted->step);
+                loop_step(loop));
     for (unsigned i = 0; i < loop->source_count; i++) {
         if (loop->sources[i].fact->extent != EXTENT_AFFINE || loop->sources[i].fact->is_checked)
             continue;
@@ -183,9 +183,9 @@ static void write_limit(loop_text *loop, writer *out, const counter_limit *limit
 
 static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
     const loop_source *fact = loop->sources[number].fact;
-    const int64_t step = loop->facts->counted.step;
+    const bool descends = loop->facts->counted.step < 0;
     const char *last = arena_format(
-        loop->arena, step < 0 ? "redcc__final - (%lld)" : "redcc__final - %lld", (long long)step);
+        loop->arena, descends ? "redcc__final - (%s)" : "redcc__final - %s", loop_step(loop));
     row_address address;
     if (!row_address_of(fact->row, &address)) {
         loop_obstacle(loop, fact->row->range, "an expression of the loop cannot be spelled");
@@ -194,8 +194,8 @@ static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
     writer_fill(out, true);
     writer_line(out, "{");
     out->depth++;
-    writer_line(out, "redcc_int redcc__from = %s;", step < 0 ? last : "redcc__lower");
-    writer_line(out, "redcc_int redcc__to = %s;", step < 0 ? "redcc__lower" : last);
+    writer_line(out, "redcc_int redcc__from = %s;", descends ? last : "redcc__lower");
+    writer_line(out, "redcc_int redcc__to = %s;", descends ? "redcc__lower" : last);
     for (unsigned i = 0; i < fact->limit_count; i++)
         write_limit(loop, out, &fact->limits[i]);
     writer_line(out, "redcc__known[%u].first = redcc__known[%u].end = (const char *)&redcc__loop;",

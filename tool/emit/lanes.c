@@ -197,12 +197,14 @@ static bool has_other_values(const loop_facts *facts) {
 
 bool may_have_lanes(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    const lane_reason why = has_other_values(facts)                  ? NO_LANES_OTHER_VALUES
-                            : loop->options->order == EMIT_ORDER_ANY ? NO_LANES_ANY_ORDER
-                            : facts->counted.counter->type->kind == IR_POINTER ? NO_LANES_COUNTER
-                            : facts->counted.body->kind != IR_BLOCK            ? NO_LANES_BODY
-                            : has_unnamed_array(loop)                          ? NO_LANES_SCATTERED
-                                                                               : LANES_WRITTEN;
+    const lane_reason why =
+        has_other_values(facts)                  ? NO_LANES_OTHER_VALUES
+        : loop->options->order == EMIT_ORDER_ANY ? NO_LANES_ANY_ORDER
+        : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
+            ? NO_LANES_COUNTER
+        : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY
+        : has_unnamed_array(loop)               ? NO_LANES_SCATTERED
+                                                : LANES_WRITTEN;
     *loop->lanes.outcome = (lanes_outcome){why, facts->loop->range};
     return why == LANES_WRITTEN;
 }

@@ -53,11 +53,16 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
 }
 
 const char *loop_iteration_offset(loop_text *loop) {
-    const int64_t step = loop->facts->counted.step;
-    assert(step != 0);
-    if (step == 1)
-        return "redcc__k";
-    return arena_format(loop->arena, "%lld * redcc__k", (long long)step);
+    const char *step = loop_step(loop);
+    return strcmp(step, "1") == 0 ? "redcc__k" : arena_format(loop->arena, "%s * redcc__k", step);
+}
+
+const char *loop_step(loop_text *loop) {
+    const counted_loop *counted = &loop->facts->counted;
+    assert(counted->step != 0);
+    if (counted->stride)
+        return counted->step > 0 ? "redcc__stride" : "-redcc__stride";
+    return arena_format(loop->arena, "%lld", (long long)counted->step);
 }
 
 int loop_array_of_base(const loop_text *loop, const ir_node *node) {

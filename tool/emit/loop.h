@@ -88,6 +88,9 @@ const char *loop_line_directive(loop_text *loop, uint32_t offset);
 /** Blanks (and tabs) as wide as what stands before `offset` on its line: what follows them keeps
  * its column. */
 const char *loop_column_blanks(loop_text *loop, uint32_t offset);
+/** The counter's step as text: "2", "redcc__stride". */
+const char *loop_step(loop_text *loop);
+
 /** How far iteration redcc__k is from redcc__lower: "redcc__k", "2 * redcc__k". */
 const char *loop_iteration_offset(loop_text *loop);
 /** The array whose base this node says, or -1. */
@@ -271,6 +274,9 @@ void write_iteration(loop_text *loop, writer *out);
 /** The declaration of a private variable, of an iteration or of its slice. */
 const char *private_declaration(loop_text *loop, const ir_variable *variable);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);
+/** The increment at the end of a while or do loop's body, which is the executor's own: copies of
+ * the body do not have it. NULL: there is none. */
+const ir_node *body_increment(const loop_facts *facts);
 
 /** macro_names.c: the name of a macro of the program that is used in the text; NULL: there is none.
  */

@@ -178,6 +178,8 @@ static const char *parameter_text(loop_text *loop, const ir_variable *variable) 
 /** Marks each variable that the user's body mentions, what is replaced in it left out. */
 static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
     const int array = loop_array_of_base(loop, node);
+    if (node == body_increment(loop->facts))
+        return;
     if (array >= 0 && !loop->arrays[array].is_shadowed)
         return;
     if (node->kind == IR_OPAQUE)

@@ -115,9 +115,9 @@ static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
         operand = arena_format(a, "(__typeof__(%s))%s", name, operand);
     const char *place = "";
     if (update->place)
-        place = arena_format(a, " %s = (%s)(redcc__lower + %lld * redcc__i);",
-                             origin_variable(a, update->place), loop->counter_type,
-                             (long long)loop->facts->counted.step);
+        place =
+            arena_format(a, " %s = (%s)(redcc__lower + %s * redcc__i);",
+                         origin_variable(a, update->place), loop->counter_type, loop_step(loop));
     writer_line(out, "        if (%s(%s %s %s)) { %s = %s;%s }", update->is_negated ? "!" : "",
                 operand, ir_operator_spelling(update->op), name, name, operand, place);
 }

@@ -6,8 +6,8 @@
  * the type that C's usual conversions give the comparison. All is computed in redcc_int (64 bits,
  * signed). Values for which this would not be what the loop does - it would wrap, never end, or
  * compare otherwise after conversion to an unsigned type - give a count of 0, which leaves the
- * original loop to run. So do those by which a do loop has one iteration only: its first value does
- * not meet the condition.
+ * original loop to run. So do a stride that is no constant and less than 1, and those by which a do
+ * loop has one iteration only: its first value does not meet the condition.
  */
 #include "emit/loop.h"
 #include "emit/origin.h"
@@ -97,12 +97,13 @@ typedef struct header {
     bool compares_wide; /* in 64 bits */
     bool ascends;
     bool inclusive;
-    int64_t stride;        /* |step| */
+    const char *stride;    /* |step| as text; NULL: it is 1 */
+    bool asks_for_stride;  /* no constant: redcc__stride is declared */
     bool lower_is_natural; /* a constant that is not negative */
     bool ends_at_bound;    /* the counter's last value is the bound itself */
 } header;
 
-static header header_of(const counted_loop *counted) {
+static header header_of(arena *a, const counted_loop *counted) {
     header h = {
         .counted = counted, .counter = counted->counter->type, .bound = counted->bound->type};
     const integer_type common = common_type(promote(h.counter), promote(h.bound));
@@ -111,9 +112,13 @@ static header header_of(const counted_loop *counted) {
     h.ascends = counted->step > 0;
     h.inclusive =
         counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
-    h.stride = h.ascends ? counted->step : -counted->step;
+    const int64_t step = h.ascends ? counted->step : -counted->step;
+    h.asks_for_stride = counted->stride != NULL;
+    h.stride = h.asks_for_stride ? "redcc__stride"
+               : step == 1       ? NULL
+                                 : arena_format(a, "%lld", (long long)step);
     h.lower_is_natural = !counted->steps_first && is_natural_constant(counted->lower, h.counter);
-    h.ends_at_bound = h.stride == 1 && !h.inclusive;
+    h.ends_at_bound = !h.stride && !h.inclusive;
     return h;
 }
 
@@ -158,17 +163,16 @@ static const char *comparison_text(const header *h) {
 /** Iterations, where there are any: (high - low) / stride + 1, or with (high - low - 1). */
 static const char *count_text(arena *a, const header *h) {
     const char *span = h->ascends ? "redcc__bound - redcc__lower" : "redcc__lower - redcc__bound";
-    if (h->stride == 1)
+    if (!h->stride)
         return h->inclusive ? arena_format(a, "%s + 1", span) : span;
-    return arena_format(a, h->inclusive ? "(%s) / %lld + 1" : "(%s - 1) / %lld + 1", span,
-                        (long long)h->stride);
+    return arena_format(a, h->inclusive ? "(%s) / %s + 1" : "(%s - 1) / %s + 1", span, h->stride);
 }
 
 static const char *final_text(arena *a, const header *h) {
     const char *sign = h->ascends ? "+" : "-";
-    if (h->stride == 1)
+    if (!h->stride)
         return arena_format(a, "redcc__lower %s redcc__trip", sign);
-    return arena_format(a, "redcc__lower %s %lld * redcc__trip", sign, (long long)h->stride);
+    return arena_format(a, "redcc__lower %s %s * redcc__trip", sign, h->stride);
 }
 
 static const char *first_text(loop_text *loop, const header *h) {
@@ -213,13 +217,26 @@ static bool can_be_counted(loop_text *loop, const header *h) {
     else if (counted->lower && !is_integer(counted->lower->type) &&
              counted->lower->type->kind != IR_FLOATING)
         loop_obstacle(loop, counted->lower->range, "the counter's first value is not an integer");
-    else if (h->stride <= 0 || h->stride >> STEP_BITS != 0)
+    else if (counted->step >> STEP_BITS != (h->ascends ? 0 : -1))
         loop_obstacle(loop, loop->facts->loop->range, "its step is too long");
     return loop->obstacle == NULL;
 }
 
+/** An expression of the user's is evaluated only where the loop would come to it. */
+static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
+    const char *count = count_text(loop->arena, h);
+    if (!h->asks_for_stride) {
+        writer_line(out, "redcc__trip = %s ? %s : 0;", ends, count);
+        return;
+    }
+    writer_line(out, "redcc__stride = %s ? (redcc_int)%s : 0,", ends,
+                loop_operand(loop, h->counted->stride));
+    writer_line(out, "redcc__trip = redcc__stride > 0 && redcc__stride <= %s ? %s : 0;", limit,
+                count);
+}
+
 const char *write_trip_count(loop_text *loop, writer *out) {
-    const header h = header_of(&loop->facts->counted);
+    const header h = header_of(loop->arena, &loop->facts->counted);
     if (!can_be_counted(loop, &h))
         return "0";
     conditions ends = {0};
@@ -227,7 +244,7 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     require(&ends, "%s", comparison_text(&h));
     writer_fill(out, true);
     const bool counts_up =
-        h.stride == 1 && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
+        !h.stride && h.ascends && strcmp(ends.text.data, "redcc__lower < redcc__bound") == 0;
     if (counts_up && !h.inclusive) {
         writer_line(out, "REDCC_COUNT_UP(%s, %s);",
                     macro_argument(loop->arena, lower_text(loop, &h)),
@@ -235,7 +252,7 @@ const char *write_trip_count(loop_text *loop, writer *out) {
     } else {
         writer_line(out, "const redcc_int redcc__lower = %s,", lower_text(loop, &h));
         writer_line(out, "redcc__bound = %s,", bound_text(loop, &h));
-        writer_line(out, "redcc__trip = %s ? %s : 0;", ends.text.data, count_text(loop->arena, &h));
+        write_count(loop, out, &h, ends.text.data);
     }
     buffer_free(&ends.text);
 

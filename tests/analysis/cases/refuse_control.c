@@ -42,8 +42,8 @@ void bound_is_array(int n, const int *s, int *h) {
     (void)n;
 }
 
-void step(int n, int d, const int *s, double *h) {
-    for (int i = 0; i < n; i += d) // EXPECT: refuse step
+void step(int n, const int *s, double *h) {
+    for (int i = 0; i < n; i += h[0]) // EXPECT: refuse step
         h[s[i]] += 1.0;
     for (int i = 0; i < n; i *= 2) // EXPECT: refuse step
         h[s[i]] += 1.0;
@@ -72,7 +72,7 @@ void wraps(unsigned n, long m, const int *s, double *h) {
         h[s[i]] += 1.0;
     for (unsigned char i = 0; i < m; i++) // EXPECT: refuse counter-wraps
         h[s[i]] += 1.0;
-    for (unsigned i = 0; i < n; i += 2) // EXPECT: refuse counter-wraps
+    for (unsigned i = n; i > 2; i -= 2) // EXPECT: refuse counter-wraps
         h[s[i]] += 1.0;
     for (int i = (int)m; i < n; i++) // EXPECT: refuse counter-wraps
         h[s[i]] += 1.0;

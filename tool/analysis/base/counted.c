@@ -4,6 +4,7 @@
 #include "analysis/base/counted_bound.h"
 #include "analysis/base/counted_condition.h"
 #include "analysis/base/counted_start.h"
+#include "analysis/base/counted_stride.h"
 #include "analysis/base/counted_wraps.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
@@ -119,7 +120,7 @@ static bool step_agrees(const counted_loop *loop) {
     case IR_OP_GREATER_EQUAL:
         return loop->step < 0;
     default:
-        return loop->step == 1 || loop->step == -1;
+        return !loop->stride && (loop->step == 1 || loop->step == -1);
     }
 }
 
@@ -175,7 +176,7 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     /* A first value on the wrong side of the bound gives no count, and the original loop runs. */
     if (loop->kind == IR_DO && counted->comparison == IR_OP_NOT_EQUAL && !counter->is_signed)
         return counter->size < 4 || counted->bound->type->size > counter->size;
-    return counted_wraps(counted);
+    return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
 /* What must hold of counter, bound and lower, once they are found. */
@@ -212,19 +213,24 @@ static counted_result check(counted_loop *loop, const ir_node *node, const ir_no
     return (counted_result){.is_counted = true, .loop = *loop};
 }
 
+/* v++, v += c, v += e: fills in counter, step and stride. */
+static bool split_step(const ir_node *loop, const ir_node *increment, counted_loop *counted) {
+    return counted_step(increment, &counted->counter, &counted->step) ||
+           counted_split_stride(loop, increment, counted);
+}
+
 /* i++, q += 3: the part that steps the variable that the condition compares. */
-static const ir_node *own_increment(const ir_node *increment, const ir_node *condition) {
-    ir_variable *variable;
-    int64_t step;
-    const ir_node *bound;
-    ir_operator comparison;
+static const ir_node *own_increment(const ir_node *loop, const ir_node *increment,
+                                    const ir_node *condition) {
+    counted_loop counted = {0};
     if (increment->kind != IR_BINARY || increment->op != IR_OP_COMMA)
-        return counted_step(increment, &variable, &step) &&
-                       split_condition(condition, variable, &comparison, &bound)
+        return split_step(loop, increment, &counted) &&
+                       split_condition(condition, counted.counter, &counted.comparison,
+                                       &counted.bound)
                    ? increment
                    : NULL;
-    const ir_node *left = own_increment(increment->children[0], condition);
-    return left ? left : own_increment(increment->children[1], condition);
+    const ir_node *left = own_increment(loop, increment->children[0], condition);
+    return left ? left : own_increment(loop, increment->children[1], condition);
 }
 
 /* i++, i++: is the counter written by another part than its own step? */
@@ -275,11 +281,11 @@ static counted_result recognise_for(const ir_node *loop) {
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *all = increment;
     if (increment->kind == IR_BINARY && increment->op == IR_OP_COMMA)
-        increment = own_increment(increment, condition);
+        increment = own_increment(loop, increment, condition);
     if (!increment)
         return not_counted(REASON_TRIP_COUNT, all, NULL);
     counted.increment = increment;
-    if (!counted_step(increment, &counted.counter, &counted.step)) {
+    if (!split_step(loop, increment, &counted)) {
         ir_variable *variable = ir_root_variable(
             expression_written(increment) ? expression_written(increment) : increment);
         return not_counted(variable ? REASON_STEP : REASON_TRIP_COUNT, increment,
@@ -346,8 +352,7 @@ static counted_result recognise_while(const ir_node *loop) {
     if (body->kind != IR_BLOCK || body->child_count == 0)
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *last = body->children[body->child_count - 1];
-    if (last->kind != IR_EXPRESSION ||
-        !counted_step(last->children[0], &counted.counter, &counted.step) ||
+    if (last->kind != IR_EXPRESSION || !split_step(loop, last->children[0], &counted) ||
         !split_condition(condition, counted.counter, &counted.comparison, &counted.bound))
         return not_counted(REASON_TRIP_COUNT, condition, NULL);
     if (continues(body) || counted.step == 0)
@@ -380,6 +385,10 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
         return not_counted(REASON_COUNTER_TYPE, loop, result.loop.counter->name);
     if (result.loop.steps_inside)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
+    if (result.loop.stride)
+        return not_counted(REASON_STEP, result.loop.stride, result.loop.counter->name);
+    if (counted_wraps(&result.loop))
+        return not_counted(REASON_COUNTER_WRAPS, loop, result.loop.counter->name);
     return result;
 }
 

@@ -41,7 +41,7 @@ bool counted_wraps(const counted_loop *loop) {
         loop->comparison == IR_OP_LESS_EQUAL || loop->comparison == IR_OP_GREATER_EQUAL;
     bool bound_is_unsigned = !bound->is_signed && !(bound_is_constant && constant >= 0) &&
                              bound->size >= 4 && bound->size >= counter->size;
-    if (bound_is_constant && is_up && constant >= 0 &&
+    if (bound_is_constant && is_up && constant >= 0 && !loop->stride &&
         constant <= type_maximum(counter) - magnitude)
         return counter->is_signed && bound->size >= 4 && !bound->is_signed &&
                !is_non_negative(loop->lower);
@@ -59,12 +59,18 @@ bool counted_wraps(const counted_loop *loop) {
                  bound->size <= counter->size && counter->size >= 4);
     }
     if (is_up)
-        return counter->size < 4 || magnitude != 1 || bound->size > counter->size ||
+        return counter->size < 4 || magnitude != 1 || loop->stride || bound->size > counter->size ||
                (is_inclusive && counter->size < 8);
     /* down: i > bound ends at bound >= 0 with step -1; i >= 0 never ends */
-    if (counter->size < 4 || magnitude != 1)
+    if (counter->size < 4 || magnitude != 1 || loop->stride)
         return true;
     if (is_inclusive)
         return !(bound_is_constant && constant >= 1);
     return bound->is_signed && !(bound_is_constant && constant >= 0);
+}
+
+bool counted_wrap_is_seen(const counted_loop *loop) {
+    const ir_type *counter = loop->counter->type;
+    return !counter->is_signed && counter->size >= 4 && loop->bound->type->size <= counter->size &&
+           loop->comparison == IR_OP_LESS && (loop->stride || loop->step > 1);
 }

@@ -9,4 +9,8 @@
  *  another number than it is? counter, lower, bound, comparison and step are known. */
 bool counted_wraps(const counted_loop *loop);
 
+/** Is it seen in the value after the loop, computed in 64 bits, whether the counter wraps? Of an
+ *  unsigned one that goes up to a bound of no more bytes, in steps longer than 1. */
+bool counted_wrap_is_seen(const counted_loop *loop);
+
 #endif

@@ -47,9 +47,12 @@ typedef struct counted_loop {
     const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
     ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                  as counter <comparison> bound */
-    int64_t step;        /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
-    const ir_node *body; /* executed each iteration; of a while or do, the increment may be its
-                            last statement, `increment`, and not part of the copy */
+    int64_t step;          /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
+    const ir_node *stride; /* the counter is an integer, and moves by `step`, 1 or -1, times this
+                              one, of variables that stay: of at least 1, as generated code asks;
+                              NULL: by `step` */
+    const ir_node *body;   /* executed each iteration; of a while or do, the increment may be its
+                              last statement, `increment`, and not part of the copy */
     const ir_node *increment;
     bool steps_inside; /* of a while or do: `increment` is v++ or v-- somewhere in the body, whose
                           copy keeps it; after it the iteration does not ask for v */

@@ -42,7 +42,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
     [REASON_COUNTER_MODIFIED] = "use another variable in the body",
     [REASON_BOUND_VARIES] = "copy the bound to a local variable before the loop",
-    [REASON_STEP] = "use a constant step",
+    [REASON_STEP] = "add a constant or a local variable that the loop leaves as it is",
     [REASON_COUNTER_TYPE] = "use a local counter of type int, long or size_t",
     [REASON_COUNTER_WRAPS] = "use a signed counter, and < or > instead of <=, >= or !=",
     [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",

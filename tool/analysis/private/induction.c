@@ -7,10 +7,10 @@
  */
 #include "analysis/private/induction.h"
 
+#include "analysis/base/counted_stride.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/step_inside.h"
 #include "analysis/loop/executed.h"
-#include "analysis/loop/variation.h"
 #include "analysis/private/live.h"
 
 static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
@@ -46,42 +46,6 @@ static const ir_node *start_of(const loop_analysis *j, const ir_variable *variab
     return NULL;
 }
 
-/* Of numbers and local variables that nothing but the text can change, and the loop does not. */
-static bool is_steady(const loop_analysis *j, const ir_node *node) {
-    if (node->kind == IR_VARIABLE)
-        return is_integer(node->type) && variable_is_automatic(node->variable) &&
-               !node->variable->address_taken && !node->variable->has_other_name &&
-               variation_is_invariant(j->an->facts, j->loop, node);
-    if ((node->kind != IR_NUMBER && node->kind != IR_CAST && node->kind != IR_BINARY &&
-         node->kind != IR_UNARY) ||
-        expression_is_hazard(node) || !node->type || !is_integer(node->type))
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_steady(j, node->children[i]))
-            return false;
-    return true;
-}
-
-/* v += e, v -= e, v = v + e, with an e that stays: what is added; NULL: it is none of these. */
-static const ir_node *steady_step(const loop_analysis *j, const ir_node *write,
-                                  const ir_variable *v, bool *is_down) {
-    if (write->kind != IR_ASSIGN || write->children[0]->kind != IR_VARIABLE ||
-        write->children[0]->variable != v)
-        return NULL;
-    const ir_node *value = write->children[1];
-    ir_operator op = write->op;
-    if (op == IR_OP_NONE && value->kind == IR_BINARY) {
-        const unsigned side = expression_mentions(value->children[0], v) ? 0 : 1;
-        const ir_node *self = value->children[side];
-        op = value->op;
-        if (self->kind != IR_VARIABLE || self->variable != v || (side && op != IR_OP_ADD))
-            return NULL;
-        value = value->children[1 - side];
-    }
-    *is_down = op == IR_OP_SUBTRACT;
-    return (op == IR_OP_ADD || op == IR_OP_SUBTRACT) && is_steady(j, value) ? value : NULL;
-}
-
 /* The sum of all steps in the loop, at most one of which is no constant; false: there is another
  * write. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
@@ -97,7 +61,7 @@ static bool sum_steps(const loop_analysis *j, const ir_variable *variable, priva
             return false;
         if (counted_step(write, &stepped, &step) && stepped == variable)
             sum += step;
-        else if (item->by || !(item->by = steady_step(j, write, variable, &item->is_down)))
+        else if (item->by || !(item->by = stride_added(j->loop, write, variable, &item->is_down)))
             return false;
     }
     item->step = sum;
