@@ -180,6 +180,8 @@ const char *condition(kernel *k) {
 /* ---- updates --------------------------------------------------------------------------------- */
 
 const char *place(kernel *k, const array *a, const char *index) {
+    if (k->has_helpers && chance(k, 25))
+        return place_by_accessor(k, a, index);
     switch (a->shape) {
     case SHAPE_ROWS:
         return k->scope.smalls.count && chance(k, 60)

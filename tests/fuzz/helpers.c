@@ -148,6 +148,39 @@ void call_of_helper(kernel *k) {
     add_name(&k->scope.values, name);
 }
 
+/* ---- elements by the address that a function returns ------------------------------------------
+ */
+
+const char *place_by_accessor(kernel *k, const array *a, const char *index) {
+    static const char *const types[] = {"int", "long", "size_t", "short", "unsigned char"};
+    static const char *const forms[] = {"&%s[at]", "%s + at", "at + %s", "&(*(%s + at))"};
+    const bool is_of_file =
+        (a->storage == STORAGE_GLOBAL || a->storage == STORAGE_GLOBAL_POINTER) && chance(k, 50);
+    const char *function = new_name(k, "slot");
+    const char *type = a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
+    const bool is_row = a->shape == SHAPE_ROWS;
+    const char *base = is_of_file ? a->base : "from";
+    put(k, &k->globals, "static %s%s *%s(%s%s at) {\n", chance(k, 30) ? "inline " : "", type,
+        function, is_of_file ? "" : text(k, is_row ? "%s (*from)[3], " : "%s *from, ", type),
+        types[below(k, 5)]);
+    if (chance(k, 10))
+        put(k, &k->globals, "    if (at > %d)\n        return %s%s;\n", k->elements,
+            is_row ? "*" : "", base);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    put(k, &k->globals, "    return %s;\n}\n",
+        is_row ? text(k, chance(k, 50) ? "%s[at]" : "&%s[at][0]", base)
+               : text(k, forms[below(k, 4)], base));
+#pragma GCC diagnostic pop
+    const char *call = is_of_file ? text(k, "%s(%s)", function, index)
+                                  : text(k, "%s(%s, %s)", function, a->base, index);
+    if (is_row)
+        return text(k, "%s[%d]", call, below(k, 3));
+    if (a->shape == SHAPE_RECORDS)
+        return text(k, "%s->%c", call, chance(k, 50) ? 'x' : 'y');
+    return text(k, "(*%s)", call);
+}
+
 /* ---- an update in several statements --------------------------------------------------------- */
 
 void in_pieces(kernel *k) {

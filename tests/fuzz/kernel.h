@@ -153,6 +153,9 @@ const char *integer(kernel *k, int depth);
 const char *condition(kernel *k);
 /** An element of a reduction array. */
 const char *place(kernel *k, const array *a, const char *index);
+/** The same by a function of the file that returns the element's or the row's address: helpers.c.
+ */
+const char *place_by_accessor(kernel *k, const array *a, const char *index);
 /** What may be accumulated into `a` by its operation. */
 const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */

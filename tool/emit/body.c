@@ -226,6 +226,14 @@ static void choose_noted(body_copy *copy, const ir_node *node) {
         choose_noted(copy, node->children[i]);
 }
 
+/** What a call of an accessor stands for is written as it was analysed. */
+static void choose_accessors(body_copy *copy, const ir_node *node) {
+    if (node->flags & IR_FROM_CALL)
+        print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
+    for (unsigned i = 0; !(node->flags & IR_FROM_CALL) && i < node->child_count; i++)
+        choose_accessors(copy, node->children[i]);
+}
+
 static void choose_printed_updates(body_copy *copy) {
     const loop_facts *facts = copy->loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++) {
@@ -297,6 +305,7 @@ static const char *copied_text(body_copy *copy) {
     if (has_sought_values(loop->facts))
         choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
+    choose_accessors(copy, body);
     choose_printed_updates(copy);
     visit_names(copy, body, replace_name);
     guard_updates(copy);

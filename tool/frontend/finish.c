@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Once all trees are there: order, numbers, whose address is taken. */
 #include "frontend/convert.h"
+#include "ir/ir_accessors.h"
 
 /* ---- whose address is taken ---------------------------------------------------------------- */
 
@@ -96,6 +97,7 @@ static void order_functions(converter *c) {
 void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
+    ir_look_through_accessors(c->unit);
     for (unsigned i = 0; i < c->unit->function_count; i++) {
         ir_function *f = c->unit->functions[i];
         ir_finish_function(f);

@@ -242,7 +242,10 @@ enum {
                           Not set on a statement to which all of the expansion at its end (or, but
                           for loops, at its beginning) belongs: it may be replaced as a whole. */
     IR_HAS_VALUE = 8,  /* `value` is the integer constant it is */
-    IR_COMPOUND_LITERAL = 16 /* of IR_INITIALIZERS */
+    IR_COMPOUND_LITERAL = 16, /* of IR_INITIALIZERS */
+    IR_FROM_CALL = 32         /* it stands for a call that reaches variables which the call's text
+                                 does not name (ir_accessors.h): a copy that gives variables other
+                                 names, or other memory, cannot have that text. IR_FROM_MACRO too */
 };
 
 struct ir_node {

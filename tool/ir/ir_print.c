@@ -128,8 +128,10 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     static const struct {
         unsigned flag;
         const char *word;
-    } flags[] = {
-        {IR_DESIGNATED, "designated"}, {IR_FROM_MACRO, "macro"}, {IR_COMPOUND_LITERAL, "literal"}};
+    } flags[] = {{IR_DESIGNATED, "designated"},
+                 {IR_FROM_MACRO, "macro"},
+                 {IR_COMPOUND_LITERAL, "literal"},
+                 {IR_FROM_CALL, "call"}};
     print_value(p, node);
     if (node->type != NULL && !ir_type_identical(node->type, ir_infer_type(p->scratch, node))) {
         buffer_text(p->out, " :");

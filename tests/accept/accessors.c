@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+// The element is found by a function that returns its address: by its parameters, members, rows,
+// variables of the file and other such functions; in updates, beside them, and in their operands.
+// covers: row 92
+#include "case.h"
+#include <stddef.h>
+
+enum { N = 12000, M = 900, WIDTH = 30 };
+static int edge[N][2], count[M];
+static double w[N], h[M], m[M / WIDTH][WIDTH], x[M][3];
+static float *field;
+static int *tally;
+static float fields[2][M];
+static int shift;
+struct cell {
+    double low, high;
+    int visits;
+};
+static struct cell grid[M];
+struct table {
+    double *value;
+    int size;
+    double own[M];
+};
+
+static double *slot(struct table *t, int k) {
+    return t->value + k;
+}
+
+static inline double *own_slot(struct table *t, unsigned char k) {
+    return &t->own[k];
+}
+
+static double *at(double *a, int ld, int i, int j) {
+    return &a[i * ld + j];
+}
+
+static struct cell *cell_at(size_t k) {
+    return &grid[k];
+}
+
+static double *highest_of(size_t k) {
+    return &cell_at(k)->high;
+}
+
+static double *row(double (*rows)[3], long i) {
+    return rows[i];
+}
+
+static float *in_field(int k) {
+    return field + k;
+}
+
+static float *in_shifted_field(int k) {
+    return &field[k + shift];
+}
+
+static int *count_of(int k) {
+    return count + k;
+}
+
+static int *in_tally(int k) {
+    return &tally[k];
+}
+
+static const double *weight(int k) {
+    return &w[k];
+}
+
+static double *node_of(int e, int which) {
+    return &h[edge[e][which]];
+}
+
+static void by_parameters(struct table *t, int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *slot(t, edge[i][0]) += w[i];
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        *slot(t, edge[i][0]) -= *weight(i);
+        *slot(t, edge[i][1]) += *weight(i) * 0.5;
+    }
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *own_slot(t, edge[i][0]) += w[i];
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *at(&m[0][0], WIDTH, edge[i][0] % (M / WIDTH), edge[i][1] % WIDTH) += w[i];
+}
+
+static void of_records(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        cell_at(edge[i][0])->low -= w[i];
+        cell_at((size_t)edge[i][1])->visits++;
+    }
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        if (w[i] > 0.25)
+            *highest_of(edge[i][1]) += w[i];
+}
+
+static void of_rows(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        row(x, edge[i][0])[0] += w[i];
+        for (int c = 1; c < 3; c++)
+            row(x, edge[i][1])[c] -= w[i] * c;
+    }
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double *p = row(x, edge[i][0]);
+        p[0] += w[i];
+        p[2] -= w[i];
+    }
+}
+
+/* The accessor says `field`, and means the file's, while private copies are written. */
+static void of_the_file(int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *in_field(edge[i][0]) += (float)w[i];
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        field[edge[i][0]] += 1;
+        *in_field(edge[i][1]) -= (float)w[i];
+    }
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        (*count_of(edge[i][0]))++;
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *in_tally(edge[i][1] % 16) += i;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        ++*count_of(edge[i][0]);
+        count[edge[i][1]] += 3;
+    }
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *node_of(i, 0) += w[i];
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *in_shifted_field(edge[i][0]) += 2;
+}
+
+/* What is read by one: `field` stays the file's where the loop has another name for `h`. */
+static void in_operands(struct table *t, int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        h[edge[i][0]] += *in_field(i % M) * *weight(i);
+    for (int i = 0; i < n; i++) { // EXPECT: refuse text
+        double v = *slot(t, edge[i][0]);
+        v += *in_field(i % M);
+        *slot(t, edge[i][0]) = v;
+    }
+}
+
+int main(void) {
+    static struct table t;
+    static double values[M], sums[1];
+    t.value = values;
+    case_values(w, N);
+    for (int round = 0; round < 6; round++) {
+        if (round % 2 == 0) {
+            case_subscripts(&edge[0][0], N, M - 20);
+            case_subscripts(&edge[0][0] + N, N, M - 20);
+        }
+        const int n = round == 3 ? 5000 : N;
+        field = fields[round % 2];
+        tally = count + round;
+        shift = round * 3;
+        by_parameters(&t, n);
+        of_records(n);
+        of_rows(n);
+        of_the_file(n);
+        in_operands(&t, n);
+        CASE_PRINT(values);
+        CASE_PRINT(t.own);
+        CASE_PRINT(m);
+        CASE_PRINT(x);
+        CASE_PRINT(h);
+        CASE_PRINT(fields);
+        CASE_PRINT(count);
+        for (int i = 0; i < M; i++)
+            sums[0] += grid[i].low + grid[i].high + grid[i].visits;
+        CASE_PRINT(sums);
+    }
+    return 0;
+}

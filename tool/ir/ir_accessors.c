@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "ir/ir_accessors.h"
+
+#include <assert.h>
+
+enum { MOST_NODES = 200 }; /* of one place; calls within arguments multiply them */
+
+typedef enum progress { UNSEEN, BEGUN, DONE } progress;
+
+typedef struct accessors {
+    arena *memory;
+    const ir_unit *unit;
+    progress *functions; /* by id */
+} accessors;
+
+static void look_through(accessors *a, ir_function *function);
+
+/* Only such operators, as all others would say more than where something is. */
+static bool is_place(const ir_node *node) {
+    switch (node->kind) {
+    case IR_NUMBER:
+    case IR_VARIABLE:
+    case IR_INDEX:
+    case IR_MEMBER:
+    case IR_CAST:
+        break;
+    case IR_UNARY:
+        if (node->op != IR_OP_ADDRESS && node->op != IR_OP_DEREFERENCE && node->op != IR_OP_MINUS)
+            return false;
+        break;
+    case IR_BINARY:
+        if (node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT && node->op != IR_OP_MULTIPLY)
+            return false;
+        break;
+    default:
+        return false;
+    }
+    if (!node->type || node->type->is_volatile || node->type->is_atomic)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_place(node->children[i]))
+            return false;
+    return true;
+}
+
+/* Does its body not tell all that a call does? */
+static bool is_unknown(const ir_function *function) {
+    return function->body == NULL || function->is_variadic || function->has_errors ||
+           function->has_other_attributes || function->linkage.is_weak ||
+           function->linkage.is_renamed;
+}
+
+/* What the function returns, where that is all it does; NULL: it does something else. */
+static const ir_node *returned_place(accessors *a, ir_function *function) {
+    if (is_unknown(function) || a->functions[function->id] == BEGUN)
+        return NULL;
+    look_through(a, function);
+    const ir_node *body = function->body;
+    const ir_node *only = body->child_count == 1 ? body->children[0] : NULL;
+    if (!only || only->kind != IR_RETURN || only->child_count != 1)
+        return NULL;
+    const ir_node *value = only->children[0];
+    const ir_type *result = function->type->target;
+    const bool decays = value->type && value->type->kind == IR_ARRAY;
+    if (!result || result->kind != IR_POINTER || !result->target || result->target->size <= 0 ||
+        !is_place(value) ||
+        !(decays ? ir_type_equal(value->type->target, result->target)
+                 : ir_type_equal(value->type, result)))
+        return NULL;
+    return value;
+}
+
+static bool reads_volatile(const ir_node *node) {
+    if (node->type && (node->type->is_volatile || node->type->is_atomic))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (reads_volatile(node->children[i]))
+            return true;
+    return false;
+}
+
+/* What is handed over may be evaluated once, several times or not at all. */
+static bool can_be_put_in(const ir_node *call, const ir_function *function) {
+    if (call->child_count != function->parameter_count + 1)
+        return false;
+    for (unsigned i = 1; i < call->child_count; i++)
+        if (ir_has_effect(call->children[i]) || reads_volatile(call->children[i]) ||
+            !ir_type_is_scalar(function->parameters[i - 1]->type))
+            return false;
+    return true;
+}
+
+static void stand_for(ir_node *node, ir_range range, unsigned flags) {
+    node->range = range;
+    node->flags |= flags;
+    for (unsigned i = 0; i < node->child_count; i++)
+        stand_for(node->children[i], range, flags);
+}
+
+static bool names_others_than_parameters(const ir_node *node) {
+    if (node->kind == IR_VARIABLE && node->variable->storage != IR_PARAMETER)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (names_others_than_parameters(node->children[i]))
+            return true;
+    return false;
+}
+
+static unsigned count_nodes(const ir_node *node) {
+    unsigned count = 1;
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += count_nodes(node->children[i]);
+    return count;
+}
+
+/* The address in the caller's terms; the call itself where it is no call of an accessor. */
+static ir_node *place_of_call(accessors *a, ir_node *call) {
+    const ir_node *callee = call->children[0];
+    ir_function *function = callee->kind == IR_FUNCTION ? callee->function : NULL;
+    const ir_node *place = function ? returned_place(a, function) : NULL;
+    if (!place || !can_be_put_in(call, function))
+        return call;
+    ir_node *copy = ir_substitute(a->memory, place, function, &call->children[1]);
+    if (count_nodes(copy) > MOST_NODES)
+        return call;
+    stand_for(copy, call->range,
+              IR_FROM_MACRO | (names_others_than_parameters(place) ? IR_FROM_CALL : 0));
+    return copy;
+}
+
+/* *&x is x, and so is what (&x)->m is a member of; *(p + k) is p[k]. */
+static void simplify(accessors *a, ir_node *node) {
+    ir_node *pointer = node->child_count ? node->children[0] : NULL;
+    const bool is_arrow = node->kind == IR_MEMBER && (node->flags & IR_ARROW);
+    const bool is_dereference = node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE;
+    if (!is_arrow && !is_dereference)
+        return;
+    ir_node *object = NULL;
+    if (pointer->kind == IR_UNARY && pointer->op == IR_OP_ADDRESS) {
+        object = pointer->children[0];
+    } else if (pointer->kind == IR_BINARY && pointer->op == IR_OP_ADD &&
+               pointer->type->kind == IR_POINTER) {
+        const ir_type *left = pointer->children[0]->type;
+        const unsigned base = left->kind == IR_POINTER || left->kind == IR_ARRAY ? 0 : 1;
+        object = ir_new(a->memory, IR_INDEX, pointer->type->target, 2);
+        object->children[0] = pointer->children[base];
+        object->children[1] = pointer->children[1 - base];
+        stand_for(object, pointer->range, pointer->flags & (IR_FROM_MACRO | IR_FROM_CALL));
+    }
+    if (!object)
+        return;
+    if (is_arrow) {
+        node->flags &= ~(unsigned)IR_ARROW;
+        node->children[0] = object;
+        return;
+    }
+    const ir_range range = node->range;
+    *node = *object;
+    stand_for(node, range, 0);
+}
+
+static void visit(accessors *a, ir_node *node) {
+    bool has_changed = false;
+    for (unsigned i = 0; i < node->child_count; i++) {
+        ir_node *child = node->children[i];
+        visit(a, child);
+        if (child->kind == IR_CALL)
+            node->children[i] = place_of_call(a, child);
+        has_changed |= node->children[i] != child;
+    }
+    if (has_changed)
+        simplify(a, node);
+}
+
+static void look_through(accessors *a, ir_function *function) {
+    if (a->functions[function->id] != UNSEEN || !function->body)
+        return;
+    a->functions[function->id] = BEGUN;
+    visit(a, function->body);
+    a->functions[function->id] = DONE;
+}
+
+void ir_look_through_accessors(ir_unit *unit) {
+    accessors a = {.memory = unit->arena, .unit = unit};
+    a.functions = ARENA_ARRAY(unit->arena, progress, unit->function_count + 1u);
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        assert(unit->functions[i]->id == i);
+        look_through(&a, unit->functions[i]);
+    }
+}
