@@ -109,7 +109,7 @@ void steps_on_the_way(int n, const int *s, double *h) {
 }
 
 void another_of_its_name(int n, const int *s, const double *field) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse binding
+    for (int i = 0; i < n; i++) // EXPECT: refuse base-varies
         *in_field(s[i]) += field[i];
 }
 

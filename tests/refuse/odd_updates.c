@@ -73,6 +73,8 @@ void callee_static(int n, const int *k, double *h) {
 }
 
 static int *ptr_to(int *a, int i) {
+    if (i < 0)
+        return a;
     return a + i;
 }
 

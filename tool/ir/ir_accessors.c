@@ -2,6 +2,7 @@
 #include "ir/ir_accessors.h"
 
 #include <assert.h>
+#include <string.h>
 
 enum { MOST_NODES = 200 }; /* of one place; calls within arguments multiply them */
 
@@ -113,12 +114,30 @@ static unsigned count_nodes(const ir_node *node) {
     return count;
 }
 
+static bool has_variable(const ir_unit *unit, const ir_function *caller, const char *name) {
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->function == caller && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    return false;
+}
+
+/* Does the caller have another variable of a name that the place says? */
+static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir_node *place) {
+    if (place->kind == IR_VARIABLE && place->variable->storage != IR_PARAMETER &&
+        has_variable(unit, caller, place->variable->name))
+        return true;
+    for (unsigned i = 0; i < place->child_count; i++)
+        if (hides_names(unit, caller, place->children[i]))
+            return true;
+    return false;
+}
+
 /* The address in the caller's terms; the call itself where it is no call of an accessor. */
-static ir_node *place_of_call(accessors *a, ir_node *call) {
+static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *call) {
     const ir_node *callee = call->children[0];
     ir_function *function = callee->kind == IR_FUNCTION ? callee->function : NULL;
     const ir_node *place = function ? returned_place(a, function) : NULL;
-    if (!place || !can_be_put_in(call, function))
+    if (!place || !can_be_put_in(call, function) || hides_names(a->unit, caller, place))
         return call;
     ir_node *copy = ir_substitute(a->memory, place, function, &call->children[1]);
     if (count_nodes(copy) > MOST_NODES)
@@ -159,13 +178,13 @@ static void simplify(accessors *a, ir_node *node) {
     stand_for(node, range, 0);
 }
 
-static void visit(accessors *a, ir_node *node) {
+static void visit(accessors *a, const ir_function *function, ir_node *node) {
     bool has_changed = false;
     for (unsigned i = 0; i < node->child_count; i++) {
         ir_node *child = node->children[i];
-        visit(a, child);
+        visit(a, function, child);
         if (child->kind == IR_CALL)
-            node->children[i] = place_of_call(a, child);
+            node->children[i] = place_of_call(a, function, child);
         has_changed |= node->children[i] != child;
     }
     if (has_changed)
@@ -176,7 +195,7 @@ static void look_through(accessors *a, ir_function *function) {
     if (a->functions[function->id] != UNSEEN || !function->body)
         return;
     a->functions[function->id] = BEGUN;
-    visit(a, function->body);
+    visit(a, function, function->body);
     a->functions[function->id] = DONE;
 }
 

@@ -100,6 +100,8 @@ void local_chosen(int n, const int *s, double *x) {
 }
 
 static const double *pick(const double *p, int k) {
+    if (k < 0)
+        return p;
     return p + k;
 }
 
