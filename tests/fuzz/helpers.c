@@ -5,6 +5,8 @@
  * they were when these were added. */
 #include "fuzz/kernel.h"
 
+#include <string.h>
+
 typedef struct helper {
     const char *type;    /* of the counter */
     const char *counter; /* of its loop */
@@ -154,8 +156,11 @@ void call_of_helper(kernel *k) {
 const char *place_by_accessor(kernel *k, const array *a, const char *index) {
     static const char *const types[] = {"int", "long", "size_t", "short", "unsigned char"};
     static const char *const forms[] = {"&%s[at]", "%s + at", "at + %s", "&(*(%s + at))"};
+    /* Not all that is called by the kernel's own names lies in the file. */
     const bool is_of_file =
-        (a->storage == STORAGE_GLOBAL || a->storage == STORAGE_GLOBAL_POINTER) && chance(k, 50);
+        (a->storage == STORAGE_GLOBAL || a->storage == STORAGE_GLOBAL_POINTER) &&
+        strstr(a->base, text(k, "_%llu", (unsigned long long)k->seed)) &&
+        !strpbrk(a->base, "(?[") && chance(k, 50);
     const char *function = new_name(k, "slot");
     const char *type = a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
     const bool is_row = a->shape == SHAPE_ROWS;
