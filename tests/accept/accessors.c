@@ -4,6 +4,7 @@
 // covers: row 92
 #include "case.h"
 #include <stddef.h>
+#include <stdlib.h>
 
 enum { N = 12000, M = 900, WIDTH = 30 };
 static int edge[N][2], count[M];
@@ -59,8 +60,22 @@ static int *count_of(int k) {
     return count + k;
 }
 
+struct flexible {
+    int size;
+    double value[];
+};
+
+static double *in_flexible(struct flexible *f, int k) {
+    return &f->value[k];
+}
+
 static int *in_tally(int k) {
     return &tally[k];
+}
+
+enum { BEHIND = 5 };
+static double *behind(double *a, int k) {
+    return a + k + BEHIND;
 }
 
 static const double *weight(int k) {
@@ -82,6 +97,18 @@ static void by_parameters(struct table *t, int n) {
         *own_slot(t, edge[i][0]) += w[i];
     for (int i = 0; i < n; i++) // EXPECT: transformed
         *at(&m[0][0], WIDTH, edge[i][0] % (M / WIDTH), edge[i][1] % WIDTH) += w[i];
+}
+
+static void at_the_end(struct flexible *f, int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        *in_flexible(f, edge[i][1]) += w[i];
+}
+
+static void with_other_names(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        enum { BEHIND = 2 };
+        *behind(h, edge[i][0]) += BEHIND * w[i];
+    }
 }
 
 static void of_records(int n) {
@@ -142,7 +169,8 @@ static void in_operands(struct table *t, int n) {
 
 int main(void) {
     static struct table t;
-    static double values[M], sums[1];
+    static double values[M], sums[2];
+    struct flexible *f = calloc(1, sizeof *f + M * sizeof *f->value);
     t.value = values;
     case_values(w, N);
     for (int round = 0; round < 6; round++) {
@@ -155,11 +183,14 @@ int main(void) {
         tally = count + round;
         shift = round * 3;
         by_parameters(&t, n);
+        at_the_end(f, n);
+        with_other_names(n);
         of_records(n);
         of_rows(n);
         of_the_file(n);
         in_operands(&t, n);
         CASE_PRINT(values);
+        sums[1] += f->value[round] + f->value[7 * round];
         CASE_PRINT(t.own);
         CASE_PRINT(m);
         CASE_PRINT(x);
@@ -170,5 +201,6 @@ int main(void) {
             sums[0] += grid[i].low + grid[i].high + grid[i].visits;
         CASE_PRINT(sums);
     }
+    free(f);
     return 0;
 }

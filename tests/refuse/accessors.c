@@ -51,6 +51,10 @@ static double *slot(double *h, int k) {
     return &h[k];
 }
 
+static double *in_rows(int size, double h[size][size], int i, int j) {
+    return &h[i][j];
+}
+
 static double *in_field(int k) {
     return &field[k];
 }
@@ -111,6 +115,11 @@ void steps_on_the_way(int n, const int *s, double *h) {
 void another_of_its_name(int n, const int *s, const double *field) {
     for (int i = 0; i < n; i++) // EXPECT: refuse base-varies
         *in_field(s[i]) += field[i];
+}
+
+void of_other_rows(int n, int wide, double h[wide][wide], const int *s) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse base-varies
+        *in_rows(wide, h, s[i], s[i] % wide) += 1.0;
 }
 
 void read_as_well(int n, const int *s) {

@@ -9,3 +9,12 @@ void replaced(int n, const int *restrict s, double *restrict h, const double *re
     for (int t = 0; t < n; t++) // EXPECT: refuse interposed
         h[s[t]] += half(e[t]);
 }
+
+double *place(double *h, int k) {
+    return &h[k];
+}
+
+void replaced_place(int n, const int *restrict s, double *restrict h, const double *restrict e) {
+    for (int t = 0; t < n; t++) // EXPECT: refuse interposed
+        *place(h, s[t]) += e[t];
+}

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Once all trees are there: order, numbers, whose address is taken. */
 #include "frontend/convert.h"
+#include "frontend/flags.h"
 #include "ir/ir_accessors.h"
 
 /* ---- whose address is taken ---------------------------------------------------------------- */
@@ -94,9 +95,21 @@ static void order_functions(converter *c) {
         unit->functions[i]->id = i;
 }
 
+/* What a shared object exports, the program may have another of. */
+static void mark_interposable(converter *c) {
+    const parse_flags *chosen = c->compiler.flags;
+    for (unsigned i = 0; i < c->unit->function_count; i++) {
+        ir_function *function = c->unit->functions[i];
+        function->linkage.is_interposable = chosen->is_shared && !chosen->is_fixed &&
+                                            function->body != NULL && !function->linkage.is_hidden;
+        function->linkage.is_weak |= function->linkage.is_interposable;
+    }
+}
+
 void finish_unit(converter *c) {
     order_functions(c);
     number_variables(c);
+    mark_interposable(c);
     ir_look_through_accessors(c->unit);
     for (unsigned i = 0; i < c->unit->function_count; i++) {
         ir_function *f = c->unit->functions[i];

@@ -300,12 +300,6 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     unit->dialect.is_c89 = chosen->is_c89;
     unit->dialect.is_sanitized = chosen->is_sanitized;
     unit->dialect.math_errno = chosen->math_errno;
-    for (unsigned i = 0; i < unit->function_count; i++) {
-        ir_function *function = unit->functions[i];
-        function->linkage.is_interposable = chosen->is_shared && !chosen->is_fixed &&
-                                            function->body != NULL && !function->linkage.is_hidden;
-        function->linkage.is_weak |= function->linkage.is_interposable;
-    }
 }
 
 static void run(void *data) {

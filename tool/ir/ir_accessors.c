@@ -16,30 +16,49 @@ typedef struct accessors {
 
 static void look_through(accessors *a, ir_function *function);
 
+/* Its rows are as long as the function's own variables say. */
+static bool is_variably_modified(const ir_type *type) {
+    for (; type->kind == IR_POINTER || type->kind == IR_ARRAY; type = type->target)
+        if (type->kind == IR_ARRAY && type->count < 0)
+            return true;
+    return false;
+}
+
+static bool is_of_file(const ir_variable *variable) {
+    return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC ||
+           variable->storage == IR_THREAD_LOCAL;
+}
+
+/* Of the file, or a parameter of the function itself. */
+static bool can_be_named(const ir_variable *variable, const ir_function *function) {
+    return is_of_file(variable) ||
+           (variable->storage == IR_PARAMETER && variable->function == function &&
+            !is_variably_modified(variable->type));
+}
+
 /* Only such operators, as all others would say more than where something is. */
-static bool is_place(const ir_node *node) {
+static bool is_operator(const ir_node *node, const ir_function *function) {
     switch (node->kind) {
-    case IR_NUMBER:
     case IR_VARIABLE:
-    case IR_INDEX:
-    case IR_MEMBER:
+        return can_be_named(node->variable, function);
     case IR_CAST:
-        break;
+        return !is_variably_modified(node->type);
     case IR_UNARY:
-        if (node->op != IR_OP_ADDRESS && node->op != IR_OP_DEREFERENCE && node->op != IR_OP_MINUS)
-            return false;
-        break;
+        return node->op == IR_OP_ADDRESS || node->op == IR_OP_DEREFERENCE ||
+               node->op == IR_OP_MINUS;
     case IR_BINARY:
-        if (node->op != IR_OP_ADD && node->op != IR_OP_SUBTRACT && node->op != IR_OP_MULTIPLY)
-            return false;
-        break;
+        return node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT || node->op == IR_OP_MULTIPLY;
     default:
-        return false;
+        return node->kind == IR_NUMBER || node->kind == IR_INDEX || node->kind == IR_MEMBER;
     }
-    if (!node->type || node->type->is_volatile || node->type->is_atomic)
+}
+
+static bool is_place(const ir_node *node, const ir_function *function) {
+    if (!node->type || node->type->is_volatile || node->type->is_atomic ||
+        !is_operator(node, function))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!is_place(node->children[i]))
+        if (!is_place(node->children[i], function))
             return false;
     return true;
 }
@@ -64,7 +83,7 @@ static const ir_node *returned_place(accessors *a, ir_function *function) {
     const ir_type *result = function->type->target;
     const bool decays = value->type && value->type->kind == IR_ARRAY;
     if (!result || result->kind != IR_POINTER || !result->target || result->target->size <= 0 ||
-        !is_place(value) ||
+        !is_place(value, function) ||
         !(decays ? ir_type_equal(value->type->target, result->target)
                  : ir_type_equal(value->type, result)))
         return NULL;
@@ -98,11 +117,11 @@ static void stand_for(ir_node *node, ir_range range, unsigned flags) {
         stand_for(node->children[i], range, flags);
 }
 
-static bool names_others_than_parameters(const ir_node *node) {
-    if (node->kind == IR_VARIABLE && node->variable->storage != IR_PARAMETER)
+static bool names_the_file(const ir_node *node) {
+    if (node->kind == IR_VARIABLE && is_of_file(node->variable))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (names_others_than_parameters(node->children[i]))
+        if (names_the_file(node->children[i]))
             return true;
     return false;
 }
@@ -123,7 +142,7 @@ static bool has_variable(const ir_unit *unit, const ir_function *caller, const c
 
 /* Does the caller have another variable of a name that the place says? */
 static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir_node *place) {
-    if (place->kind == IR_VARIABLE && place->variable->storage != IR_PARAMETER &&
+    if (place->kind == IR_VARIABLE && is_of_file(place->variable) &&
         has_variable(unit, caller, place->variable->name))
         return true;
     for (unsigned i = 0; i < place->child_count; i++)
@@ -142,8 +161,7 @@ static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *
     ir_node *copy = ir_substitute(a->memory, place, function, &call->children[1]);
     if (count_nodes(copy) > MOST_NODES)
         return call;
-    stand_for(copy, call->range,
-              IR_FROM_MACRO | (names_others_than_parameters(place) ? IR_FROM_CALL : 0));
+    stand_for(copy, call->range, IR_FROM_MACRO | (names_the_file(place) ? IR_FROM_CALL : 0));
     return copy;
 }
 
