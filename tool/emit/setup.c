@@ -49,15 +49,6 @@ static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-static bool is_named_by_call(const ir_node *node, const ir_variable *variable) {
-    if (node->kind == IR_VARIABLE && node->variable == variable && node->flags & IR_FROM_CALL)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (is_named_by_call(node->children[i], variable))
-            return true;
-    return false;
-}
-
 enum { MOST_MENTIONS = 64 }; /* each is looked for in the whole body */
 
 /** Is the variable named in the body by the tree's own nodes alone? What stands in types (the
@@ -100,9 +91,7 @@ bool can_be_pointer(const loop_text *loop, const ir_variable *variable) {
 static bool can_be_shadowed(const loop_text *loop, const ir_node *base) {
     if (base->kind != IR_VARIABLE)
         return false;
-    return base->type->kind == IR_POINTER
-               ? !is_named_by_call(loop->facts->counted.body, base->variable)
-               : can_be_pointer(loop, base->variable);
+    return base->type->kind == IR_POINTER || can_be_pointer(loop, base->variable);
 }
 
 /** The base's own address - of an array as a whole, a pointer to an array; of a pointer, where that
