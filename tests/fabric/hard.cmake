@@ -3,7 +3,7 @@
 if(NOT TARGET fabric_physics_tests)
   return()
 endif()
-foreach(name motion contact shape effects demand decisions self piles rules resume bodies)
+foreach(name motion contact shape effects demand decisions self piles rules steps resume bodies)
   add_executable(test_fabric_hard_${name} hard/test_${name}.c)
   target_link_libraries(test_fabric_hard_${name} PRIVATE fabric_stage redcc_warnings)
   add_test(NAME fabric.hard.${name} COMMAND test_fabric_hard_${name})
@@ -17,7 +17,7 @@ target_compile_definitions(test_fabric_hard_decisions PRIVATE
 
 # Every scene of the catalogue by the physics behind redcc-cc: the same bits at any number of threads.
 if(TARGET fabric_physics_parallel AND NOT REDCC_SANITIZE)
-  foreach(name simulation motion contact shape effects self piles rules resume bodies)
+  foreach(name simulation motion contact shape effects self piles rules steps resume bodies)
     set(folder hard)
     if(name STREQUAL simulation)
       set(folder physics)

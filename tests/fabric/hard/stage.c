@@ -11,6 +11,13 @@ stage stage_of(mesh m, scene s) {
     return (stage){.m = m, .s = s};
 }
 
+stage stage_with(collider *k) {
+    stage on = stage_of(cloth_sheet(4, 4, 0.1, 0.2, 3), cloth_scene());
+    on.s.colliders = k;
+    on.s.collider_count = 1;
+    return on;
+}
+
 void stage_begin(stage *on) {
     char error[256] = "";
     on->sim = simulation_new(&on->m, &on->s, error);

@@ -17,6 +17,9 @@ typedef struct stage {
 /** The stage owns the mesh. Not begun yet: scene and mesh may be changed. */
 stage stage_of(mesh m, scene s);
 
+/** A small sheet at z = 0, with one collider. */
+stage stage_with(collider *k);
+
 /** Makes the simulation; the stage must stay where it is from now on. */
 void stage_begin(stage *on);
 /** Frees cloth and simulation. Where the environment has FABRIC_STAGE_BITS, a line in that file
