@@ -122,6 +122,22 @@ void of_other_rows(int n, int wide, double h[wide][wide], const int *s) {
         *in_rows(wide, h, s[i], s[i] % wide) += 1.0;
 }
 
+struct later;
+static double *in_later(struct later *l, int k);
+
+void before_its_definition(int n, struct later *l, const int *s) {
+    for (int i = 0; i < n; i++) // EXPECT: refuse base-varies
+        *in_later(l, s[i]) += 1.0;
+}
+
+struct later {
+    double values[100];
+};
+
+static double *in_later(struct later *l, int k) {
+    return &l->values[k];
+}
+
 void read_as_well(int n, const int *s) {
     for (int i = 0; i < n; i++) // EXPECT: refuse array-read
         field[s[i]] += *in_field(i);

@@ -151,12 +151,19 @@ static bool hides_names(const ir_unit *unit, const ir_function *caller, const ir
     return false;
 }
 
+/* What an address says must be declared where the caller's text stands. */
+static bool is_defined_before(const ir_function *function, const ir_function *caller) {
+    return !function->is_in_main_file || !caller->is_in_main_file ||
+           function->range.begin < caller->range.begin;
+}
+
 /* The address in the caller's terms; the call itself where it is no call of an accessor. */
 static ir_node *place_of_call(accessors *a, const ir_function *caller, ir_node *call) {
     const ir_node *callee = call->children[0];
     ir_function *function = callee->kind == IR_FUNCTION ? callee->function : NULL;
     const ir_node *place = function ? returned_place(a, function) : NULL;
-    if (!place || !can_be_put_in(call, function) || hides_names(a->unit, caller, place))
+    if (!place || !is_defined_before(function, caller) || !can_be_put_in(call, function) ||
+        hides_names(a->unit, caller, place))
         return call;
     ir_node *copy = ir_substitute(a->memory, place, function, &call->children[1]);
     if (count_nodes(copy) > MOST_NODES)
