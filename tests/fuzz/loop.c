@@ -123,6 +123,12 @@ static const header *any_header(kernel *k) {
     return &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];
 }
 
+/* A counter's first value, where what stands before the loop may jump past it; and in programs that
+ * are reduced. */
+static const char *first_value(const kernel *k) {
+    return k->without || k->body.length > 0 ? " = 0" : "";
+}
+
 static void put_header(kernel *k, const char *counter, buffer *b) {
     const header *h = any_header(k);
     if (h->most_trips && k->trips > h->most_trips)
@@ -132,7 +138,7 @@ static void put_header(kernel *k, const char *counter, buffer *b) {
     k->counter_type = h->type;
     k->may_continue = true;
     if (k->has_outer_counter)
-        put(k, &k->locals, "    %s %s%s;\n", h->type, counter, k->without ? " = 0" : "");
+        put(k, &k->locals, "    %s %s%s;\n", h->type, counter, first_value(k));
     const char *declared = k->has_outer_counter ? counter : text(k, "%s %s", h->type, counter);
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
@@ -162,7 +168,7 @@ static void put_bound(kernel *k, const char *counter, buffer *b) {
     k->has_plain_header = chance(k, 50);
     k->may_continue = k->has_outer_counter = true;
     k->counter_type = "int";
-    put(k, &k->locals, "    int %s%s, %s;\n", counter, k->without ? " = 0" : "", end);
+    put(k, &k->locals, "    int %s%s, %s;\n", counter, first_value(k), end);
     if (is_known) {
         const char *at = new_name(k, "at");
         put(k, &k->locals, "    int *const %s = &%s;\n", at, counter);
