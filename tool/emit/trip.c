@@ -98,7 +98,6 @@ typedef struct header {
     bool ascends;
     bool inclusive;
     const char *stride;    /* |step| as text; NULL: it is 1 */
-    bool asks_for_stride;  /* no constant: redcc__stride is declared */
     bool lower_is_natural; /* a constant that is not negative */
     bool ends_at_bound;    /* the counter's last value is the bound itself */
 } header;
@@ -113,10 +112,9 @@ static header header_of(arena *a, const counted_loop *counted) {
     h.inclusive =
         counted->comparison == IR_OP_LESS_EQUAL || counted->comparison == IR_OP_GREATER_EQUAL;
     const int64_t step = h.ascends ? counted->step : -counted->step;
-    h.asks_for_stride = counted->stride != NULL;
-    h.stride = h.asks_for_stride ? "redcc__stride"
-               : step == 1       ? NULL
-                                 : arena_format(a, "%lld", (long long)step);
+    h.stride = counted->stride ? "redcc__stride"
+               : step == 1     ? NULL
+                               : arena_format(a, "%lld", (long long)step);
     h.lower_is_natural = !counted->steps_first && is_natural_constant(counted->lower, h.counter);
     h.ends_at_bound = !h.stride && !h.inclusive;
     return h;
@@ -225,7 +223,7 @@ static bool can_be_counted(loop_text *loop, const header *h) {
 /** An expression of the user's is evaluated only where the loop would come to it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
-    if (!h->asks_for_stride) {
+    if (!h->counted->stride) {
         writer_line(out, "redcc__trip = %s ? %s : 0;", ends, count);
         return;
     }

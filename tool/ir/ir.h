@@ -96,6 +96,10 @@ struct ir_type {
  *  written: an enumeration equals its integer type, long equals a long long of the same size. */
 bool ir_type_equal(const ir_type *a, const ir_type *b);
 bool ir_type_is_scalar(const ir_type *type); /* arithmetic or pointer */
+/** An integer of at most 64 bits, neither volatile nor atomic; NULL is none. */
+bool ir_type_is_plain_integer(const ir_type *type);
+/** Is an array of no or of variable length a part of it, or of what it points to? */
+bool ir_type_is_variably_modified(const ir_type *type);
 /** The element of an array of arrays ..., or the type itself. */
 const ir_type *ir_type_innermost(const ir_type *type);
 

@@ -16,24 +16,17 @@ typedef struct accessors {
 
 static void look_through(accessors *a, ir_function *function);
 
-/* Its rows are as long as the function's own variables say. */
-static bool is_variably_modified(const ir_type *type) {
-    for (; type->kind == IR_POINTER || type->kind == IR_ARRAY; type = type->target)
-        if (type->kind == IR_ARRAY && type->count < 0)
-            return true;
-    return false;
-}
-
 static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC ||
            variable->storage == IR_THREAD_LOCAL;
 }
 
-/* Of the file, or a parameter of the function itself. */
+/* Of the file, or a parameter of the function itself; not one whose rows are as long as the
+ * function's own variables say. */
 static bool can_be_named(const ir_variable *variable, const ir_function *function) {
     return is_of_file(variable) ||
            (variable->storage == IR_PARAMETER && variable->function == function &&
-            !is_variably_modified(variable->type));
+            !ir_type_is_variably_modified(variable->type));
 }
 
 /* Only such operators, as all others would say more than where something is. */
@@ -42,7 +35,7 @@ static bool is_operator(const ir_node *node, const ir_function *function) {
     case IR_VARIABLE:
         return can_be_named(node->variable, function);
     case IR_CAST:
-        return !is_variably_modified(node->type);
+        return !ir_type_is_variably_modified(node->type);
     case IR_UNARY:
         return node->op == IR_OP_ADDRESS || node->op == IR_OP_DEREFERENCE ||
                node->op == IR_OP_MINUS;

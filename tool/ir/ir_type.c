@@ -33,6 +33,18 @@ bool ir_type_equal(const ir_type *a, const ir_type *b) {
     return false;
 }
 
+bool ir_type_is_plain_integer(const ir_type *type) {
+    return type && type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 &&
+           !type->is_volatile && !type->is_atomic;
+}
+
+bool ir_type_is_variably_modified(const ir_type *type) {
+    for (; type != NULL; type = type->target)
+        if (type->kind == IR_ARRAY && type->count < 0)
+            return true;
+    return false;
+}
+
 bool ir_type_is_scalar(const ir_type *type) {
     switch (type->kind) {
     case IR_BOOLEAN:

@@ -124,11 +124,6 @@ static bool step_agrees(const counted_loop *loop) {
     }
 }
 
-static bool is_plain_integer(const ir_type *type) {
-    return type && type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 &&
-           !type->is_volatile && !type->is_atomic;
-}
-
 static bool is_address(const ir_node *node) {
     return node->type && (node->type->kind == IR_POINTER || node->type->kind == IR_ARRAY);
 }
@@ -143,7 +138,7 @@ static bool is_plain_pointer(const ir_type *type) {
 
 static bool is_plain_end(const counted_loop *loop, const ir_node *node) {
     return loop->counter->type->kind == IR_POINTER ? is_address(node)
-                                                   : is_plain_integer(node->type);
+                                                   : ir_type_is_plain_integer(node->type);
 }
 
 /* No assignment, increment or opaque node in it. */
@@ -163,7 +158,7 @@ static bool compares_while_stepping(const counted_loop *loop) {
 
 static bool may_count(const counted_loop *loop) {
     return variable_is_automatic(loop->counter) &&
-           (is_plain_integer(loop->counter->type) ||
+           (ir_type_is_plain_integer(loop->counter->type) ||
             (is_plain_pointer(loop->counter->type) && !compares_while_stepping(loop)));
 }
 

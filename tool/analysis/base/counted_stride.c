@@ -4,20 +4,15 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 
-static bool is_integer(const ir_type *type) {
-    return type && type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 &&
-           !type->is_volatile && !type->is_atomic;
-}
-
 static bool is_steady(const ir_node *loop, const ir_node *node) {
     const ir_variable *variable = node->variable;
     if (node->kind == IR_VARIABLE)
-        return is_integer(node->type) && variable_is_automatic(variable) &&
+        return ir_type_is_plain_integer(node->type) && variable_is_automatic(variable) &&
                !variable->address_taken && !variable->has_other_name &&
                !ir_declarator_in(loop, variable) && !variable_is_written_in(loop, variable);
     if ((node->kind != IR_NUMBER && node->kind != IR_CAST && node->kind != IR_BINARY &&
          node->kind != IR_UNARY) ||
-        !is_integer(node->type) || expression_is_hazard(node))
+        !ir_type_is_plain_integer(node->type) || expression_is_hazard(node))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
         if (!is_steady(loop, node->children[i]))
@@ -47,7 +42,7 @@ bool counted_split_stride(const ir_node *loop, const ir_node *increment, counted
     ir_variable *v = target && target->kind == IR_VARIABLE ? target->variable : NULL;
     bool is_down = false;
     const ir_node *stride =
-        v && is_integer(v->type) ? stride_added(loop, increment, v, &is_down) : NULL;
+        v && ir_type_is_plain_integer(v->type) ? stride_added(loop, increment, v, &is_down) : NULL;
     if (!stride)
         return false;
     counted->counter = v;

@@ -20,11 +20,6 @@ static bool is_executed_once(const loop_analysis *j, const ir_node *write) {
            executed_certainly_in(j->loop->children[2], write);
 }
 
-static bool is_integer(const ir_type *type) {
-    return type->kind == IR_INTEGER && type->size > 0 && type->size <= 8 && !type->is_volatile &&
-           !type->is_atomic;
-}
-
 /* Steps of a pointer are as long as what it points to. */
 static bool is_pointer(const ir_type *type) {
     return type->kind == IR_POINTER && !type->is_volatile && !type->is_atomic && type->target &&
@@ -82,7 +77,7 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
                              .is_stepped = true};
     if (is_taken(j, variable))
         return true;
-    if ((!is_integer(variable->type) && !is_pointer(variable->type)) ||
+    if ((!ir_type_is_plain_integer(variable->type) && !is_pointer(variable->type)) ||
         !is_of_function(j, variable) || !sum_steps(j, variable, &item))
         return false;
     /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */

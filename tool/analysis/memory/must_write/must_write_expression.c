@@ -351,13 +351,6 @@ void run_initialise(run *r, state *s, const ir_node *declarator) {
 
 /* ---- text that the tree does not show -------------------------------------------------------- */
 
-static bool is_variably_modified(const ir_type *type) {
-    for (; type != NULL; type = type->target)
-        if (type->kind == IR_ARRAY && type->count < 0)
-            return true;
-    return false;
-}
-
 static bool is_word_character(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            (unsigned char)c >= 128;
@@ -375,7 +368,7 @@ static bool text_mentions(const char *text, size_t length, const char *word) {
 void run_check_hidden(run *r, const state *s, const ir_node *node, const ir_type *type) {
     static const char why[] = "the size of a type may depend on it";
     const source *text = r->prover->unit->source;
-    if (type != NULL && !is_variably_modified(type))
+    if (type != NULL && !ir_type_is_variably_modified(type))
         return;
     if (r->object == NULL || text == NULL || node->range.begin >= node->range.end ||
         node->range.end > text->length || (node->flags & IR_FROM_MACRO) != 0) {
