@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// -ffast-math and its parts let the compiler round each copy of an expression in its own way: only
-// loops without floating-point arithmetic keep their bits.
+// -ffast-math and its parts let the compiler round each copy of an expression in its own way, and the
+// rest of the file otherwise where it inlines other functions (attack 71): only files without
+// floating-point arithmetic keep their bits. Neighbour: 71-integers-by-387.
 // CFLAGS: -O2 -ffast-math
 #include <stdio.h>
 
@@ -29,7 +30,7 @@ static void subscripts(int n) {
 }
 
 static void integers(int n, const int *s) {
-    for (int t = 0; t < n; t++) // EXPECT: parallel
+    for (int t = 0; t < n; t++) // EXPECT: refuse inexact-option
         count[s[t]] += t;
 }
 

@@ -17,8 +17,15 @@ void counts(int n, const int *restrict s, int *h) {
         h[s[t]]++;
 }
 END
-verdicts() { # REDCC-ARGUMENTS: of the two loops, a word each
-    "$ATTACK_REDCC" --analyze x.c --report=json "$@" |
+cat >integers.c <<'END'
+void counts(int n, const int *restrict s, int *h) {
+    for (int t = 0; t < n; t++)
+        h[s[t]]++;
+}
+END
+source=x.c
+verdicts() { # REDCC-ARGUMENTS: of the source's loops, a word each
+    "$ATTACK_REDCC" --analyze $source --report=json "$@" |
         jq -r '[.loops[] | if .verdict == "transformed" then "transformed" else .reason.slug end] | join(" ")'
 }
 expect() { # WORDS OPTION
@@ -26,7 +33,8 @@ expect() { # WORDS OPTION
     found=$(verdicts -- -O2 "$2")
     [ "$found" = "$1" ] || { echo "-- $2: expected '$1', found '$found'" >&2; exit 1; }
     jq -n --arg folder "$work" --arg option "$2" \
-        '[{directory: $folder, file: "x.c", arguments: ["gcc", "-O2", $option, "-c", "x.c", "-o", "x.o"]}]' \
+        --arg source $source \
+        '[{directory: $folder, file: $source, arguments: ["gcc", "-O2", $option, "-c", $source, "-o", "x.o"]}]' \
         >compile_commands.json
     found=$(verdicts -p .)
     [ "$found" = "$1" ] || { echo "-p $2: expected '$1', found '$found'" >&2; exit 1; }
@@ -39,7 +47,8 @@ done
 for option in -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
     -fno-signed-zeros -ffinite-math-only -mfpmath=387 -mfpmath=both -mfpmath=sse,387 -mrecip \
     -fcx-limited-range; do
-    expect "inexact-option transformed" "$option"
+    expect "inexact-option inexact-option" "$option"
+    source=integers.c expect "transformed" "$option"
 done
 for option in -O3 -fno-math-errno -fno-trapping-math -mfpmath=sse -fPIC -ffp-contract=off -g -Wall -fno-plt; do
     expect "transformed transformed" "$option"

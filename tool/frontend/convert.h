@@ -206,4 +206,7 @@ void find_own_bytes(converter *c, ir_node *body);
 /** Orders and numbers functions and variables, finishes bodies, finds address_taken. */
 void finish_unit(converter *c);
 
+/** Does a finished unit compute with floating-point numbers, in what is compiled of it? */
+bool has_floating_work(const ir_unit *unit);
+
 #endif

@@ -17,9 +17,9 @@ typedef struct parse_flags {
                              its own */
     const char *unseen;   /* a list of macros that cannot be read; NULL: none */
     const char *refusing; /* by it the program is another than the parser's; NULL: none */
-    const char *inexact;  /* by it floating-point bits may differ between copies; NULL: none */
-    bool is_c89;          /* by -std= or -ansi */
-    bool is_c23;          /* by -std=, or a later one */
+    const char *inexact; /* by it floating-point bits depend on what else is compiled; NULL: none */
+    bool is_c89;         /* by -std= or -ansi */
+    bool is_c23;         /* by -std=, or a later one */
     VECTOR(const char *)
     system_folders;    /* by -isystem and the like: a library's, not the compiler's */
     bool is_sanitized; /* by -fsanitize= of others than addresses, leaks and threads */

@@ -296,7 +296,8 @@ static void apply_flags(ir_unit *unit, const parse_flags *chosen) {
     if (chosen->unseen != NULL)
         unit->text.unseen_word = chosen->unseen;
     unit->dialect.refusing_option = chosen->refusing;
-    unit->dialect.inexact_option = chosen->inexact;
+    if (chosen->inexact != NULL && has_floating_work(unit))
+        unit->dialect.inexact_option = chosen->inexact;
     unit->dialect.is_c89 = chosen->is_c89;
     unit->dialect.is_sanitized = chosen->is_sanitized;
     unit->dialect.math_errno = chosen->math_errno;

@@ -297,8 +297,8 @@ typedef struct ir_dialect {
     bool math_errno;      /* mathematical functions set errno */
     bool is_sanitized;    /* arithmetic without a meaning may end the program */
     const char *refusing_option; /* by it the program is another than this. NULL: none */
-    const char *inexact_option;  /* by it two copies of a floating-point expression may give other
-                                    bits. NULL: none */
+    const char *inexact_option;  /* by it floating-point bits, of which the file has some, depend on
+                                    what else is compiled. NULL: none */
 } ir_dialect;
 
 /** What the text of the file and its headers says beside the tree. Not in the text form. */

@@ -23,8 +23,8 @@ enum option_meaning {
     OPTION_PATH = 1 << 15,       /**< its argument is a path, from the folder of the command */
     OPTION_REFUSE = 1 << 16,     /**< by it the program is another than the one that is analysed: no
                                       loop is translated, however it comes */
-    OPTION_INEXACT = 1 << 17     /**< two copies of a floating-point expression may give other bits:
-                                      loops with one are not translated */
+    OPTION_INEXACT = 1 << 17 /**< floating-point bits depend on what else is compiled: no loop of
+                                  a file with such arithmetic is translated */
 };
 
 /** One option; several where the name is the beginning of a family ("-W"). */

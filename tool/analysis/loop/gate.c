@@ -273,7 +273,7 @@ static reason check_all(const loop_analysis *j, const access_list *found) {
         why = first_problem(j, found);
     if (why.id != REASON_NONE)
         return why;
-    if (found->has_floating_work && unit->dialect.inexact_option && !j->an->options->any_order)
+    if (unit->dialect.inexact_option && !j->an->options->any_order)
         return analysis_reason(j, REASON_INEXACT_OPTION, j->loop, unit->dialect.inexact_option);
     if (found->may_set_errno && unit->dialect.math_errno && file_reads_errno(unit))
         return analysis_reason(j, REASON_ERRNO, j->loop, found->errno_setter);

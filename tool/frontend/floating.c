@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Is there floating-point arithmetic in what is compiled of this file? Under some options its bits
+ * depend on what the compiler inlines, and that depends on how often a function is called: also in
+ * a loop that is left alone, once another has a second copy. */
+#include "frontend/convert.h"
+
+static bool is_floating(const ir_type *type) {
+    return type != NULL &&
+           (type->kind == IR_FLOATING || type->kind == IR_COMPLEX || type->kind == IR_OTHER_TYPE);
+}
+
+/* A conversion without a node of its own: what a declarator or a `return` makes of an integer. */
+static const ir_type *type_made(const ir_node *node) {
+    return node->kind == IR_DECLARATOR ? node->variable->type : node->type;
+}
+
+static bool note_floating(ir_node *node, void *context) {
+    bool *found = context;
+    *found |= node->kind == IR_OPAQUE || is_floating(type_made(node));
+    return !*found;
+}
+
+static bool function_is_floating(const ir_function *function) {
+    bool found = is_floating(function->type->target);
+    for (unsigned i = 0; i < function->parameter_count; i++)
+        found |= is_floating(function->parameters[i]->type);
+    ir_walk(function->body, note_floating, &found);
+    return found;
+}
+
+bool has_floating_work(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *function = unit->functions[i];
+        const bool is_used = function->reference_count > 0 ||
+                             !(function->linkage.is_static || function->is_from_system);
+        if (function->body != NULL && is_used && function_is_floating(function))
+            return true;
+    }
+    return false;
+}
