@@ -160,7 +160,7 @@ const char *place_by_accessor(kernel *k, const array *a, const char *index) {
     const bool is_of_file =
         (a->storage == STORAGE_GLOBAL || a->storage == STORAGE_GLOBAL_POINTER) &&
         strstr(a->base, text(k, "_%llu", (unsigned long long)k->seed)) &&
-        !strpbrk(a->base, "(?[") && chance(k, 50);
+        !strpbrk(a->base, "(?[") && !strstr(a->base, "both_") && chance(k, 50);
     const char *function = new_name(k, "slot");
     const char *type = a->shape == SHAPE_RECORDS ? a->record : elements[a->type].spelling;
     const bool is_row = a->shape == SHAPE_ROWS;

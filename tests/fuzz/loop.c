@@ -288,9 +288,14 @@ static void choose_bound(kernel *k) {
 static void put_statements(kernel *k, bool with_bait) {
     const int count = 1 + below(k, 7);
     const int bait_at = with_bait ? below(k, count) : -1;
+    const bool drains = k->has_drains && chance(k, 70);
+    const char *store = drains ? read_then_stored(k) : "";
+    const int store_at = drains ? below(k, count + 2) : -1;
     for (int i = 0; i < count; i++) {
         if (i == bait_at)
             bait(k);
+        if (i == store_at)
+            buffer_text(&k->body, store);
         statement(k);
     }
     const size_t begin = begin_statement(k);
@@ -298,6 +303,8 @@ static void put_statements(kernel *k, bool with_bait) {
     const char *where = place(k, a, subscript(k));
     put(k, &k->body, "%s;\n", update(k, a, where));
     end_statement(k, begin);
+    if (store_at >= count)
+        buffer_text(&k->body, store);
 }
 
 static void put_loop(kernel *k, bool with_bait, const char *counter) {
@@ -387,6 +394,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_helpers = seed % 7 == 0;
     k.has_idioms = seed % 11 == 0;
     k.has_strides = seed % 13 == 0;
+    k.has_drains = seed % 17 == 0;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

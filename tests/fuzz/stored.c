@@ -2,6 +2,8 @@
 /* Elements that an iteration stores and reads again; and some that only look so. */
 #include "fuzz/kernel.h"
 
+#include <string.h>
+
 #define LENGTH(stored) (int)(sizeof(stored) / sizeof *(stored))
 
 /* An array of the program's own for stored subscripts, or values, that is compared in the end. */
@@ -72,4 +74,45 @@ void nearly_stored_again(kernel *k) {
     }
     }
     add_name(&k->scope.subscripts, read);
+}
+
+/* What is stored, and when: a constant or what stays, mostly. */
+static const char *store_to(kernel *k, const char *drained, const char *own, bool is_floating) {
+    const char *stays = new_name(k, "stays"), *p = k->scope.positions.name[0];
+    put(k, &k->locals, "    const %s %s = %d;\n", is_floating ? "double" : "int", stays,
+        below(k, 4));
+    const char *to = chance(k, 8) ? text(k, "%s[%s + 1]", drained, p) : own;
+    const int which = below(k, 6);
+    const char *store = which == 4 && is_floating ? text(k, "%s = %s;\n", to, value(k, 0))
+                        : which == 0              ? text(k, "%s = 0;\n", to)
+                        : which == 1              ? text(k, "%s = %s;\n", to, stays)
+                        : which == 2              ? text(k, "%s *= 0.5;\n", to)
+                                                  : text(k, "%s -= %s;\n", to, stays);
+    const int when = below(k, 6);
+    if (when > 1)
+        return store;
+    const char *what = when ? text(k, "%s > %s", own, stays) : text(k, "%s & 1", p);
+    return chance(k, 50) ? text(k, "if (%s)\n%s", what, store)
+                         : text(k, "if (%s) {\n%s}\n", what, store);
+}
+
+const char *read_then_stored(kernel *k) {
+    static const char *const types[] = {"double", "double", "float", "int"};
+    const char *type = types[below(k, LENGTH(types))], *p = k->scope.positions.name[0];
+    const bool is_floating = strcmp(type, "int") != 0;
+    const array *h = &k->reduction[0];
+    const char *drained = new_name(k, "drained"), *object = text(k, "%s_all", drained);
+    put(k, &k->globals, "static %s %s[%d];\n", type, object, k->size);
+    put(k, &k->locals, "    for (int q = 0; q < %d; q++)\n        %s[q] = q * 7 %% 13;\n", k->size,
+        object);
+    put(k, &k->after, "    fuzz_print(\"%s\", %s, sizeof %s);\n", object, object, object);
+    const bool is_one = k->is_masked && h->type == E_DOUBLE && h->shape == SHAPE_FLAT &&
+                        strcmp(type, "double") == 0 && chance(k, 15);
+    put(k, &k->locals, "    %s *%s = %s;\n", type, drained, is_one ? h->object : object);
+    const char *own = chance(k, 70) ? text(k, "%s[%s]", drained, p)
+                                    : text(k, "%s[%s + %d]", drained, p, below(k, 9));
+    const char *read = new_name(k, "read");
+    put(k, &k->body, "const double %s = %s;\n", read, is_one ? text(k, "damp(%s)", own) : own);
+    add_name(&k->scope.values, read);
+    return store_to(k, drained, own, is_floating);
 }

@@ -4,6 +4,7 @@
 
 #include <assert.h>
 
+#include "analysis/base/distributed.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
@@ -15,6 +16,7 @@
 #include "analysis/private/induction.h"
 #include "analysis/private/live.h"
 #include "analysis/private/privates.h"
+#include "analysis/reduction/distribution.h"
 #include "analysis/reduction/scalars.h"
 #include "analysis/reduction/updates.h"
 
@@ -136,6 +138,7 @@ static loop_facts *finish_facts(const loop_analysis *j) {
     facts->scalar_count = j->scalars.count;
     facts->forwards = j->forwards.items;
     facts->forward_count = j->forwards.count;
+    facts->distribution = j->distribution;
     facts->sources = j->sources.items;
     facts->source_count = j->sources.count;
     facts->variables.privates = j->privates.items;
@@ -254,11 +257,12 @@ static const analyser *analyser_for(const analyser *an, const ir_node *loop) {
     return own;
 }
 
-loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
-    const analyser *an = analyser_for(whole, loop);
-    loop_analysis j = {.an = an, .function = function, .loop = loop};
+static loop_verdict analysed(const analyser *an, ir_function *function, ir_node *loop,
+                             const distribution *stores) {
+    loop_analysis j = {.an = an, .function = function, .loop = loop, .distribution = stores};
     bool is_fine = goes_on(&j, check_text(&j)) && goes_on(&j, check_jumps(&j)) && add_header(&j) &&
-                   add_accesses(&j) && add_header_steps(&j) && add_updates(&j);
+                   add_accesses(&j) && goes_on(&j, check_distribution(&j)) &&
+                   add_header_steps(&j) && add_updates(&j);
     /* What looked like a shared array may be private to each iteration. */
     if (is_fine && j.arrays.count == 0)
         return (loop_verdict){.kind = VERDICT_NOT_A_REDUCTION, .loop = loop, .function = function};
@@ -271,6 +275,27 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
                           .function = function,
                           .why = j.why,
                           .facts = finish_facts(&j)};
+}
+
+/* Without the stores that may be made after all iterations, where there are some. */
+static loop_verdict analysed_without(const analyser *an, ir_function *function, ir_node *loop) {
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    const distribution *stores = add_header(&j) ? distribution_find(&j) : NULL;
+    if (!stores)
+        return (loop_verdict){.kind = VERDICT_REFUSE};
+    distributed_take_out(stores);
+    const loop_verdict found = analysed(an, function, loop, stores);
+    distributed_put_back(stores);
+    return found;
+}
+
+loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *loop) {
+    const analyser *an = analyser_for(whole, loop);
+    const loop_verdict found = analysed(an, function, loop, NULL);
+    if (found.kind != VERDICT_REFUSE)
+        return found;
+    const loop_verdict rest = analysed_without(an, function, loop);
+    return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }
 
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,

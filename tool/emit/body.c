@@ -291,6 +291,15 @@ static void drop_increment(body_copy *copy) {
                   "");
 }
 
+static void drop_distributed_stores(body_copy *copy) {
+    const distribution *stores = copy->loop->facts->distribution;
+    for (unsigned i = 0; stores && i < stores->count; i++) {
+        const ir_node *store = stores->stores[i].statement;
+        replace_bytes(copy, store->range.begin,
+                      syntax_statement_end(copy->loop->unit->source, store), "{ }");
+    }
+}
+
 /** The body's text, what of it is the user's marked. */
 static const char *copied_text(body_copy *copy) {
     loop_text *loop = copy->loop;
@@ -313,6 +322,7 @@ static const char *copied_text(body_copy *copy) {
         return printed_text(copy, body);
 
     drop_increment(copy);
+    drop_distributed_stores(copy);
     for (unsigned i = 0; i < copy->printed.count; i++) {
         const ir_node *statement = copy->printed.items[i];
         replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/base/distributed.h"
 #include "analysis/base/loop_text.h"
 #include "emit/syntax.h"
 #include "ir/ir_position.h"
@@ -92,6 +93,7 @@ static void write_execution(loop_text *loop, writer *out) {
         writer_line(out, "}");
     }
     writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+    write_distributed_stores(loop, out);
 }
 
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
@@ -284,6 +286,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
                 reason *why) {
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
+    distributed_take_out(loop.facts->distribution);
     prepare_loop(&loop);
     write_front(&loop, form, front);
     block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
@@ -295,6 +298,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     assert(out.depth == 1);
     check_macro_names(&loop, &out.out);
     block->text = writer_text(loop.arena, &out);
+    distributed_put_back(loop.facts->distribution);
     *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
     return !loop.obstacle;
 }

@@ -107,6 +107,9 @@ void check_what_is_read_ahead(loop_text *loop);
 /** Is this pointer or array valid as soon as the loop is known to iterate? */
 bool can_be_read_ahead(const loop_facts *facts, const ir_node *base);
 
+/** distribution.c: after the loop, where it has run in parallel, the stores that are made then. */
+void write_distributed_stores(loop_text *loop, writer *out);
+
 /** scalars.c: room for the operands that each iteration keeps of scalar updates; whether there was
  *  memory for it, as a condition (NULL: there are no such updates); */
 void declare_operands(loop_text *loop, writer *out);

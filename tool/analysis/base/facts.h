@@ -199,6 +199,23 @@ typedef struct forwarded_store {
     const ir_node *value;
 } forwarded_store;
 
+/** t[i] = v or t[i] op= v, of the iteration's own element of an array that other statements of the
+ *  same iteration only read, and before it: such stores are made by a loop of their own, after all
+ *  else (loop distribution). While the loop is analysed, and while it is written, `rest` stands in
+ * the statement's place (distributed.h). */
+typedef struct distributed_store {
+    ir_node *statement;        /* IR_EXPRESSION */
+    ir_node *rest;             /* IR_EMPTY */
+    const ir_node *assignment; /* of a constant, or of a variable that the loop leaves as it is */
+    const ir_node *condition;  /* under which it is made, of the counter, the element, and what the
+                                  loop leaves as it is; NULL: in each iteration */
+} distributed_store;
+
+typedef struct distribution {
+    unsigned count;
+    const distributed_store *stores; /* in source order */
+} distribution;
+
 /** An inner `for` of the slice, with step 1 up to (LESS, LESS_EQUAL) its bound, whose iterations do
  *  nothing but tell rows. Those that mention its counter are elements of arrays, one after the
  *  other: what its first and its last iteration tell is all, and what lies between. */
@@ -257,7 +274,8 @@ typedef struct loop_facts {
     unsigned scalar_count;
     const scalar_update *scalars; /* in source order */
     unsigned forward_count;
-    const forwarded_store *forwards; /* in source order */
+    const forwarded_store *forwards;  /* in source order */
+    const distribution *distribution; /* NULL: there is none */
     unsigned source_count;
     const loop_source *sources; /* in the order in which the slice reads them */
     loop_variables variables;

@@ -73,6 +73,7 @@ typedef struct loop_analysis {
     update_list updates;
     scalar_list scalars;
     forward_list forwards;
+    const distribution *distribution; /* NULL: there is none */
     private_list privates;
     variable_list captured;
     source_list sources;

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * t[i + c] = v, or t[i + c] op= v, in the body's outermost block, or under a condition there that
+ * asks for nothing else that changes, may be made after all iterations where
+ * - each iteration gets there: no `continue` (a `break` refuses the loop anyway);
+ * - its subscript has another value in each iteration, and with t and v nothing in it but the
+ *   counter changes in the loop: so the stores are the same, in the same order, later;
+ * - whatever else of the loop may read the element is, to the letter, t[i + c] before the store, in
+ *   the same iteration: it finds what it would have found;
+ * - one of these reads is made in each iteration. Then the extent that is compared with each array
+ *   at run time, as that of all that is read, has all elements that are stored: no update goes to
+ *   one of them. And each has t's type when the store is made: what reads it as another type, in
+ *   whatever iteration, has no meaning (C17 6.5p7), since no store of the loop lies between.
+ */
+#include "analysis/reduction/distribution.h"
+
+#include "analysis/base/expression.h"
+
+/* ---- what such a store looks like ----------------------------------------------------------- */
+
+/* A variable that nothing but the text could change, and the text of the loop does not. */
+static bool stays(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
+           !node->variable->address_taken && !node->type->is_volatile &&
+           node->variable != j->counted.counter &&
+           !variable_written_in(j->an->facts, j->loop, node->variable) &&
+           !ir_declarator_in(j->loop, node->variable);
+}
+
+static bool is_fixed(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_NUMBER || stays(j, node);
+}
+
+/* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
+ * sums that wrap around do so too. */
+static bool differs_always(const loop_analysis *j, const ir_node *node) {
+    if (node->kind == IR_CAST)
+        return ir_type_is_plain_integer(node->type) &&
+               node->type->size >= node->children[0]->type->size &&
+               differs_always(j, node->children[0]);
+    if (node->kind == IR_BINARY && (node->op == IR_OP_ADD || node->op == IR_OP_SUBTRACT)) {
+        const ir_node *left = node->children[0], *right = node->children[1];
+        return ir_type_is_plain_integer(left->type) && ir_type_is_plain_integer(right->type) &&
+               ((differs_always(j, left) && is_fixed(j, right)) ||
+                (is_fixed(j, left) && differs_always(j, right)));
+    }
+    return expression_is_variable(node, j->counted.counter);
+}
+
+static bool is_array(const loop_analysis *j, const ir_node *base) {
+    return base->kind == IR_VARIABLE && base->variable->storage != IR_THREAD_LOCAL &&
+           (base->type->kind == IR_ARRAY
+                ? base->type->count > 0 && !ir_declarator_in(j->loop, base->variable)
+                : base->type->kind == IR_POINTER && stays(j, base));
+}
+
+static bool is_value(const loop_analysis *j, const ir_node *node) {
+    if (node->kind == IR_UNARY && node->op == IR_OP_MINUS)
+        return node->children[0]->kind == IR_NUMBER;
+    return is_fixed(j, node) && node->type->kind != IR_POINTER;
+}
+
+static bool may_be_distributed(const loop_analysis *j, const ir_node *statement) {
+    const ir_node *store = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    if (!store || store->kind != IR_ASSIGN || statement->range.begin >= statement->range.end ||
+        (statement->flags | store->flags) & (IR_FROM_MACRO | IR_FROM_CALL))
+        return false;
+    const ir_node *target = store->children[0];
+    const ir_type *type = target->type;
+    return target->kind == IR_INDEX && !type->is_volatile && !type->is_atomic &&
+           (type->kind == IR_INTEGER || type->kind == IR_FLOATING) &&
+           is_array(j, target->children[0]) && differs_always(j, target->children[1]) &&
+           is_value(j, store->children[1]);
+}
+
+/* A `continue` of the loop itself. */
+static bool has_continue(const ir_node *node) {
+    if (node->kind == IR_CONTINUE)
+        return true;
+    for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
+        if (has_continue(node->children[i]))
+            return true;
+    return false;
+}
+
+/* Has it the same value after all iterations as in the store's own: what is not fixed in it is the
+ * counter, or the element itself? What rounds may round otherwise in another copy. */
+static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
+    if (expression_same(node, target) || expression_is_variable(node, j->counted.counter) ||
+        is_fixed(j, node))
+        return true;
+    if ((node->kind != IR_BINARY && node->kind != IR_UNARY && node->kind != IR_CAST) ||
+        node->op == IR_OP_DEREFERENCE || expression_is_floating_work(node))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!is_repeatable(j, node->children[i], target))
+            return false;
+    return expression_is_plain(node);
+}
+
+typedef VECTOR(distributed_store) store_list;
+
+static void add_store(const loop_analysis *j, ir_node *statement, const ir_node *condition,
+                      store_list *list) {
+    if (!may_be_distributed(j, statement))
+        return;
+    const ir_node *assignment = statement->children[0];
+    if (condition && !is_repeatable(j, condition, assignment->children[0]))
+        return;
+    ir_node *rest = ir_new(j->an->memory, IR_BLOCK, NULL, 0);
+    rest->id = statement->id;
+    rest->parent = statement->parent;
+    rest->range = (ir_range){statement->range.begin, statement->range.begin};
+    const distributed_store item = {statement, rest, assignment, condition};
+    VECTOR_PUSH(j->an->memory, list, item);
+}
+
+/* if (t[i] != 0) { ...; t[i] = 0; } */
+static void add_stores_if(const loop_analysis *j, const ir_node *branch, store_list *list) {
+    if (branch->kind != IR_IF || branch->child_count != 2)
+        return;
+    ir_node *then = branch->children[1];
+    if (then->kind != IR_BLOCK)
+        add_store(j, then, branch->children[0], list);
+    for (unsigned i = 0; then->kind == IR_BLOCK && i < then->child_count; i++)
+        add_store(j, then->children[i], branch->children[0], list);
+}
+
+const distribution *distribution_find(const loop_analysis *j) {
+    const ir_node *body = j->counted.body;
+    if (!body || j->counted.counter->type->kind != IR_INTEGER || j->counted.steps_inside ||
+        j->counted.steps_first || has_continue(body))
+        return NULL;
+    store_list list = {0};
+    add_stores_if(j, body, &list);
+    for (unsigned i = 0; body->kind == IR_BLOCK && i < body->child_count; i++) {
+        add_store(j, body->children[i], NULL, &list);
+        add_stores_if(j, body->children[i], &list);
+    }
+    if (list.count == 0)
+        return NULL;
+    distribution *result = ARENA_NEW(j->an->memory, distribution);
+    *result = (distribution){list.count, list.items};
+    return result;
+}
+
+/* ---- may it be made later? ------------------------------------------------------------------ */
+
+static bool is_read_before(const loop_access *read, const distributed_store *store) {
+    return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
+           read->access.is_exact && read->access.node->id < store->statement->id &&
+           expression_same(read->access.lvalue, store->assignment->children[0]);
+}
+
+static bool is_legal(const loop_analysis *j, const distributed_store *store) {
+    const ir_node *target = store->assignment->children[0];
+    location where = location_of(j->an->facts, target, j->loop);
+    where.type = target->type;
+    bool is_read_always = false;
+    if (where.is_inexact || where.is_punned || where.has_union || where.has_bit_field)
+        return false;
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const loop_access *other = &j->accesses[i];
+        if (is_read_before(other, store))
+            is_read_always |= !other->access.is_conditional;
+        else if (other->access.kind == ACCESS_READ &&
+                 locations_overlap(&j->an->rules, &other->where, &where) != OVERLAP_NO)
+            return false;
+    }
+    return is_read_always;
+}
+
+reason check_distribution(const loop_analysis *j) {
+    for (unsigned i = 0; j->distribution && i < j->distribution->count; i++) {
+        const distributed_store *store = &j->distribution->stores[i];
+        if (!is_legal(j, store))
+            return analysis_reason(j, REASON_OTHER_STORE, store->statement,
+                                   analysis_name(j, store->assignment->children[0]));
+    }
+    return (reason){0};
+}
