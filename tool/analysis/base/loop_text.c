@@ -101,9 +101,15 @@ bool directive_can_be_left_out(const ir_directive *d) {
            (d->kind == IR_DIRECTIVE_PRAGMA && d->text && is_about_speed(d->text));
 }
 
-/* The compilation of what is written has OpenMP where this one has not. */
+/* The compilation of what is written has OpenMP where this one has not. A macro that depends on it,
+ * HAVE_OPENMP, is one like others: where it is another the loop is the original. */
 static bool asks_for_openmp(const ir_directive *d) {
-    return d->text && strstr(d->text, "_OPENMP");
+    static const char name[] = "_OPENMP";
+    for (const char *at = d->text; at && (at = strstr(at, name)); at += sizeof name - 1)
+        if ((at == d->text || !source_is_name_byte(at[-1])) &&
+            !source_is_name_byte(at[sizeof name - 1]))
+            return true;
+    return false;
 }
 
 /* Does a directive stand between the loop's last expression and its semicolon? NULL: none does. */
@@ -171,8 +177,7 @@ const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range) {
 }
 
 bool directive_is_openmp(const ir_directive *d) {
-    return d->text &&
-           ((strstr(d->text, "omp") && strstr(d->text, "ragma")) || strstr(d->text, "_OPENMP"));
+    return (d->text && strstr(d->text, "omp") && strstr(d->text, "ragma")) || asks_for_openmp(d);
 }
 
 /* Where a header's function has its text is not known: any directive may be in it. */
@@ -192,6 +197,8 @@ const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *fun
     for (unsigned i = loop_text_first_directive(unit, range.begin);
          i < unit->directive_count && unit->directives[i].range.begin < range.end; i++) {
         const ir_directive *d = &unit->directives[i];
+        if (d->is_skipped)
+            continue;
         if (d->kind == IR_DIRECTIVE_PRAGMA && directive_is_openmp(d))
             return d->text;
         if (strstr(d->text, "include") && openmp_of_headers(unit))

@@ -26,8 +26,8 @@ const ir_directive *loop_text_obstacle(const ir_unit *unit, const ir_node *loop)
 /** A name in the main file's text of this range by which a macro may make a pragma; NULL: none. */
 const char *text_pragma_macro(arena *a, const ir_unit *unit, ir_range range);
 
-/** The first OpenMP directive in the function's text, be it compiled here or not, or the macro that
- * may make one; NULL: none. In the arena or the unit. */
+/** The first OpenMP directive in the function's text that is compiled, or the macro that may make
+ * one; NULL: none. In the arena or the unit. */
 const char *text_openmp_in(arena *a, const ir_unit *unit, const ir_function *function);
 
 /** Are there conditional directives in the loop's text? */
