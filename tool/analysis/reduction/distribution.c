@@ -23,8 +23,7 @@ static bool stays(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
            !node->variable->address_taken && !node->type->is_volatile &&
            node->variable != j->counted.counter &&
-           !variable_written_in(j->an->facts, j->loop, node->variable) &&
-           !ir_declarator_in(j->loop, node->variable);
+           !variable_written_in(j->an->facts, j->loop, node->variable);
 }
 
 static bool is_fixed(const loop_analysis *j, const ir_node *node) {

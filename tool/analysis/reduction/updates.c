@@ -365,6 +365,16 @@ static bool is_own_scalar(const loop_analysis *j, const location *where) {
     return is_own_object(j, where) && ir_type_is_scalar(where->object->type);
 }
 
+/* An element of an array, be it the object itself or a member of a record. */
+static bool is_in_array(const loop_access *write) {
+    const ir_variable *object = write->where.object;
+    const ir_node *base = write->where.base;
+    if (object->type->kind != IR_RECORD || !base)
+        return object->type->kind == IR_ARRAY;
+    base = update_base_of(write->access.lvalue, base);
+    return base->kind == IR_MEMBER && base->type->kind == IR_ARRAY;
+}
+
 static bool is_irregular_call(const loop_analysis *j, const loop_access *write) {
     const ir_node *target =
         write->access.callee ? update_call_of(j, write->access.node).target : NULL;
@@ -389,7 +399,7 @@ static bool check_write(loop_analysis *j, loop_access *write) {
             return true;
         }
         if ((!is_update && !is_irregular_call(j, write)) || !is_element(write->access.lvalue) ||
-            where->object->type->kind != IR_ARRAY)
+            !is_in_array(write))
             return refuse_variable(j, write);
     } else if (where->object && !is_element(write->access.lvalue)) {
         return scalar_take_update(j, write) ||
