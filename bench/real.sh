@@ -5,7 +5,7 @@
 # of redcc-cc's at 1 and 2 threads, in turns; ratios are of one round. What is printed must be the
 # same to the byte, in every run. Sources of SuiteSparse come from Debian (build/packages; the first
 # time by network). The share of a run that its loops take is found by perf where that is there.
-#   ROUNDS=5 PROGRAMS="molecules bricks euler transport plate" SMALL= (1: the tests' sizes)
+#   ROUNDS=5 PROGRAMS="molecules bricks jelly euler fairing transport plate" SMALL= (1: the tests' sizes)
 . bench/common.sh
 . bench/real/library.sh
 rounds=${ROUNDS:-5}

@@ -4,16 +4,18 @@
 # repository's root, by the benchmark and by tests/real.
 #
 # Given: PACKAGES_FOLDER, where Debian's sources go (tests/packages/library.sh).
-real_programs=(molecules bricks euler transport plate)
+real_programs=(molecules bricks jelly euler fairing transport plate)
 
 # Arguments of a run of some seconds, and of one for a test.
-declare -A real_size=([molecules]="24 100" [bricks]="24 200" [euler]="120 150" [transport]="200000 100"
-  [plate]="500 10")
-declare -A test_size=([molecules]="8 41" [bricks]="6 100" [euler]="16 20" [transport]="4000 5" [plate]="60 3")
+declare -A real_size=([molecules]="24 100" [bricks]="24 200" [jelly]="32 300" [euler]="120 150" [fairing]="8 150"
+  [transport]="200000 100" [plate]="500 10")
+declare -A test_size=([molecules]="8 41" [bricks]="6 100" [jelly]="8 100" [euler]="16 20" [fairing]="5 30"
+  [transport]="4000 5" [plate]="60 3")
 
 # The functions that hold the irregular reductions, as a regular expression, for their share of a run.
 declare -A real_loops=([molecules]="forces" [bricks]="internal_forces|element_force"
-  [euler]="residual|wave_speeds|rusanov" [transport]="umfdi_solve" [plate]="cs_gaxpy")
+  [jelly]="elastic_forces|stress|product|edges|cofactors|determinant" [euler]="residual|wave_speeds|rusanov"
+  [fairing]="curvature_normals|cotangents" [transport]="umfdi_solve" [plate]="cs_gaxpy")
 
 # The Debian source package that a program is built with.
 declare -A real_package=([transport]=suitesparse [plate]=suitesparse)

@@ -4,6 +4,9 @@
 #include "case.h"
 
 enum { N = 20000, M = 1200 };
+struct parts {
+    int low, high;
+};
 static int s[N], c[N];
 static double v[N], h[M];
 static float f[N], low;
@@ -108,6 +111,40 @@ static double never(int n) {
     return sum;
 }
 
+/* The call that gives an operand fills an array of the iteration's own. */
+static double stress(double strain, double p[3]) {
+    for (int i = 0; i < 3; i++)
+        p[i] = strain * (i + 1) * (i + 1);
+    return 0.5 * strain * strain;
+}
+
+static int split(int of, struct parts *p) {
+    p->low = of & 7;
+    p->high = of / 8;
+    return of > 20;
+}
+
+static double filling(int n) {
+    double work = 0.125;
+    struct parts last = {1, 2};
+    long many = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        double p[3];
+        work += 2 * stress(v[t], p);
+        for (int i = 0; i < 3; i++)
+            h[s[t] / 2 + i] -= p[i];
+        if (c[t] > 1) {
+            struct parts of;
+            many += split(s[t], &of);
+            h[s[t]] += of.low - of.high;
+        }
+        many += split(s[t], &last);
+    }
+    many += last.low * 3 + last.high;
+    entries += many;
+    return work;
+}
+
 int main(void) {
     case_values(v, N);
     for (int i = 0; i < N; i++) {
@@ -118,6 +155,8 @@ int main(void) {
         case_subscripts(s, N, M);
         const double sum = plain(N - round);
         case_print("sum", &sum, sizeof sum);
+        const double work = filling(N - round);
+        case_print("work", &work, sizeof work);
         const double zero = never(N);
         case_print("zero", &zero, sizeof zero);
         under_conditions(N);

@@ -107,7 +107,7 @@ static __attribute__((noinline)) double a_sum_by_address(int n) {
 /* What fills the subscript is the sum's operand: no two statements. */
 static __attribute__((noinline)) double a_sum_that_finds(int n) {
     double sum = 0;
-    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
         int k;
         sum += find_and_tell(t, &k);
         h[k] += t & 31;

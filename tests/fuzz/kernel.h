@@ -101,7 +101,7 @@ typedef struct kernel {
     bool has_helpers; /* programs of seeds divisible by 7: helpers.c */
     bool has_idioms;  /* programs of seeds divisible by 11: idioms.c */
     bool has_strides; /* programs of seeds divisible by 13: steps that are variables */
-    bool has_drains;  /* programs of seeds divisible by 17: read_then_stored */
+    bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, and local records */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -173,6 +173,8 @@ void nearly_stored_again(kernel *k);
 /** The iteration's own element of an array is read here; the statement that is returned stores to
  *  it, or to one near. */
 const char *read_then_stored(kernel *k);
+/** A call in a sum's operand fills an array. */
+void filling_operand(kernel *k);
 void bait(kernel *k);
 /** As statement and bait, of kinds that only programs of even seeds have: programs of odd seeds
  * stay what they were when these were added. */

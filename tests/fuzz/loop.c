@@ -291,6 +291,8 @@ static void put_statements(kernel *k, bool with_bait) {
     const bool drains = k->has_drains && chance(k, 70);
     const char *store = drains ? read_then_stored(k) : "";
     const int store_at = drains ? below(k, count + 2) : -1;
+    if (k->has_drains && chance(k, 40))
+        filling_operand(k);
     for (int i = 0; i < count; i++) {
         if (i == bait_at)
             bait(k);

@@ -116,3 +116,25 @@ const char *read_then_stored(kernel *k) {
     add_name(&k->scope.values, read);
     return store_to(k, drained, own, is_floating);
 }
+
+/* sum += f(v, p): the call fills an array of the iteration's own, or one that is declared outside.
+ */
+void filling_operand(kernel *k) {
+    const bool is_integer = chance(k, 30);
+    const char *type = is_integer ? "int" : "double", *function = new_name(k, "fill");
+    const char *sum = new_name(k, "filled"), *p = new_name(k, "part");
+    put(k, &k->globals,
+        "static %s %s(%s v, %s *p) {\n    p[0] = v + 1;\n    p[1] = 3 - v;\n    return v + 2;\n}\n",
+        type, function, type, type);
+    declare_outside(k, is_integer ? "long" : "double", sum, "0");
+    put(k, &k->after, "    live[%d] = (double)%s;\n", k->live++ % 8, sum);
+    put(k, chance(k, 75) ? &k->body : &k->locals, "%s %s[2] = {0};\n", type, p);
+    if (chance(k, 20))
+        put(k, &k->body, "if (%s)\n", condition(k));
+    put(k, &k->body, "%s += %s(%s, %s);\n", sum, function, is_integer ? subscript(k) : value(k, 1),
+        p);
+    if (!is_integer)
+        add_name(&k->scope.values, text(k, "%s[%d]", p, below(k, 2)));
+    else if (chance(k, 40))
+        add_name(&k->scope.subscripts, text(k, "(%s[0] & %d)", p, k->elements - 1));
+}

@@ -42,6 +42,9 @@ static void name_array(kernel *k, array *a, const char *name) {
     case STORAGE_GLOBAL:
         a->base = a->object;
         break;
+    case STORAGE_LOCAL:
+        a->base = k->has_drains ? text(k, "record_%s.own", name) : text(k, "%s", name);
+        break;
     case STORAGE_GLOBAL_POINTER:
         a->base = text(k, "%s_at_%llu", name, seed);
         break;
@@ -154,8 +157,14 @@ static void put_own_array(kernel *k, const array *a) {
         length = text(k, "%s_length", a->base);
         put(k, &k->pointers, "    const int %s = %d + (n < 0);\n", length, k->size);
     }
-    put(k, &k->pointers, "    %s%s %s[%s]%s;\n",
-        a->storage == STORAGE_STATIC_LOCAL ? "static " : "", type_of(a), a->base, length, rows);
+    const char *dot = strchr(a->base, '.');
+    if (dot)
+        put(k, &k->pointers,
+            "    struct {\n        char before;\n        %s own[%s]%s;\n    } %.*s;\n", type_of(a),
+            length, rows, (int)(dot - a->base), a->base);
+    else
+        put(k, &k->pointers, "    %s%s %s[%s]%s;\n",
+            a->storage == STORAGE_STATIC_LOCAL ? "static " : "", type_of(a), a->base, length, rows);
     put(k, &k->pointers, "    memcpy(%s, %s, sizeof %s);\n", a->base, a->object, a->object);
     put(k, &k->after, "    memcpy(%s, %s, sizeof %s);\n", a->object, a->base, a->object);
 }

@@ -82,3 +82,39 @@ void random_state(int n, unsigned seed, double *h) {
         h[seed % 1000u] += 1.0;
     }
 }
+
+static int both(int of, int *p) {
+    p[0] = of & 7;
+    return of / 8;
+}
+
+/* What a call fills decides the subscripts: the inspector would have to add as well. */
+long filled_subscript(int n, const int *k, double *restrict h) {
+    long sum = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-too-dear
+        int p[1];
+        sum += both(k[t], p);
+        h[p[0]] += 1.5;
+    }
+    return sum;
+}
+
+/* It fills what the next iteration finds. */
+long filled_outside(int n, const int *k, double *restrict h) {
+    long sum = 0;
+    int p[1] = {0};
+    for (int t = 0; t < n; t++) { // EXPECT: refuse private-not-proved
+        h[k[t]] += p[0];
+        sum += both(k[t], p);
+    }
+    return sum;
+}
+
+long filled_elsewhere(int n, const int *k, double *restrict h, int *p) {
+    long sum = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse callee-updates
+        h[k[t]] += 2.0;
+        sum += both(k[t], p);
+    }
+    return sum;
+}

@@ -84,11 +84,15 @@ static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statem
     return true;
 }
 
+/* To something else than what a call is given of the function's own: s += energy(x, stress). That
+ * this is the iteration's is shown as of all that is written. */
 static bool has_other_write(const loop_analysis *j, const ir_node *statement,
                             const loop_access *write) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
-        if (other != write && other->access.kind != ACCESS_READ &&
+        const ir_variable *object = other->where.object;
+        const bool is_own = other->access.callee && object && variable_is_automatic(object);
+        if (other != write && other->access.kind != ACCESS_READ && !is_own &&
             ir_contains(statement, other->access.node))
             return true;
     }
