@@ -101,7 +101,8 @@ typedef struct kernel {
     bool has_helpers; /* programs of seeds divisible by 7: helpers.c */
     bool has_idioms;  /* programs of seeds divisible by 11: idioms.c */
     bool has_strides; /* programs of seeds divisible by 13: steps that are variables */
-    bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, and local records */
+    bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
+                         n */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;

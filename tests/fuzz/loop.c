@@ -117,7 +117,19 @@ static const header wide_headers[] = {
     {"int", "for (%2$s = %3$s - 1, end = 0; %1$s >= end; %1$s--) ", false, 0, true},
 };
 
+/* Of programs whose seeds are divisible by 17: the counter and a constant are compared. */
+static const header headers_ahead[] = {
+    {"int", "for (%2$s = 0; %1$s + 1 < %3$s; %1$s++) ", false, 0, false},
+    {"int", "for (%2$s = 2; %3$s >= %1$s + 3; ++%1$s) ", false, 0, false},
+    {"size_t", "for (%2$s = 0; %1$s + 2 < (size_t)%3$s; %1$s++) ", false, 0, false},
+    {"unsigned", "for (%2$s = 3; 5 + %1$s < (unsigned)%3$s; %1$s += 1) ", false, 0, false},
+    {"long", "for (%2$s = 0; %1$s + 4L <= %3$s; %1$s++) ", false, 0, false},
+    {"short", "for (%2$s = 0; %1$s + 1 < %3$s; %1$s++) ", false, 0, false},
+};
+
 static const header *any_header(kernel *k) {
+    if (k->has_drains && chance(k, 30))
+        return &headers_ahead[below(k, LENGTH(headers_ahead))];
     if (k->is_wide && chance(k, 20))
         return &wide_headers[below(k, LENGTH(wide_headers))];
     return &headers[chance(k, 50) ? 0 : below(k, LENGTH(headers))];

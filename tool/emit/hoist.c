@@ -9,6 +9,7 @@
  * each such part must be found again in the loop's header, or in its body where every first
  * iteration passes.
  */
+#include "analysis/base/counted.h"
 #include "emit/loop.h"
 #include "emit/syntax.h"
 
@@ -17,6 +18,8 @@
 typedef struct search {
     const loop_facts *facts;
     const ir_node *wanted;
+    const ir_variable *parameter; /* in a function that is called: any member behind this pointer is
+                                     wanted, in place of `wanted` */
     bool is_found;
     bool may_have_left; /* a jump may have been taken before what comes next */
 } search;
@@ -122,12 +125,37 @@ static const ir_node *structure_of(const ir_node *node) {
 
 /** The expression itself, or another member of the structure it is a member of: where p->a is read,
  *  p points to the whole of it, and p->b may be read. */
-static bool answers(const ir_node *node, const ir_node *wanted) {
+static bool answers(const search *s, const ir_node *node) {
     if (!ir_is_expression(node))
         return false;
-    const ir_node *structure = structure_of(wanted);
-    const ir_node *other = structure ? structure_of(node) : NULL;
-    return syntax_same(node, wanted) || (other && syntax_same(other, structure));
+    const ir_node *other = structure_of(node);
+    if (s->parameter)
+        return other && other->kind == IR_VARIABLE && other->variable == s->parameter;
+    const ir_node *structure = structure_of(s->wanted);
+    return syntax_same(node, s->wanted) || (structure && other && syntax_same(other, structure));
+}
+
+/** find(A, i, j): what the function reads of A in any case. */
+static void pass_callee(search *s, const ir_node *call) {
+    const ir_node *callee = ir_child(call, 0);
+    const ir_node *structure = s->parameter ? NULL : structure_of(s->wanted);
+    if (s->is_found || callee->kind != IR_FUNCTION || !callee->function->body ||
+        callee->function->linkage.is_weak)
+        return;
+    const ir_function *function = callee->function;
+    for (unsigned i = 0; i < function->parameter_count && i + 1 < call->child_count; i++) {
+        const ir_node *given = call->children[i + 1];
+        const ir_variable *parameter = function->parameters[i];
+        const bool is_it = s->parameter
+                               ? given->kind == IR_VARIABLE && given->variable == s->parameter
+                               : structure && syntax_same(given, structure);
+        if (!is_it || !ir_type_equal(given->type, parameter->type) ||
+            variable_is_written_in(function->body, parameter))
+            continue;
+        search inside = {.facts = s->facts, .parameter = parameter};
+        pass(&inside, function->body);
+        s->is_found |= inside.is_found;
+    }
 }
 
 /** mat_add(m, r, c, v): the address of what the call updates, which only its function spells. */
@@ -142,7 +170,7 @@ static void pass_called_update(search *s, const ir_node *statement) {
 static void pass(search *s, const ir_node *node) {
     if (s->is_found || s->may_have_left)
         return;
-    if (answers(node, s->wanted)) {
+    if (answers(s, node)) {
         s->is_found = true;
         return;
     }
@@ -177,11 +205,15 @@ static void pass(search *s, const ir_node *node) {
         return;
     case IR_OPAQUE:
         return;
-    default:
-        if (is_jump(node->kind))
-            s->may_have_left = true;
+    case IR_CALL:
         for (unsigned i = 0; i < node->child_count; i++)
             pass(s, node->children[i]);
+        pass_callee(s, node);
+        return;
+    default:
+        for (unsigned i = 0; i < node->child_count; i++)
+            pass(s, node->children[i]);
+        s->may_have_left |= is_jump(node->kind);
         return;
     }
 }

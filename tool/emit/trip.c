@@ -129,8 +129,8 @@ static void require_of_ends(conditions *list, const header *h) {
         require(list, "redcc__lower >= 0");
     if (h->compares_unsigned && h->compares_wide && !h->ascends && !bound_is_natural)
         require(list, "redcc__bound >= 0");
-    const bool is_simple =
-        h->ends_at_bound && (h->ascends ? h->lower_is_natural : bound_is_natural);
+    const bool is_simple = h->ends_at_bound && !h->counted->ahead &&
+                           (h->ascends ? h->lower_is_natural : bound_is_natural);
     if (!h->compares_wide || is_simple)
         return;
     const char *low = h->ascends ? "redcc__lower" : "redcc__bound";
@@ -194,7 +194,21 @@ static const char *lower_text(loop_text *loop, const header *h) {
                                    : first;
 }
 
+static const char *bound_text(loop_text *loop, const header *h);
+
+/* Of counter + ahead < bound: what the counter itself is compared with. Where that wraps around it
+ * is beyond the limit. */
+static const char *bound_behind(loop_text *loop, header h) {
+    counted_loop plain = *h.counted;
+    plain.ahead = 0;
+    h.counted = &plain;
+    return arena_format(loop->arena, "(redcc_int)((redcc_word)%s - %lld)", bound_text(loop, &h),
+                        (long long)loop->facts->counted.ahead);
+}
+
 static const char *bound_text(loop_text *loop, const header *h) {
+    if (h->counted->ahead)
+        return bound_behind(loop, *h);
     const char *text = loop_operand(loop, h->counted->bound);
     if (!h->compares_unsigned || !promote(h->bound).is_signed || is_constant(h->counted->bound))
         return arena_format(loop->arena, "(redcc_int)%s", text);

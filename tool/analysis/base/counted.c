@@ -62,21 +62,34 @@ static bool is_comparison(ir_operator op) {
     return (op >= IR_OP_LESS && op <= IR_OP_GREATER_EQUAL) || op == IR_OP_NOT_EQUAL;
 }
 
+/* The counter, or counter + c in its own type, with a constant c that is not negative. */
+static bool is_compared(const ir_node *node, const ir_variable *counter, int64_t *ahead) {
+    *ahead = 0;
+    if (expression_is_variable(node, counter))
+        return true;
+    if (node->kind != IR_BINARY || node->op != IR_OP_ADD || !ir_type_is_plain_integer(node->type) ||
+        !ir_type_equal(node->type, counter->type))
+        return false;
+    const unsigned side = expression_is_variable(node->children[0], counter) ? 0 : 1;
+    return expression_is_variable(node->children[side], counter) &&
+           expression_constant(node->children[1 - side], ahead) && *ahead >= 0 &&
+           *ahead <= INT16_MAX;
+}
+
 /* counter <comparison> bound, whichever side the counter stands on. */
-static bool split_condition(const ir_node *condition, const ir_variable *counter,
-                            ir_operator *comparison, const ir_node **bound) {
+static bool split_condition(const ir_node *condition, counted_loop *counted) {
     if (condition->kind != IR_BINARY || !is_comparison(condition->op))
         return false;
-    if (expression_is_variable(condition->children[0], counter)) {
-        *comparison = condition->op;
-        *bound = condition->children[1];
-    } else if (expression_is_variable(condition->children[1], counter)) {
-        *comparison = expression_mirrored(condition->op);
-        *bound = condition->children[0];
+    if (is_compared(condition->children[0], counted->counter, &counted->ahead)) {
+        counted->comparison = condition->op;
+        counted->bound = condition->children[1];
+    } else if (is_compared(condition->children[1], counted->counter, &counted->ahead)) {
+        counted->comparison = expression_mirrored(condition->op);
+        counted->bound = condition->children[0];
     } else {
         return false;
     }
-    return !expression_mentions(*bound, counter);
+    return !expression_mentions(counted->bound, counted->counter);
 }
 
 /* ---- putting it together -------------------------------------------------------------------- */
@@ -174,13 +187,21 @@ static bool wraps(const counted_loop *counted, const ir_node *loop) {
     return counted_wraps(counted) && !counted_wrap_is_seen(counted);
 }
 
+/* i + c < n goes on as i < n - c does: where it ends, i + c is the bound, or one more (<=), as i
+ * would be. Longer steps might carry it over the largest number of its type. */
+static bool may_compare_ahead(const counted_loop *loop, const ir_node *node) {
+    return loop->ahead == 0 ||
+           (loop->step == 1 && !loop->stride && node->kind != IR_DO && !loop->steps_inside &&
+            (loop->comparison == IR_OP_LESS || loop->comparison == IR_OP_LESS_EQUAL));
+}
+
 /* What must hold of counter, bound and lower, once they are found. */
 static counted_result check(counted_loop *loop, const ir_node *node, const ir_node *increment) {
     const char *name = loop->counter->name;
     const char *written = NULL;
     if (!may_count(loop))
         return not_counted(REASON_COUNTER_TYPE, node, name);
-    if (!is_plain_end(loop, loop->bound))
+    if (!is_plain_end(loop, loop->bound) || !may_compare_ahead(loop, node))
         return not_counted(REASON_TRIP_COUNT, loop->bound, name);
     if (!is_plain_but_for_calls(loop->bound) ||
         (node->kind == IR_DO && !counted_bound_is_safe_before(loop->bound)))
@@ -219,9 +240,7 @@ static const ir_node *own_increment(const ir_node *loop, const ir_node *incremen
                                     const ir_node *condition) {
     counted_loop counted = {0};
     if (increment->kind != IR_BINARY || increment->op != IR_OP_COMMA)
-        return split_step(loop, increment, &counted) &&
-                       split_condition(condition, counted.counter, &counted.comparison,
-                                       &counted.bound)
+        return split_step(loop, increment, &counted) && split_condition(condition, &counted)
                    ? increment
                    : NULL;
     const ir_node *left = own_increment(loop, increment->children[0], condition);
@@ -288,8 +307,7 @@ static counted_result recognise_for(const ir_node *loop) {
     }
     if (counted.step == 0)
         return not_counted(REASON_STEP, increment, counted.counter->name);
-    if (!split_condition(condition, counted.counter, &counted.comparison, &counted.bound) ||
-        !split_start(loop, &counted))
+    if (!split_condition(condition, &counted) || !split_start(loop, &counted))
         return not_counted(REASON_TRIP_COUNT, condition, counted.counter->name);
     const char *written = NULL;
     if (all != increment && written_by(all, counted.bound, &written))
@@ -319,7 +337,7 @@ static bool split_inside(const ir_node *condition, counted_loop *counted) {
                                   ? lone_last_step(counted->body, compared->variable)
                                   : NULL;
         if (!step || !counted_step(step, &counted->counter, &counted->step) ||
-            !split_condition(condition, counted->counter, &counted->comparison, &counted->bound))
+            !split_condition(condition, counted))
             continue;
         counted->increment = step;
         counted->steps_inside = true;
@@ -348,7 +366,7 @@ static counted_result recognise_while(const ir_node *loop) {
         return not_counted(REASON_TRIP_COUNT, loop, NULL);
     const ir_node *last = body->children[body->child_count - 1];
     if (last->kind != IR_EXPRESSION || !split_step(loop, last->children[0], &counted) ||
-        !split_condition(condition, counted.counter, &counted.comparison, &counted.bound))
+        !split_condition(condition, &counted))
         return not_counted(REASON_TRIP_COUNT, condition, NULL);
     if (continues(body) || counted.step == 0)
         return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
@@ -380,6 +398,8 @@ static counted_result without_calls(counted_result result, const ir_node *loop) 
         return not_counted(REASON_COUNTER_TYPE, loop, result.loop.counter->name);
     if (result.loop.steps_inside)
         return not_counted(REASON_COUNTER_MODIFIED, loop, result.loop.counter->name);
+    if (result.loop.ahead)
+        return not_counted(REASON_TRIP_COUNT, result.loop.bound, result.loop.counter->name);
     if (result.loop.stride)
         return not_counted(REASON_STEP, result.loop.stride, result.loop.counter->name);
     if (counted_wraps(&result.loop))

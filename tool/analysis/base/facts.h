@@ -47,7 +47,8 @@ typedef struct counted_loop {
     const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
     ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
                                  as counter <comparison> bound */
-    int64_t step;          /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
+    int64_t ahead; /* of an integer that moves up by 1: counter + ahead <comparison> bound */
+    int64_t step;  /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
     const ir_node *stride; /* the counter is an integer, and moves by `step`, 1 or -1, times this
                               one, of variables that stay: of at least 1, as generated code asks;
                               NULL: by `step` */
