@@ -260,3 +260,27 @@ void by_pointers_of_rows(int n, int **o, const int *key, double *restrict h) {
         h[o[t][0]] += 1;
     }
 }
+
+void written_in_between(int n, int *o, const int *key, int *count, double *restrict h) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
+        o[t] = key[t];
+        count[key[t]]++;
+        h[o[t]] += 1;
+    }
+}
+
+void written_before_the_last_read(int n, int *o, const int *key, int *count) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
+        o[t] = key[t];
+        count[o[t]]++;
+        count[o[t] + 1]++;
+    }
+}
+
+void written_in_the_same_statement(int n, int *o, const int *key, int *count) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse index-array-written
+        o[t] = key[t];
+        if (key[t] > 0)
+            count[o[t]] += 1;
+    }
+}

@@ -3,8 +3,8 @@
  * A read may take the stored value where
  * - it stands below the store in the block of the store, so that the store was executed before it
  *   in this iteration, and is the same expression, of which nothing changes in between;
- * - nothing else that the loop writes can be that element: by proof, for the guards of the run time
- *   compare what is read with each array, this one included;
+ * - nothing else that is written between the store and the read can be that element: by proof, for
+ *   the guards of the run time compare what is read with each array, this one included;
  * - it is in the text, where another name can be put in its place.
  * What other expressions read of the array is analysed as ever: the same memory refuses the loop,
  * and what may be the same is guarded.
@@ -113,14 +113,46 @@ static bool is_taker(const loop_access *read, const ir_node *statement, const ir
            expression_same(read->access.lvalue, target) && is_below(statement, read->access.node);
 }
 
-/* Is each access that may be of the element a taker, or the store itself? */
+/* The statement of the block that `node` stands in; NULL: it stands elsewhere. */
+static const ir_node *statement_around(const ir_node *node, const ir_node *block) {
+    while (node && node->parent != block)
+        node = node->parent;
+    return node;
+}
+
+/* h[o[t]] += o[t]: all is read before h is written. */
+static bool reads_before_it_writes(const ir_node *statement, const loop_access *write) {
+    const ir_node *update = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    return update && (update->kind == IR_ASSIGN || ir_is_increment(update)) &&
+           !write->access.callee && update->children[0] == write->access.node;
+}
+
+/* May the write come between the store and a read that takes its value? */
+static bool comes_between(const loop_analysis *j, const loop_access *write,
+                          const ir_node *statement, const ir_node *target) {
+    const ir_node *place = statement_around(write->access.node, statement->parent);
+    if (!place || place->id < statement->id)
+        return false; /* before the store, or in an iteration that does not come here */
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const ir_node *taker = j->accesses[i].access.node;
+        if (!is_taker(&j->accesses[i], statement, target))
+            continue;
+        const ir_node *reads = statement_around(taker, statement->parent);
+        if (place->id < reads->id || (place == reads && !reads_before_it_writes(place, write)))
+            return true;
+    }
+    return false;
+}
+
+/* Is each access that may be of the element a taker, the store itself, or too late for both? */
 static bool is_alone(const loop_analysis *j, const loop_access *store, const ir_node *statement) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
         if (other == store || is_taker(other, statement, store->access.lvalue))
             continue;
         const overlap meets = locations_overlap(&j->an->rules, &other->where, &store->where);
-        if (other->access.kind == ACCESS_READ ? meets == OVERLAP_SAME : meets != OVERLAP_NO)
+        if (meets == OVERLAP_SAME || (meets == OVERLAP_MAYBE && other->access.kind != ACCESS_READ &&
+                                      comes_between(j, other, statement, store->access.lvalue)))
             return false;
     }
     return true;
