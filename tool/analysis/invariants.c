@@ -34,6 +34,9 @@ static void assert_counted(const counted_loop *counted) {
     assert(counted->body && counted->increment);
     assert(!counted->lower || ir_is_expression(counted->lower));
     assert(counted->step != 0);
+    assert(counted->ahead == 0 ||
+           (counted->ahead > 0 && counted->step == 1 && !counted->stride &&
+            counted->counter->type->kind == IR_INTEGER && !counted->steps_inside));
     assert(!counted->stride || (counted->counter->type->kind == IR_INTEGER &&
                                 (counted->step == 1 || counted->step == -1)));
     assert(counted->start_count <= sizeof counted->starts / sizeof *counted->starts);
