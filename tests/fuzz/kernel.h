@@ -176,6 +176,8 @@ void nearly_stored_again(kernel *k);
 const char *read_then_stored(kernel *k);
 /** A call in a sum's operand fills an array. */
 void filling_operand(kernel *k);
+/** Sums into members of a record, by its name or a pointer. */
+void sum_in_memory(kernel *k);
 void bait(kernel *k);
 /** As statement and bait, of kinds that only programs of even seeds have: programs of odd seeds
  * stay what they were when these were added. */

@@ -305,6 +305,8 @@ static void put_statements(kernel *k, bool with_bait) {
     const int store_at = drains ? below(k, count + 2) : -1;
     if (k->has_drains && chance(k, 40))
         filling_operand(k);
+    if (k->has_drains && chance(k, 40))
+        sum_in_memory(k);
     for (int i = 0; i < count; i++) {
         if (i == bait_at)
             bait(k);

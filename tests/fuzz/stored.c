@@ -138,3 +138,33 @@ void filling_operand(kernel *k) {
     else if (chance(k, 40))
         add_name(&k->scope.subscripts, text(k, "(%s[0] & %d)", p, k->elements - 1));
 }
+
+/* Sums that are no variables: members, elements, what a pointer leads to. */
+void sum_in_memory(kernel *k) {
+    static const char *const places[] = {"%s.x", "%s.y[1]", "%s.y[0]", "at_%s->x", "at_%s->y[2]"};
+    static const char *const types[] = {"double", "double", "float", "long", "unsigned char"};
+    const int type = below(k, LENGTH(types));
+    const char *name = new_name(k, "total");
+    put(k, chance(k, 30) ? &k->globals : &k->locals,
+        "    %sstruct {\n        %s x, y[3];\n    } %s%s;\n", chance(k, 30) ? "static " : "",
+        types[type], name, " = {0}");
+    const int count = 1 + below(k, 2);
+    const bool is_pointed_to = chance(k, 30);
+    if (is_pointed_to)
+        put(k, &k->locals, "    __typeof__(%s) *const at_%s = &%s;\n", name, name, name);
+    for (int i = 0; i < count; i++) {
+        const char *form = places[below(k, is_pointed_to ? LENGTH(places) : 3)];
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+        const char *place = text(k, form, name);
+#pragma GCC diagnostic pop
+        if (chance(k, 20))
+            put(k, &k->body, "if (%s)\n", condition(k));
+        put(k, &k->body, chance(k, 80) ? "%s += %s;\n" : "%s -= %s;\n", place,
+            type < 3 ? value(k, 0) : subscript(k));
+        if (chance(k, 8))
+            add_name(&k->scope.values, text(k, "(double)%s", place));
+    }
+    put(k, &k->after, "    live[%d] = (double)%s.x + %s.y[0] * 2 + %s.y[1] + %s.y[2];\n",
+        k->live++ % 8, name, name, name, name);
+}

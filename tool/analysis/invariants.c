@@ -89,7 +89,8 @@ static void assert_updates(const loop_facts *facts) {
 /* ---- what else the loop touches ------------------------------------------------------------- */
 
 static void assert_scalar(const loop_facts *facts, const scalar_update *scalar) {
-    assert(scalar->variable && scalar->variable != facts->counted.counter);
+    assert(scalar->target && is_in_loop(facts, scalar->target));
+    assert(!scalar->variable || scalar->variable != facts->counted.counter);
     assert(is_in_loop(facts, scalar->statement));
     assert(scalar->statement->kind == IR_EXPRESSION ||
            (scalar->is_extremum && scalar->statement->kind == IR_IF));

@@ -83,8 +83,8 @@ void declare_repeated_operands(loop_text *loop, writer *out) {
 void write_neutral_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];
-        const char *neutral = update->is_extremum ? origin_variable(loop->arena, update->variable)
-                                                  : neutral_of(update);
+        const char *neutral =
+            update->is_extremum ? loop_operand(loop, update->target) : neutral_of(update);
         if (update->is_conditional)
             store_operand(loop, out, i, arena_format(loop->arena, "(%s)", neutral));
     }
@@ -109,7 +109,7 @@ int scalar_update_at(const loop_facts *facts, const ir_node *statement) {
 static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     arena *a = loop->arena;
-    const char *name = origin_variable(a, update->variable);
+    const char *name = loop_operand(loop, update->target);
     const char *operand = arena_format(a, "redcc__operands_%u[redcc__i]", number);
     if (update->operand == OPERAND_INTEGER)
         operand = arena_format(a, "(__typeof__(%s))%s", name, operand);
@@ -131,7 +131,7 @@ void apply_operands(loop_text *loop, writer *out) {
     writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         const scalar_update *update = &loop->facts->scalars[i];
-        const char *name = origin_variable(loop->arena, update->variable);
+        const char *name = loop_operand(loop, update->target);
         if (update->is_extremum) {
             apply_extremum(loop, out, i);
             continue;

@@ -177,7 +177,8 @@ typedef enum operand_type { OPERAND_INTEGER, OPERAND_FLOAT, OPERAND_DOUBLE } ope
 /** s op= e, or if (e > s) s = e, of a scalar that nothing else in the loop reads or writes: each
  * iteration's operand is kept, and all are applied in order after the loop. */
 typedef struct scalar_update {
-    ir_variable *variable;
+    ir_variable *variable;    /* s; NULL: it is a member, an element, what a pointer leads to */
+    const ir_node *target;    /* s as an lvalue */
     const ir_node *statement; /* IR_EXPRESSION; of extrema also IR_IF */
     const ir_node *value;     /* the operand; NULL: 1 */
     ir_operator op;           /* + - * & | ^ */

@@ -33,6 +33,7 @@ static bool is_selection(const ir_node *assignment, scalar_update *found) {
     if (!expression_is_variable(value->children[found->is_negated ? 1 : 2], s))
         return false;
     found->variable = s;
+    found->target = assignment->children[0];
     found->value = value->children[found->is_negated ? 2 : 1];
     return compares(value->children[0], found->value, s, &found->op);
 }
@@ -54,6 +55,7 @@ static bool take_statement(const loop_analysis *j, const ir_node *condition,
     ir_variable *target = assignment->children[0]->variable;
     if (!found->variable && compares(condition, assignment->children[1], target, &found->op)) {
         found->variable = target;
+        found->target = assignment->children[0];
         found->value = assignment->children[1];
         return true;
     }

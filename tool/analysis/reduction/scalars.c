@@ -11,6 +11,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/reduction/scalar_extremum.h"
+#include "analysis/reduction/scalar_target.h"
 
 static bool is_operator(ir_operator op) {
     return op == IR_OP_ADD || op == IR_OP_SUBTRACT || op == IR_OP_MULTIPLY || op == IR_OP_BIT_AND ||
@@ -18,7 +19,7 @@ static bool is_operator(ir_operator op) {
 }
 
 /* s op= e, s = s op e, s = e + s, s++: fills operator and operand. */
-static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_update *found) {
+static bool recognise(const ir_node *assignment, const ir_node *s, scalar_update *found) {
     if (assignment->kind == IR_UNARY) {
         found->op = assignment->op == IR_OP_PRE_INCREMENT || assignment->op == IR_OP_POST_INCREMENT
                         ? IR_OP_ADD
@@ -31,15 +32,15 @@ static bool recognise(const ir_node *assignment, const ir_variable *s, scalar_up
     found->op = assignment->op;
     found->value = value;
     if (assignment->op == IR_OP_NONE && value->kind == IR_BINARY) {
-        bool is_left = expression_is_variable(value->children[0], s);
-        bool is_right = expression_is_variable(value->children[1], s) &&
+        bool is_left = expression_same(value->children[0], s);
+        bool is_right = expression_same(value->children[1], s) &&
                         (value->op == IR_OP_ADD || value->op == IR_OP_MULTIPLY);
         if (!is_left && !is_right)
             return false;
         found->op = value->op;
         found->value = value->children[is_left ? 1 : 0];
     }
-    return is_operator(found->op) && !expression_mentions(found->value, s);
+    return is_operator(found->op) && !expression_occurrences(found->value, s);
 }
 
 static bool is_narrow_floating(const ir_type *type) {
@@ -49,23 +50,22 @@ static bool is_narrow_floating(const ir_type *type) {
 /* The type in which the operation is made: what the operand is converted to by it. Of integers all
  * that counts is the operand modulo 2^64. */
 static bool find_operand_type(scalar_update *found) {
-    const ir_variable *s = found->variable;
+    const ir_type *type = found->target->type;
     const ir_type *value = found->value ? found->value->type : NULL;
     bool value_is_integer =
         !found->value || (value && (value->kind == IR_INTEGER || value->kind == IR_BOOLEAN));
-    if (s->type->is_volatile || s->type->is_atomic)
+    if (type->is_volatile || type->is_atomic)
         return false;
-    if (s->type->kind == IR_INTEGER) {
+    if (type->kind == IR_INTEGER) {
         found->operand = OPERAND_INTEGER;
-        return value_is_integer && s->type->size <= 8 && (!value || value->size <= 8);
+        return value_is_integer && type->size <= 8 && (!value || value->size <= 8);
     }
-    if (!is_narrow_floating(s->type) || (found->op != IR_OP_ADD && found->op != IR_OP_SUBTRACT &&
-                                         found->op != IR_OP_MULTIPLY && !found->is_extremum))
+    if (!is_narrow_floating(type) || (found->op != IR_OP_ADD && found->op != IR_OP_SUBTRACT &&
+                                      found->op != IR_OP_MULTIPLY && !found->is_extremum))
         return false;
     if (!value_is_integer && (!value || !is_narrow_floating(value)))
         return false;
-    bool is_double =
-        s->type->size == 8 || (value && value->kind == IR_FLOATING && value->size == 8);
+    bool is_double = type->size == 8 || (value && value->kind == IR_FLOATING && value->size == 8);
     found->operand = is_double ? OPERAND_DOUBLE : OPERAND_FLOAT;
     return true;
 }
@@ -132,30 +132,42 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
+/* A variable, or what stays as one would: then also where no iteration comes to the update, which
+ * is made in the end with what changes nothing. */
+static bool is_scalar(const loop_analysis *j, const loop_access *write, bool is_conditional) {
+    const ir_node *target = write->access.lvalue;
+    if (target->kind == IR_VARIABLE)
+        return !is_declared_within(j, target->variable);
+    return target == write->access.node && ir_type_is_scalar(target->type) &&
+           (write->where.object || !is_conditional) && scalar_target_stays(j, target) &&
+           scalar_target_is_alone(j, target);
+}
+
 bool scalar_take_update(loop_analysis *j, loop_access *write) {
     const ir_node *target = write->access.lvalue;
-    if (write->access.callee || !target || target->kind != IR_VARIABLE || !target->parent)
+    if (write->access.callee || !target || !target->parent)
         return false;
     const ir_node *assignment = target->parent;
     const ir_node *statement = assignment->parent;
-    if (take_extremum(j, assignment))
+    const bool is_variable = target->kind == IR_VARIABLE;
+    if (is_variable && take_extremum(j, assignment))
         return true;
-    const ir_variable *s = target->variable;
-    scalar_update found = {.variable = target->variable, .statement = statement};
+    scalar_update found = {.variable = is_variable ? target->variable : NULL,
+                           .target = target,
+                           .statement = statement};
     if (!statement || statement->kind != IR_EXPRESSION || ir_value_is_used(assignment) ||
-        statement->range.begin >= statement->range.end || !recognise(assignment, s, &found) ||
+        statement->range.begin >= statement->range.end || !recognise(assignment, target, &found) ||
         !find_operand_type(&found) || has_other_write(j, statement, write))
         return false;
     found.is_repeated = !is_outside_inner_loops(j, statement);
-    if (found.is_repeated && found.operand != OPERAND_INTEGER)
-        return false;
-    if (is_declared_within(j, s))
-        return false;
     found.is_conditional = write->access.is_conditional || found.is_repeated;
+    if ((found.is_repeated && found.operand != OPERAND_INTEGER) ||
+        !is_scalar(j, write, found.is_conditional))
+        return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
         if (read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
-            expression_is_variable(read->access.lvalue, s) &&
+            expression_same(read->access.lvalue, target) &&
             ir_contains(statement, read->access.node))
             read->class = CLASS_SELF;
     }
@@ -169,6 +181,14 @@ static bool is_own_access(const loop_access *a, const ir_variable *s) {
            expression_is_variable(a->access.lvalue, s);
 }
 
+static const char *name_of(const loop_analysis *j, const scalar_update *update) {
+    return expression_text(j->an->memory, update->target);
+}
+
+static bool is_of_one(const scalar_update *a, const scalar_update *b) {
+    return expression_same(a->target, b->target);
+}
+
 /* Additions and subtractions commute with each other; else an operator does with itself alone. */
 static bool commute(ir_operator a, ir_operator b) {
     const bool is_sum = a == IR_OP_ADD || a == IR_OP_SUBTRACT;
@@ -179,9 +199,8 @@ static bool commute(ir_operator a, ir_operator b) {
 static reason check_repeated(const loop_analysis *j, const scalar_update *repeated) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
-        if (other->variable == repeated->variable && !commute(other->op, repeated->op))
-            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement,
-                                   other->variable->name);
+        if (is_of_one(other, repeated) && !commute(other->op, repeated->op))
+            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement, name_of(j, other));
     }
     return (reason){0};
 }
@@ -191,10 +210,20 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
 static reason check_extremum(const loop_analysis *j, const scalar_update *extremum) {
     for (unsigned i = 0; i < j->scalars.count; i++) {
         const scalar_update *other = &j->scalars.items[i];
-        if (other->variable == extremum->variable &&
+        if (is_of_one(other, extremum) &&
             (!other->is_extremum || other->is_negated || other->op != extremum->op))
-            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement,
-                                   other->variable->name);
+            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement, name_of(j, other));
+    }
+    return (reason){0};
+}
+
+/* Of a member, an element, what a pointer leads to: by nothing else than updates of it either. */
+static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const loop_access *a = &j->accesses[i];
+        if (a->class != CLASS_SELF && a->access.lvalue &&
+            expression_same(a->access.lvalue, update->target))
+            return analysis_reason(j, REASON_SCALAR_CARRIED, a->access.node, name_of(j, update));
     }
     return (reason){0};
 }
@@ -223,7 +252,8 @@ reason check_scalars(const loop_analysis *j) {
         if (why.id == REASON_NONE && update->is_extremum && update->is_conditional)
             why = check_extremum(j, update);
         if (why.id == REASON_NONE)
-            why = check_alone(j, update, update->variable);
+            why = update->variable ? check_alone(j, update, update->variable)
+                                   : check_target_alone(j, update);
         if (why.id == REASON_NONE && update->place)
             why = check_alone(j, update, update->place);
     }

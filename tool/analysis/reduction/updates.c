@@ -405,6 +405,8 @@ static bool check_write(loop_analysis *j, loop_access *write) {
         return scalar_take_update(j, write) ||
                analysis_refuse(j, is_update ? REASON_SCALAR_CARRIED : REASON_OTHER_STORE,
                                write->access.node, where->object->name);
+    } else if (scalar_take_update(j, write)) {
+        return true;
     }
     return is_update ? check_update(j, write) : check_store(j, write);
 }

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * What is added to such a scalar in the loop is added after it: nothing else may read or write it
+ * meanwhile. Of other objects, and of pointers, that must be proved. Its type is a proof as well:
+ * an iteration that updates the object finds it of the object's type (C17 6.5p7), and stores of
+ * another type that overlap are excluded like all others.
+ */
+#include "analysis/reduction/scalar_target.h"
+
+#include "analysis/base/expression.h"
+
+static bool is_declared_within(const loop_analysis *j, const ir_variable *variable) {
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    return declarator && ir_contains(j->loop, declarator);
+}
+
+/* A pointer variable that nothing but the text could change, and the text of the loop does not. */
+static bool is_steady_pointer(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_VARIABLE && node->type->kind == IR_POINTER &&
+           variable_is_automatic(node->variable) && !node->variable->address_taken &&
+           !node->type->is_volatile && node->variable != j->counted.counter &&
+           !variable_written_in(j->an->facts, j->loop, node->variable);
+}
+
+static bool stays(const loop_analysis *j, const ir_node *node) {
+    const ir_node *first = ir_child(node, 0);
+    switch (node->kind) {
+    case IR_VARIABLE:
+        return node->variable->storage != IR_THREAD_LOCAL && !is_declared_within(j, node->variable);
+    case IR_MEMBER:
+        return node->flags & IR_ARROW ? is_steady_pointer(j, first) : stays(j, first);
+    case IR_INDEX:
+        return (ir_child(node, 1)->flags & IR_HAS_VALUE) &&
+               (first->type->kind == IR_ARRAY ? stays(j, first) : is_steady_pointer(j, first));
+    default:
+        return node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE &&
+               is_steady_pointer(j, first);
+    }
+}
+
+static location location_of_target(const loop_analysis *j, const ir_node *target) {
+    location where = location_of(j->an->facts, target, j->loop);
+    where.type = target->type;
+    return where;
+}
+
+bool scalar_target_stays(const loop_analysis *j, const ir_node *target) {
+    const location where = location_of_target(j, target);
+    return target->kind != IR_VARIABLE && stays(j, target) && !where.is_inexact &&
+           !where.is_punned && !where.has_union && !where.has_bit_field;
+}
+
+/* e[0] and e[1], m.x[2].y and m.x[0].y: by other constants in one place. */
+static bool are_other_elements(const ir_node *a, const ir_node *b) {
+    if (!a || !b || a->kind != b->kind)
+        return false;
+    if (a->kind == IR_MEMBER)
+        return a->field == b->field && are_other_elements(a->children[0], b->children[0]);
+    return a->kind == IR_INDEX &&
+           (are_other_elements(a->children[0], b->children[0]) ||
+            (expression_same(a->children[0], b->children[0]) &&
+             (a->children[1]->flags & b->children[1]->flags & IR_HAS_VALUE) &&
+             a->children[1]->value != b->children[1]->value));
+}
+
+bool scalar_target_is_alone(const loop_analysis *j, const ir_node *target) {
+    const location where = location_of_target(j, target);
+    for (unsigned i = 0; i < j->access_count; i++) {
+        const loop_access *a = &j->accesses[i];
+        const bool is_named = !a->access.callee && a->access.lvalue && a->access.is_exact;
+        if (is_named && (expression_same(a->access.lvalue, target) ||
+                         are_other_elements(a->access.lvalue, target)))
+            continue;
+        if (locations_overlap(&j->an->rules, &a->where, &where) != OVERLAP_NO)
+            return false;
+    }
+    return true;
+}
