@@ -200,7 +200,7 @@ void static_inside(int n, const int *k, double *h) {
     }
 }
 
-void element(int n, const int *k, double *restrict h, double *restrict sums) {
+void element(int n, const int *k, double *h, double *sums) {
     for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
         sums[0] += 0.1;
         h[k[t]] += 1.0;
