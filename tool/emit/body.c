@@ -383,16 +383,6 @@ static void declare_variables(loop_text *loop, writer *out) {
     declare_repeated_operands(loop, out);
 }
 
-/** A `continue` of the loop itself. */
-static bool has_continue(const ir_node *node) {
-    if (node->kind == IR_CONTINUE)
-        return true;
-    for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
-        if (has_continue(node->children[i]))
-            return true;
-    return false;
-}
-
 void write_iteration(loop_text *loop, writer *out) {
     const ir_node *body = loop->facts->counted.body;
     body_copy copy = {.printer = {.arena = loop->arena,
@@ -412,7 +402,7 @@ void write_iteration(loop_text *loop, writer *out) {
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);
     buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
                   loop_column_blanks(loop, body->range.begin));
-    const bool continues = loop->outline.done && has_continue(body);
+    const bool continues = loop->outline.done && ir_continues(body);
     buffer_text(&out->out, continues ? "do " : "");
     buffer_text(&out->out, text);
     buffer_text(&out->out, continues ? " while (0);\n" : "\n");

@@ -18,6 +18,15 @@ bool ir_is_increment(const ir_node *node) {
            node->op <= IR_OP_POST_DECREMENT;
 }
 
+bool ir_continues(const ir_node *node) {
+    if (node->kind == IR_CONTINUE)
+        return true;
+    for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
+        if (ir_continues(node->children[i]))
+            return true;
+    return false;
+}
+
 bool ir_is_statement_expression(const ir_node *node) {
     return node->kind == IR_OPAQUE && node->child_count == 1 && node->children[0]->kind == IR_BLOCK;
 }

@@ -363,6 +363,8 @@ bool ir_is_expression(const ir_node *node);
 bool ir_is_loop(const ir_node *node);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
+/** Is there a `continue` of the loop whose body this is, or is in? */
+bool ir_continues(const ir_node *node);
 /** ({ ... }): opaque, but the block below it is all that it does. */
 bool ir_is_statement_expression(const ir_node *node);
 /** May evaluating the expression do more than give a value: does it assign, call, or hold what is

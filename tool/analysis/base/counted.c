@@ -317,17 +317,6 @@ static counted_result recognise_for(const ir_node *loop) {
     return check(&counted, loop, NULL);
 }
 
-static bool continues(const ir_node *node) {
-    if (node->kind == IR_CONTINUE)
-        return true;
-    if (ir_is_loop(node))
-        return false;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (continues(node->children[i]))
-            return true;
-    return false;
-}
-
 /* while (p < end) h[*p++]++: the one step of what the condition compares, where each iteration
  * comes to it once and asks for the variable no more. */
 static bool split_inside(const ir_node *condition, counted_loop *counted) {
@@ -359,7 +348,7 @@ static counted_result recognise_while(const ir_node *loop) {
         return recognise_stepping(loop, &counted);
     }
     counted = (counted_loop){.body = body};
-    if (split_inside(condition, &counted) && !continues(body))
+    if (split_inside(condition, &counted) && !ir_continues(body))
         return check(&counted, loop, NULL);
     counted = (counted_loop){.body = body};
     if (body->kind != IR_BLOCK || body->child_count == 0)
@@ -368,7 +357,7 @@ static counted_result recognise_while(const ir_node *loop) {
     if (last->kind != IR_EXPRESSION || !split_step(loop, last->children[0], &counted) ||
         !split_condition(condition, &counted))
         return not_counted(REASON_TRIP_COUNT, condition, NULL);
-    if (continues(body) || counted.step == 0)
+    if (ir_continues(body) || counted.step == 0)
         return not_counted(REASON_TRIP_COUNT, loop, counted.counter->name);
     counted.increment = last;
     return check(&counted, loop, last);

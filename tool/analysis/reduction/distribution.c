@@ -72,16 +72,6 @@ static bool may_be_distributed(const loop_analysis *j, const ir_node *statement)
            is_value(j, store->children[1]);
 }
 
-/* A `continue` of the loop itself. */
-static bool has_continue(const ir_node *node) {
-    if (node->kind == IR_CONTINUE)
-        return true;
-    for (unsigned i = 0; !ir_is_loop(node) && i < node->child_count; i++)
-        if (has_continue(node->children[i]))
-            return true;
-    return false;
-}
-
 /* Has it the same value after all iterations as in the store's own: what is not fixed in it is the
  * counter, or the element itself? What rounds may round otherwise in another copy. */
 static bool is_repeatable(const loop_analysis *j, const ir_node *node, const ir_node *target) {
@@ -128,7 +118,7 @@ static void add_stores_if(const loop_analysis *j, const ir_node *branch, store_l
 const distribution *distribution_find(const loop_analysis *j) {
     const ir_node *body = j->counted.body;
     if (!body || j->counted.counter->type->kind != IR_INTEGER || j->counted.steps_inside ||
-        j->counted.steps_first || has_continue(body))
+        j->counted.steps_first || ir_continues(body))
         return NULL;
     store_list list = {0};
     add_stores_if(j, body, &list);
