@@ -145,6 +145,16 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
     buffer_free(&members);
 }
 
+/** Does a record make several updates of floats, between which they are rounded? */
+static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
+    bool has_floats = false;
+    for (unsigned i = 0; i < stream->array_count; i++) {
+        const ir_type *element = loop->facts->arrays[stream->arrays[i]].element;
+        has_floats |= element->kind == IR_FLOATING && element->size == (int64_t)sizeof(float);
+    }
+    return has_floats && stream_value_count(stream) > 1;
+}
+
 void write_bins(loop_text *loop, writer *out) {
     const struct bins_text *bins = loop->bins;
     writer_fill(out, true);
@@ -157,8 +167,10 @@ void write_bins(loop_text *loop, writer *out) {
             writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),
                         i, row, tag_bits(its), updates_text(loop, i));
         else
-            writer_line(out, "REDCC_APPLY(%s_%u, %s, %s, %u, %s)", outlined_name(loop, "apply"), i,
-                        row, record_name(loop, i), tag_bits(its), updates_text(loop, i));
+            writer_line(out, "%sREDCC_APPLY(%s_%u, %s, %s, %u, %s)",
+                        rounds_in_between(loop, its) ? "REDCC_ROUNDED " : "",
+                        outlined_name(loop, "apply"), i, row, record_name(loop, i), tag_bits(its),
+                        updates_text(loop, i));
     }
     writer_fill(out, false);
 }

@@ -355,6 +355,15 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
 #define REDCC_VALUES_4(redcc_v0, redcc_v1, redcc_v2, redcc_v3)                                     \
     { redcc_v0, redcc_v1, redcc_v2, redcc_v3 }
 
+/** Goes before a REDCC_APPLY whose records update floats several times. gcc 12 packs updates of
+ *  neighbours (SLP), and leaves out the roundings to float between them: of float x, y and double
+ *  operands in `x += d; x += e; y -= f; y += g;`. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define REDCC_ROUNDED __attribute__((__optimize__("no-tree-slp-vectorize")))
+#else
+#define REDCC_ROUNDED
+#endif
+
 /** A function that applies records: the updates, on the element *redcc__to and the record redcc__e,
  *  of which redcc__tag says which one it is. Before the updates of a stream of several arrays
  * stands a REDCC_APPLY_ALSO for each but the first. */
