@@ -7,7 +7,7 @@
 real_programs=(molecules bricks jelly euler fairing transport plate)
 
 # Arguments of a run of some seconds, and of one for a test.
-declare -A real_size=([molecules]="24 100" [bricks]="24 200" [jelly]="32 300" [euler]="120 150" [fairing]="8 150"
+declare -A real_size=([molecules]="24 200" [bricks]="24 400" [jelly]="32 300" [euler]="120 300" [fairing]="8 150"
   [transport]="200000 100" [plate]="500 10")
 declare -A test_size=([molecules]="8 41" [bricks]="6 100" [jelly]="8 100" [euler]="16 20" [fairing]="5 30"
   [transport]="4000 5" [plate]="60 3")
