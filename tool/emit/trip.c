@@ -194,26 +194,21 @@ static const char *lower_text(loop_text *loop, const header *h) {
                                    : first;
 }
 
-static const char *bound_text(loop_text *loop, const header *h);
-
-/* Of counter + ahead < bound: what the counter itself is compared with. Where that wraps around it
- * is beyond the limit. */
-static const char *bound_behind(loop_text *loop, header h) {
-    counted_loop plain = *h.counted;
-    plain.ahead = 0;
-    h.counted = &plain;
-    return arena_format(loop->arena, "(redcc_int)((redcc_word)%s - %lld)", bound_text(loop, &h),
-                        (long long)loop->facts->counted.ahead);
-}
-
-static const char *bound_text(loop_text *loop, const header *h) {
-    if (h->counted->ahead)
-        return bound_behind(loop, *h);
+static const char *users_bound_text(loop_text *loop, const header *h) {
     const char *text = loop_operand(loop, h->counted->bound);
     if (!h->compares_unsigned || !promote(h->bound).is_signed || is_constant(h->counted->bound))
         return arena_format(loop->arena, "(redcc_int)%s", text);
     return arena_format(loop->arena, "(redcc_int)(%s)%s",
                         h->compares_wide ? "redcc_word" : "redcc_u32", text);
+}
+
+/* Of counter + ahead < bound: what the counter itself is compared with. Where that wraps around it
+ * is beyond the limit. */
+static const char *bound_text(loop_text *loop, const header *h) {
+    const char *text = users_bound_text(loop, h);
+    return h->counted->ahead == 0 ? text
+                                  : arena_format(loop->arena, "(redcc_int)((redcc_word)%s - %lld)",
+                                                 text, (long long)h->counted->ahead);
 }
 
 static bool is_integer(const ir_type *type) {

@@ -89,6 +89,18 @@ bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, con
     return false;
 }
 
+bool analysis_declares(const loop_analysis *j, const ir_variable *variable) {
+    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
+    return declarator && ir_contains(j->loop, declarator);
+}
+
+bool analysis_leaves(const loop_analysis *j, const ir_node *node) {
+    return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
+           !node->variable->address_taken && !node->type->is_volatile &&
+           node->variable != j->counted.counter &&
+           !variable_written_in(j->an->facts, j->loop, node->variable);
+}
+
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement) {
     for (unsigned i = 0; i < j->updates.count; i++)
         if (j->updates.items[i].statement == statement)

@@ -105,6 +105,12 @@ bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, con
  *  `&h[i] - q`? A function that gets it is analysed by what it reaches. */
 bool has_address_as_value(const ir_node *node, const ir_node *base);
 
+/** Does the loop's text declare the variable? */
+bool analysis_declares(const loop_analysis *j, const ir_variable *variable);
+
+/** A local variable that nothing but the text could change, and that the loop leaves as it is. */
+bool analysis_leaves(const loop_analysis *j, const ir_node *node);
+
 /** Is this statement one of the updates found? */
 bool analysis_is_update(const loop_analysis *j, const ir_node *statement);
 

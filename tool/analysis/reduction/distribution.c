@@ -18,16 +18,8 @@
 
 /* ---- what such a store looks like ----------------------------------------------------------- */
 
-/* A variable that nothing but the text could change, and the text of the loop does not. */
-static bool stays(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
-           !node->variable->address_taken && !node->type->is_volatile &&
-           node->variable != j->counted.counter &&
-           !variable_written_in(j->an->facts, j->loop, node->variable);
-}
-
 static bool is_fixed(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_NUMBER || stays(j, node);
+    return node->kind == IR_NUMBER || analysis_leaves(j, node);
 }
 
 /* The counter, cast or not, and what is added to it. A wider type keeps different values apart, and
@@ -50,7 +42,7 @@ static bool is_array(const loop_analysis *j, const ir_node *base) {
     return base->kind == IR_VARIABLE && base->variable->storage != IR_THREAD_LOCAL &&
            (base->type->kind == IR_ARRAY
                 ? base->type->count > 0 && !ir_declarator_in(j->loop, base->variable)
-                : base->type->kind == IR_POINTER && stays(j, base));
+                : base->type->kind == IR_POINTER && analysis_leaves(j, base));
 }
 
 static bool is_value(const loop_analysis *j, const ir_node *node) {

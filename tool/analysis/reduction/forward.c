@@ -100,10 +100,16 @@ static const ir_node *statement_of(const loop_analysis *j, const loop_access *st
     return statement;
 }
 
-static bool is_below(const ir_node *statement, const ir_node *node) {
-    while (node && node->parent != statement->parent)
+/* The statement of the block that `node` stands in; NULL: it stands elsewhere. */
+static const ir_node *statement_around(const ir_node *node, const ir_node *block) {
+    while (node && node->parent != block)
         node = node->parent;
-    return node && node->id > statement->id;
+    return node;
+}
+
+static bool is_below(const ir_node *statement, const ir_node *node) {
+    const ir_node *place = statement_around(node, statement->parent);
+    return place && place->id > statement->id;
 }
 
 /* A read that may take the value stored. */
@@ -111,13 +117,6 @@ static bool is_taker(const loop_access *read, const ir_node *statement, const ir
     return read->access.kind == ACCESS_READ && !read->access.callee && read->access.lvalue &&
            read->access.lvalue == read->access.node && read->access.is_exact &&
            expression_same(read->access.lvalue, target) && is_below(statement, read->access.node);
-}
-
-/* The statement of the block that `node` stands in; NULL: it stands elsewhere. */
-static const ir_node *statement_around(const ir_node *node, const ir_node *block) {
-    while (node && node->parent != block)
-        node = node->parent;
-    return node;
 }
 
 /* h[o[t]] += o[t]: all is read before h is written. */

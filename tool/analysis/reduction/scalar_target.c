@@ -9,24 +9,15 @@
 
 #include "analysis/base/expression.h"
 
-static bool is_declared_within(const loop_analysis *j, const ir_variable *variable) {
-    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
-    return declarator && ir_contains(j->loop, declarator);
-}
-
-/* A pointer variable that nothing but the text could change, and the text of the loop does not. */
 static bool is_steady_pointer(const loop_analysis *j, const ir_node *node) {
-    return node->kind == IR_VARIABLE && node->type->kind == IR_POINTER &&
-           variable_is_automatic(node->variable) && !node->variable->address_taken &&
-           !node->type->is_volatile && node->variable != j->counted.counter &&
-           !variable_written_in(j->an->facts, j->loop, node->variable);
+    return analysis_leaves(j, node) && node->type->kind == IR_POINTER;
 }
 
 static bool stays(const loop_analysis *j, const ir_node *node) {
     const ir_node *first = ir_child(node, 0);
     switch (node->kind) {
     case IR_VARIABLE:
-        return node->variable->storage != IR_THREAD_LOCAL && !is_declared_within(j, node->variable);
+        return node->variable->storage != IR_THREAD_LOCAL && !analysis_declares(j, node->variable);
     case IR_MEMBER:
         return node->flags & IR_ARROW ? is_steady_pointer(j, first) : stays(j, first);
     case IR_INDEX:

@@ -100,8 +100,7 @@ static bool has_other_write(const loop_analysis *j, const ir_node *statement,
 }
 
 static bool is_declared_within(const loop_analysis *j, const ir_variable *variable) {
-    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
-    return variable->storage == IR_THREAD_LOCAL || (declarator && ir_contains(j->loop, declarator));
+    return variable->storage == IR_THREAD_LOCAL || analysis_declares(j, variable);
 }
 
 /* Every access to the variable in the statement is the update's own. */

@@ -16,11 +16,6 @@
 /* ---- private or not ---------------------------------------------------------------------------
  */
 
-static bool is_declared_in(const loop_analysis *j, const ir_variable *variable) {
-    const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
-    return declarator && ir_contains(j->loop, declarator);
-}
-
 static private_variable *find_private(loop_analysis *j, const ir_variable *variable) {
     for (unsigned i = 0; i < j->privates.count; i++)
         if (j->privates.items[i].variable == variable)
@@ -41,7 +36,7 @@ static bool is_own_object(const loop_analysis *j, const location *where) {
 static bool take_private(loop_analysis *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
-    bool is_inside = is_declared_in(j, variable);
+    bool is_inside = analysis_declares(j, variable);
     const user_pragma *word = pragma_above(j->an->pragmas, j->loop, PRAGMA_PRIVATE);
     if (!is_inside && !pragma_names(word, variable->name) &&
         must_write_check(j->an->prover, j->counted.body, variable).verdict != PRIVATE_PROVED)
