@@ -12,10 +12,6 @@ static frontend_result parse(arena *a, const source *file, const string_list *fl
     return frontend_parse(a, file, flags->count, flags->items);
 }
 
-static bool is_missing_header(const char *error) {
-    return strstr(error, "redcc/runtime.h") && strstr(error, "not found");
-}
-
 static string_list with_flags(arena *a, const string_list *flags, const char *const *more) {
     string_list all = {0};
     for (unsigned i = 0; i < flags->count; i++)
@@ -23,14 +19,6 @@ static string_list with_flags(arena *a, const string_list *flags, const char *co
     for (; *more; more++)
         VECTOR_PUSH(a, &all, *more);
     return all;
-}
-
-/* The runtime's own header: without it nothing is known of the parallel form. */
-static bool lacks_header(const frontend_result *result) {
-    for (unsigned i = 0; i < result->diagnostic_count; i++)
-        if (result->diagnostics[i].is_error)
-            return is_missing_header(result->diagnostics[i].text);
-    return false;
 }
 
 static bool has_errors(const frontend_result *result) {
@@ -71,16 +59,13 @@ static void note_bindings(arena *a, const ir_unit *input, const ir_unit *output,
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found) {
     const source *output = source_from_text(a, input->source->path, written->text, written->length);
-    const char *include = installation_find(a).include;
-    const char *const parallel_flags[] = {"-fopenmp", "-DREDCC_IS_CHECKED",
-                                          include ? "-idirafter" : NULL, include, NULL};
+    const char *const parallel_flags[] = {"-fopenmp", "-DREDCC_IS_CHECKED", "-idirafter",
+                                          installation_find(a).include, NULL};
     const string_list parallel = with_flags(a, flags, parallel_flags);
     const frontend_result first = parse(a, output, &parallel);
-    if (!lacks_header(&first)) {
-        if (first.unit) /* before its errors: what names mean says more of why */
-            note_bindings(a, input, first.unit, written, found);
-        note_errors(a, &first, written, found);
-    }
+    if (first.unit) /* before its errors: what names mean says more of why */
+        note_bindings(a, input, first.unit, written, found);
+    note_errors(a, &first, written, found);
     const char *const sequential_flags[] = {"-fno-openmp", "-U_OPENMP", NULL};
     const string_list sequential = with_flags(a, flags, sequential_flags);
     const frontend_result second = parse(a, output, &sequential);
@@ -109,6 +94,10 @@ static const char *header_folder(const string_list *flags, unsigned *i) {
         return *i + 1 < flags->count ? flags->items[++*i] : NULL;
     }
     return NULL;
+}
+
+bool own_runtime_header_exists(arena *a) {
+    return installation_find(a).include != NULL;
 }
 
 const char *other_runtime_header(arena *a, const string_list *flags) {

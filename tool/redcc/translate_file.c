@@ -266,13 +266,18 @@ static file_outcome translate(arena *a, const options *o, const source *file,
     const analysis_options asked = options_of(a, o, foreign);
     analysis_result analysed =
         of_both_compilers(a, file, flags, unit, o->knows_compiler, analyse(a, unit, &asked));
+    const bool is_kept = o->output || o->verify;
     const bool is_written = count_verdicts(&analysed).transformed > 0;
+    if (is_kept && is_written && !own_runtime_header_exists(a))
+        return fail(file->path,
+                    "redcc's own header redcc/runtime.h, without which the output cannot "
+                    "be checked, lies neither beside this program (PREFIX/bin/redcc and "
+                    "PREFIX/include) nor below $REDCC_ROOT; nothing was written");
     const emit_options how = {.order = o->order,
                               .order_is_explicit = o->order_is_given,
                               .lanes = o->lanes,
                               .obstacle = is_written ? other_runtime_header(a, flags) : NULL};
-    const emit_result written =
-        write_checked(a, unit, flags, &how, o->output || o->verify, &analysed);
+    const emit_result written = write_checked(a, unit, flags, &how, is_kept, &analysed);
     const analysis_result final = after_writing(a, unit, &analysed, &written, &asked, foreign);
     const report_input input =
         report_on(o, unit, &final, lanes_remarks(a, &written, final.verdict_count));
