@@ -139,6 +139,7 @@ void collisions_free(collisions *c) {
     free(c->before);
     free(c->now);
     free(c->met.list);
+    free(c->met.distance);
     *c = (collisions){0};
 }
 

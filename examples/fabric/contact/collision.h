@@ -45,8 +45,9 @@ typedef struct met_triangle {
 typedef struct met_triangles {
     met_triangle *list; /* [count] */
     int count, room;
-    int left;   /* of those, how many still meet one after the impulses */
-    double gap; /* m, the least of their colliders; infinite: there are none */
+    int left;         /* of those, how many still meet one after the impulses */
+    double gap;       /* m, the least of their colliders; infinite: there are none */
+    double *distance; /* [vertices] m, to the collider that is looked at; NULL: none was */
 } met_triangles;
 
 /** Colliders that the cloth cannot reach for some time, so that nothing is done for each of them:

@@ -43,6 +43,51 @@ static int may_meet(const collider *k, const double p[3][3], const double u[3][3
     return shape_distance(k, middle, normal) <= radius + way + 2 * k->gap;
 }
 
+/* A bound for triangles that are far away, from one distance a vertex: any point of a triangle is
+ * as near as its first corner but for its longer edge from there, and no vertex goes further than
+ * `way`. */
+typedef struct clearances {
+    const double *distance; /* [vertices] m, to the collider as the step begins; NULL: not known */
+    double way;             /* m, the longest way that a vertex goes relative to the collider */
+} clearances;
+
+/* The distance to a mesh that is not closed may jump, so that no bound follows from it. */
+static int find_clearances(collisions *c, int number, double time, double h, const double (*x)[3],
+                           const double (*v)[3], clearances *found) {
+    const collider *k = &c->scene->colliders[number];
+    const body_motion *motion = c->motion ? &c->motion[number] : NULL;
+    double way = 0;
+    *found = (clearances){NULL, 0};
+    if (k->kind == COLLIDER_MESH)
+        return 0;
+    if (!c->met.distance)
+        c->met.distance = malloc(((size_t)c->vertex_count + 1) * sizeof *c->met.distance);
+    if (!c->met.distance)
+        return -1;
+    for (int i = 0; i < c->vertex_count; i++) {
+        double p[3], u[3], normal[3];
+        motion_enter(k, motion, time, h, x[i], v[i], p, u);
+        c->met.distance[i] = shape_distance(k, p, normal);
+        way = fmax(way, vector_dot(u, u));
+    }
+    *found = (clearances){c->met.distance, sqrt(way)};
+    return 0;
+}
+
+/* Never so where may_meet says yes: the longer edge counts twice; its two thirds at most lie
+ * between the first corner and the middle, and no corner is further from the middle than it is
+ * long. */
+static int is_far(const clearances *known, const collider *k, const int corner[3],
+                  const double (*x)[3]) {
+    if (!known->distance)
+        return 0;
+    const double reach = known->distance[corner[0]] - known->way - 2 * k->gap;
+    double one[3], other[3];
+    vector_subtract(x[corner[1]], x[corner[0]], one);
+    vector_subtract(x[corner[2]], x[corner[0]], other);
+    return reach > 0 && 4 * fmax(vector_dot(one, one), vector_dot(other, other)) < reach * reach;
+}
+
 static int add(met_triangles *met, int triangle, int collider_number, double gap) {
     if (met->count == met->room) {
         const int room = met->room > 0 ? 2 * met->room : 256;
@@ -66,8 +111,13 @@ int collisions_find_triangles(collisions *c, double time, double h, const double
         const collider *k = &c->scene->colliders[n];
         if (k->kind == COLLIDER_PLANE)
             continue;
+        clearances known;
+        if (find_clearances(c, n, time, h, x, v, &known) != 0)
+            return -1;
         for (int t = 0; t < c->mesh->triangle_count; t++) {
             double p[3][3], u[3][3];
+            if (is_far(&known, k, c->mesh->triangle[t], x))
+                continue;
             gather(c, n, c->mesh->triangle[t], time, h, x, v, p, u);
             if (may_meet(k, (const double(*)[3])p, (const double(*)[3])u) &&
                 add(&c->met, t, n, k->gap) != 0)
