@@ -227,8 +227,16 @@ static _Thread_local struct {
     double began;
 } original;
 
-static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_extent *known) {
+int redcc_timed_loops; /* in all threads */
+
+static void set_original(const redcc_loop *loop) {
+    if (!original.loop != !loop)
+        __atomic_fetch_add(&redcc_timed_loops, loop ? 1 : -1, __ATOMIC_RELAXED);
     original.loop = loop;
+}
+
+static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_extent *known) {
+    set_original(loop);
     original.trip = trip;
     if (loop->source_count && loop->source_count <= MOST_SOURCES)
         memcpy(original.known, known, loop->source_count * sizeof *known);
@@ -247,12 +255,12 @@ static bool goes_without_state(const struct settings *settings, redcc_loop *loop
     return true;
 }
 
-void redcc_sequential_done(redcc_loop *loop) {
+void redcc_sequential_end(redcc_loop *loop) {
     if (original.loop != loop)
         return;
     const int error = errno;
     const double seconds = redcc_seconds() - original.began;
-    original.loop = NULL;
+    set_original(NULL);
     struct loop_state *state = NULL;
     redcc_is_forked(); /* the body may have forked, and memory is used */
     if (redcc_unmade_timed(&loop->state, original.trip, seconds))
@@ -280,7 +288,7 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     const int error_before = errno;
     *call = (redcc_call){.loop = loop, .trip = trip, .threads = 1};
     const bool forked = redcc_is_forked(); /* before anything of the parent's is used */
-    original.loop = NULL;
+    set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
     if (trip > 0 && goes_without_state(settings, loop, trip, known, threads > 1 && !nested))
@@ -386,9 +394,7 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     }
 }
 
-int redcc_leave(redcc_call *call) {
-    if (!call->decided)
-        return 0;
+int redcc_end(redcc_call *call) {
     struct execution *execution = call->execution;
     const bool done = redcc_account(execution), asks_auto = !execution->call.method;
     const redcc_int trip = execution->call.request.trip;

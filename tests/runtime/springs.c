@@ -118,7 +118,7 @@ int main(int count, char **arguments) {
     printf("%016lx\n", sum);
 #ifdef _OPENMP
     if (count > 3)
-        for (redcc_int trip = 0; trip < 1000; trip++)
+        for (redcc_int trip = 0; trip < 10000; trip++)
             if (redcc_is_worth_entering(trip)) {
                 printf("from %lld\n", (long long)trip);
                 break;

@@ -316,19 +316,33 @@ int redcc_claims_last(redcc_worker *worker);
  *  as redcc_flush is. */
 int redcc_hooked(struct redcc_hook *hook, const void *address) __attribute__((__cold__));
 
-/** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
- *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
- *  original loop; the report says why. */
-int redcc_leave(redcc_call *call);
+/** What redcc_leave does where redcc_enter gave 1. */
+int redcc_end(redcc_call *call);
 
-/** After the original loop, and where redcc_leave gave 1 as well: auto learns by it what the
- * original loop takes. Called by the thread that called redcc_leave; it does nothing where
- * redcc_enter wanted no timing. */
-void redcc_sequential_done(redcc_loop *loop);
+/** What redcc_sequential_done does where loops are timed. */
+void redcc_sequential_end(redcc_loop *loop);
+
+/** How many original loops are being timed, in all threads: the end of each is told. */
+extern int redcc_timed_loops;
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop
 #endif
+
+/** Ends an execution, after redcc_enter gave 1 or 0. Returns 1: the loop is done. 0: the arrays
+ *  are untouched (a guard failed, memory or a plan could not be had) and the caller must run the
+ *  original loop; the report says why. */
+static __inline__ int redcc_leave(redcc_call *call) {
+    return call->decided ? redcc_end(call) : 0;
+}
+
+/** After the original loop, and where redcc_leave gave 1 as well: auto learns by it what the
+ * original loop takes. Called by the thread that called redcc_leave; it does nothing where
+ * redcc_enter wanted no timing. */
+static __inline__ void redcc_sequential_done(redcc_loop *loop) {
+    if (__atomic_load_n(&redcc_timed_loops, __ATOMIC_RELAXED))
+        redcc_sequential_end(loop);
+}
 
 /** Is a loop of `trip` short iterations worth redcc_enter? Otherwise the original loop runs, and
  *  nothing is reported. Thread-safe. */
