@@ -59,15 +59,19 @@ static void test_edge_through_edge(void **state) {
     assert_in_range(passed, 500, 10000);
 }
 
-/* The grid finds what comparing all pairs of triangles finds. */
+/* The grid finds what comparing all pairs of triangles finds, in each of its parts. */
 static void test_grid_misses_no_pair(void **state) {
     (void)state;
     mesh m = cloth_sheet(7, 6, 0.1, 0.3, 4);
     self_collision s;
+    int in_part[SELF_PARTS] = {0};
     assert_int_equal(self_collision_init(&s, &m, 0.01, 0, 0.1), 0);
-    for (unsigned seed = 1; seed < 6; seed++) {
-        double(*x)[3] = cloth_moved(&m, 0.2, seed), (*v)[3] = cloth_moved(&m, 1, seed + 9);
+    for (unsigned seed = 1; seed < 100; seed++) {
+        double(*x)[3] = cloth_moved(&m, 0.2, seed), (*v)[3] = cloth_moved(&m, 1, seed + 99);
         const double h = seed == 5 ? 10 : 0.1;
+        for (int i = 0; i < m.vertex_count; i++) /* in other cells than before */
+            for (int a = 0; a < 3; a++)
+                x[i][a] += 3.7 * seed * (a + 1);
         assert_int_equal(self_grid_find(&s, h, (const double(*)[3])x, (const double(*)[3])v), 0);
         int vertices = 0, expected = 0;
         for (int n = 0; n < s.pair_count; n++)
@@ -86,9 +90,14 @@ static void test_grid_misses_no_pair(void **state) {
                 expected += meet && owner >= 0;
             }
         assert_int_equal(vertices, expected);
+        for (int part = 0; part < SELF_PARTS; part++)
+            for (int n = 0; n < s.grid.part[part].count; n++)
+                in_part[part] += !s.grid.part[part].pair[n].is_edges;
         free(x);
         free(v);
     }
+    for (int part = 0; part < SELF_PARTS; part++)
+        assert_true(in_part[part] > 0);
     self_collision_free(&s);
     cloth_free(&m);
 }
