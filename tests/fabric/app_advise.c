@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /*
- * Advice against what comes of it, for ten scenes: the error against a run of another method in
+ * Advice against what comes of it, for a dozen scenes: the error against a run of another method in
  * many more steps, at most twice what was promised; iterations, which stand for the time without
  * the machine's noise, at most twice what was predicted. The seconds are printed.
  */
@@ -40,6 +40,15 @@ static const trial trials[] = {
     {"curtain", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=16"}},
     {"flag", 0.01, {"mesh.boundary=32", "mesh.vertices=120", "time.steps=25"}},
     {"patch", 0.01, {"mesh.boundary=24", "mesh.vertices=80", "time.steps=12"}},
+    /* At the impact the monitor cuts the steps of coarse runs to one length, so that these differ
+     * by less than they are off. */
+    {"tablecloth",
+     0.004,
+     {"mesh.boundary=100", "mesh.vertices=650", "time.step=0.02", "time.steps=20"}},
+    {"tablecloth",
+     0.02,
+     {"mesh.boundary=60", "mesh.vertices=300", "time.step=0.02", "time.steps=20"}},
+    {"hanging", 0.01, {"mesh.boundary=60", "mesh.vertices=300", "time.step=0.02", "time.steps=20"}},
 };
 
 static void set_up(const trial *t, scene *s, mesh *cloth) {
@@ -52,7 +61,7 @@ static void set_up(const trial *t, scene *s, mesh *cloth) {
         fail_msg("%s", error);
 }
 
-static void test_ten_scenes(void **state) {
+static void test_scenes(void **state) {
     (void)state;
     int advised = 0;
     for (size_t k = 0; k < sizeof trials / sizeof *trials; k++) {
@@ -95,10 +104,10 @@ static void test_ten_scenes(void **state) {
         mesh_free(&cloth);
         scene_free(&s);
     }
-    assert_in_range(advised, 8, 10);
+    assert_in_range(advised, 10, sizeof trials / sizeof *trials);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ten_scenes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scenes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,16 +15,22 @@
 /* Part of the error that is aimed at, that algebra may have, and by which starts are moved. */
 static const double aim = 0.7, of_algebra = 0.1, moved = 1e-3;
 
+/* Each in twice as many steps as the one before. */
+enum { MOST_RUNS = 24 };
+
 /** Runs of one integrator, in ever more steps. */
 typedef struct pilot {
     const scene *base;
     const mesh *cloth;
     int integrator, method, preconditioner;
-    double tolerance;      /* of the linear systems, or of Newton's method */
-    int steps;             /* of `last` */
-    measured before, last; /* the last two runs */
-    double difference;     /* m, of the last two; not a number: there are none */
-    double rate, error;    /* of the last differences; m, of `last`, as they let expect */
+    double tolerance;            /* of the linear systems, or of Newton's method */
+    int steps;                   /* of `last` */
+    measured before, last;       /* the last two runs */
+    measured coarser[MOST_RUNS]; /* [coarser_count] those before them, the coarsest first */
+    int coarser_count;
+    double difference;  /* m, of the last two, */
+    double told;        /* the same where it tells of the error; else not a number */
+    double rate, error; /* of the last differences; m, of `last`, as they let expect */
 } pilot;
 
 static scene settings_of(const pilot *p, int steps, double tolerance) {
@@ -48,38 +54,71 @@ static double order_of(const pilot *p) {
     return fmin(log2(p->rate), best_order(p->integrator));
 }
 
+/* Did the second run halve all steps? Where the monitor cut those of both to one length, at an
+ * impact, they are as far off there as each other, and their difference does not tell by how much.
+ */
+static int are_all_halved(const measured *one, const measured *other) {
+    return other->shortest < 0.75 * one->shortest;
+}
+
 /* One more run, in twice as many steps. */
 static int refine(pilot *p) {
-    measured_free(&p->before);
+    if (p->before.x)
+        p->coarser[p->coarser_count++] = p->before;
     p->before = p->last;
     p->last = (measured){0};
     p->steps *= 2;
     if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
         return -1;
-    const double difference = measured_distance(&p->before, &p->last, NULL);
-    p->rate = p->difference / difference;
-    p->difference = difference;
-    p->error = p->rate > 1.2 ? difference / (pow(2, order_of(p)) - 1) : NAN;
+    p->difference = measured_distance(&p->before, &p->last, NULL);
+    const double told = are_all_halved(&p->before, &p->last) ? p->difference : NAN;
+    p->rate = p->told / told;
+    p->told = told;
+    p->error = p->rate > 1.2 ? told / (pow(2, order_of(p)) - 1) : NAN;
     return 0;
 }
 
 static void pilot_free(pilot *p) {
     measured_free(&p->before);
     measured_free(&p->last);
+    while (p->coarser_count > 0)
+        measured_free(&p->coarser[--p->coarser_count]);
 }
 
 /* Refines until the error is reached. 0; 1: it is not, in most_steps; -1 after a message. */
 static int reach(pilot *p, double error, int most_steps) {
-    p->difference = p->error = NAN;
+    p->difference = p->told = p->error = NAN;
     if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
         return -1;
     while (!(p->error <= error)) {
-        if (2 * p->steps > most_steps)
+        if (2 * p->steps > most_steps || p->coarser_count == MOST_RUNS)
             return 1;
         if (refine(p) != 0)
             return -1;
     }
     return 0;
+}
+
+/* `last` becomes the coarsest run that is exact enough: by its distance from the last, and the
+ * error of that one. */
+static void go_back(pilot *p, double error) {
+    measured finest = p->last;
+    const double doubt = p->error;
+    int is_last = 1;
+    while (p->coarser_count > 0) {
+        const double found = measured_distance(&p->before, &finest, NULL) + doubt;
+        if (!(found <= aim * error))
+            break;
+        if (!is_last)
+            measured_free(&p->last);
+        is_last = 0;
+        p->last = p->before;
+        p->before = p->coarser[--p->coarser_count];
+        p->steps /= 2;
+        p->error = found;
+    }
+    if (!is_last)
+        measured_free(&finest);
 }
 
 /* The way to solve that the first steps of the last run take least time by, if it is clearly less
@@ -194,6 +233,8 @@ static int advise_by(int integrator, const scene *s, const mesh *cloth, double e
                  "runs in %d and %d steps still end %.3g m apart, and the error is not below %g m: "
                  "ask for a larger error, for more --most-steps, or for less time",
                  p.steps / 2, p.steps, p.difference, error);
+    if (status == 0)
+        go_back(&p, error);
     const double growth = log2(p.last.cpu_seconds / p.before.cpu_seconds);
     const double more_iterations =
         log2(fmax((double)p.last.cg_iterations, 1) / fmax((double)p.before.cg_iterations, 1));

@@ -2,7 +2,7 @@
 /**
  * Which step, integrator, tolerance and solver reach an error: by runs of the scene itself, each in
  * twice as many steps as the one before, until their differences say that it is reached. That takes
- * about as long as the run that is advised, two or three times.
+ * two or three times as long as the run that is advised, longer where the monitor cuts steps.
  */
 #ifndef FABRIC_ACCURACY_ADVISE_H
 #define FABRIC_ACCURACY_ADVISE_H

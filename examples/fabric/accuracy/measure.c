@@ -58,6 +58,16 @@ static void note_end(const simulation *sim, measured *result) {
     result->depth = faults.watched ? faults.deepest : NAN;
 }
 
+/* What is rejected is taken again at half the length. */
+static double shortest_step(const simulation *sim, double nominal) {
+    int count;
+    const rejection *rejected = simulation_rejections(sim, &count);
+    double shortest = nominal;
+    for (int n = 0; n < count; n++)
+        shortest = fmin(shortest, rejected[n].h / 2);
+    return shortest;
+}
+
 static int run_once(const scene *s, const mesh *cloth, long most_rejections, measured *result) {
     char error[256] = "";
     simulation *sim = simulation_new(cloth, s, error);
@@ -77,6 +87,7 @@ static int run_once(const scene *s, const mesh *cloth, long most_rejections, mea
     result->finished = status == 0;
     result->steps = simulation_steps_taken(sim);
     result->rejected = simulation_steps_rejected(sim);
+    result->shortest = shortest_step(sim, s->time.step);
     result->cg_iterations = simulation_iterations(sim);
     result->newton_iterations = simulation_newton_iterations(sim);
     note_end(sim, result);

@@ -13,6 +13,7 @@ typedef struct measured {
     double (*x)[3];     /* [vertices] m, at the end; measured_free's */
     double cpu_seconds; /* of the process, all threads, in the steps; least of the repetitions */
     long steps, rejected;
+    double shortest; /* s, of the steps; of those that the log of rejections has */
     long cg_iterations, newton_iterations;
     double strain, energy; /* at the end: of the triangle with most; J. Both, and depth, are not
                               numbers where the scene has no monitor */
