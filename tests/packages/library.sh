@@ -140,6 +140,24 @@ gain() {
   done | sort -g | awk '{v[NR] = $1} END {printf "%s (%s to %s)\n", v[int((NR + 1) / 2)], v[1], v[NR]}'
 }
 
+# The quotients' median, with first and third quartile.
+quartiles() { sort -g | awk '{v[NR] = $1} END {printf "%.2f (%.2f to %.2f)", v[int((NR + 1) / 2)], v[int((NR + 3) / 4)], v[int((3 * NR + 3) / 4)]}'; }
+
+# Runs of what was built before: $ROUNDS rounds, each of them by gcc, and by redcc-cc with one thread and
+# with two. Prints gcc's seconds and how many times as fast the other two are.
+time_runs() { # NAME
+  local round rounds plain one two
+  package=$1
+  . "${BASH_SOURCE[0]%/*}/$package.sh"
+  [ -d "$PACKAGES_FOLDER/builds/$package/redcc" ] || give_up "$package is not built: tests/packages/run $package"
+  rounds=$(for round in $(seq "${ROUNDS:-21}"); do
+    plain=$(time_work plain 1) && one=$(time_work redcc 1) && two=$(time_work redcc 2) || exit 1
+    echo "$plain $one $two"
+  done) || exit 1
+  printf '| %s | %s | %s | %s |\n' "$package" "$(awk '{print $1 / 1e6}' <<<"$rounds" | median)" \
+    "$(awk '{print $1 / $2}' <<<"$rounds" | quartiles)" "$(awk '{print $1 / $3}' <<<"$rounds" | quartiles)"
+}
+
 # The line of the table for docs/packages.md.
 table_line() {
   local refusals builds
