@@ -131,17 +131,17 @@ time_builds() { # NAME
     }'
 }
 
+# The quotients' median, with first and third quartile.
+quartiles() { sort -g | awk '{v[NR] = $1} END {printf "%.2f (%.2f to %.2f)", v[int((NR + 1) / 2)], v[int((NR + 3) / 4)], v[int((3 * NR + 3) / 4)]}'; }
+
 # Plain over redcc-cc at two threads; "-" where the package names no work.
 gain() {
   declare -F work >/dev/null || { echo -; return; }
   local round
   for round in $(seq "${WORK_ROUNDS:-5}"); do
-    awk -v p="$(time_work plain 1)" -v r="$(time_work redcc 2)" 'BEGIN {printf "%.2f\n", p / r}'
-  done | sort -g | awk '{v[NR] = $1} END {printf "%s (%s to %s)\n", v[int((NR + 1) / 2)], v[1], v[NR]}'
+    awk -v p="$(time_work plain 1)" -v r="$(time_work redcc 2)" 'BEGIN {print p / r}'
+  done | quartiles
 }
-
-# The quotients' median, with first and third quartile.
-quartiles() { sort -g | awk '{v[NR] = $1} END {printf "%.2f (%.2f to %.2f)", v[int((NR + 1) / 2)], v[int((NR + 3) / 4)], v[int((3 * NR + 3) / 4)]}'; }
 
 # Runs of what was built before: $ROUNDS rounds, each of them by gcc, and by redcc-cc with one thread and
 # with two. Prints gcc's seconds and how many times as fast the other two are.
