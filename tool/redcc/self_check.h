@@ -22,8 +22,7 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found);
 
 /** Why the runtime's header could not be included from the output, in the arena: the flags lead to
- *  another one of its name. NULL: they do not, as far as is known (nothing is without redcc's own).
- */
+ *  another one with the same name. NULL: they do not, or redcc's own cannot be found to compare. */
 const char *other_runtime_header(arena *a, const string_list *flags);
 
 #endif

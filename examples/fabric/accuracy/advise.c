@@ -29,7 +29,7 @@ typedef struct pilot {
     measured coarser[MOST_RUNS]; /* [coarser_count] those before them, the coarsest first */
     int coarser_count;
     double difference;  /* m, of the last two, */
-    double told;        /* the same where it tells of the error; else not a number */
+    double usable;      /* the same where the error follows from it; else not a number */
     double rate, error; /* of the last differences; m, of `last`, as they let expect */
 } pilot;
 
@@ -55,7 +55,8 @@ static double order_of(const pilot *p) {
 }
 
 /* Did the second run halve all steps? Where the monitor cut those of both to one length, at an
- * impact, they are as far off there as each other, and their difference does not tell by how much.
+ * impact, they are as far off there as each other, and the error does not follow from their
+ * difference.
  */
 static int are_all_halved(const measured *one, const measured *other) {
     return other->shortest < 0.75 * one->shortest;
@@ -71,10 +72,10 @@ static int refine(pilot *p) {
     if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
         return -1;
     p->difference = measured_distance(&p->before, &p->last, NULL);
-    const double told = are_all_halved(&p->before, &p->last) ? p->difference : NAN;
-    p->rate = p->told / told;
-    p->told = told;
-    p->error = p->rate > 1.2 ? told / (pow(2, order_of(p)) - 1) : NAN;
+    const double usable = are_all_halved(&p->before, &p->last) ? p->difference : NAN;
+    p->rate = p->usable / usable;
+    p->usable = usable;
+    p->error = p->rate > 1.2 ? usable / (pow(2, order_of(p)) - 1) : NAN;
     return 0;
 }
 
@@ -87,7 +88,7 @@ static void pilot_free(pilot *p) {
 
 /* Refines until the error is reached. 0; 1: it is not, in most_steps; -1 after a message. */
 static int reach(pilot *p, double error, int most_steps) {
-    p->difference = p->told = p->error = NAN;
+    p->difference = p->usable = p->error = NAN;
     if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
         return -1;
     while (!(p->error <= error)) {

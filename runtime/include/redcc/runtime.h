@@ -322,7 +322,7 @@ int redcc_end(redcc_call *call);
 /** What redcc_sequential_done does where loops are timed. */
 void redcc_sequential_end(redcc_loop *loop);
 
-/** How many original loops are being timed, in all threads: the end of each is told. */
+/** How many original loops are being timed, in all threads: the end of each is reported. */
 extern int redcc_timed_loops;
 
 #if defined(__GNUC__)

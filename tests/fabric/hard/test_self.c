@@ -59,7 +59,7 @@ static void test_edge_through_edge(void **state) {
     assert_in_range(passed, 500, 10000);
 }
 
-/* The grid finds what comparing all pairs of triangles finds, in each of its parts. */
+/* The grid finds what comparing all pairs of triangles finds, in every part. */
 static void test_grid_misses_no_pair(void **state) {
     (void)state;
     mesh m = cloth_sheet(7, 6, 0.1, 0.3, 4);
