@@ -35,7 +35,9 @@ for round in $(seq "$rounds"); do
   for loop in "${loops[@]}"; do
     "$work/sequential" "$loop" "${calls[@]}" >"$work/expected"
     for method in "${methods[@]}"; do
-      REDCC_METHOD=$method "$work/redcc" "$loop" "${calls[@]}" >"$work/given"
+      chosen=(REDCC_METHOD="$method")
+      [ "$method" != auto ] || chosen=(-u REDCC_METHOD) # as users have it
+      env "${chosen[@]}" "$work/redcc" "$loop" "${calls[@]}" >"$work/given"
       paste -d' ' "$work/expected" "$work/given" |
         awk -v loop="$loop" -v method="$method" '
           $3 != $6 {print "choice: " loop " by " method ": other bits" >"/dev/stderr"; bad = 1}

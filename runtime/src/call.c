@@ -174,6 +174,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     if (!redcc_threads_ensure(state, loop, threads))
         return false;
     call->asked = call->threads = threads;
+    if (threads > 1)
+        redcc_cores_begin(&execution->cores);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;
@@ -368,6 +370,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;
+    if (number > 0)
+        redcc_cores_take(&execution->cores);
     note_node(thread);
     if (number == threads - 1)
         execution->woken = redcc_seconds();

@@ -9,6 +9,7 @@
 #ifndef REDCC_LOOP_H
 #define REDCC_LOOP_H
 
+#include "base/cores.h"
 #include "base/within.h"
 #include "bins/binning.h"
 #include "choose/advice.h"
@@ -25,6 +26,7 @@ struct execution {
     struct loop_state *state;
     struct call call;
     struct within within; /* of the thread that entered */
+    struct cores cores;
     struct advice advice; /* auto's, at entry */
     struct reuse reuse;
     struct inspection inspection;

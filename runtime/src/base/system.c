@@ -100,8 +100,28 @@ int redcc_system_node(void) {
     return -1;
 }
 
+int redcc_system_core(void) {
+    unsigned processor, node;
+    if (atomic_load_explicit(&node_of, memory_order_relaxed)(&processor, &node, NULL) == 0)
+        return (int)processor;
+    return -1;
+}
+
+/* The kernel moves a thread at once that may not stay where it is. */
+bool redcc_system_leave_cores(const unsigned long *taken, size_t words) {
+    unsigned long allowed[REDCC_CORE_WORDS], others[REDCC_CORE_WORDS];
+    const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof allowed, allowed);
+    unsigned long any = 0;
+    for (long word = 0; word < bytes / (long)sizeof *allowed; word++) {
+        others[word] = allowed[word] & ~((size_t)word < words ? taken[word] : 0);
+        any |= others[word];
+    }
+    return any && redcc_system(SYS_sched_setaffinity, 0, bytes, others) == 0 &&
+           redcc_system(SYS_sched_setaffinity, 0, bytes, allowed) == 0;
+}
+
 int redcc_system_processors(void) {
-    unsigned long allowed[8192 / (8 * sizeof(unsigned long))];
+    unsigned long allowed[REDCC_CORE_WORDS];
     const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof allowed, allowed);
     int count = 0;
     for (long word = 0; word < bytes / (long)sizeof *allowed; word++)
@@ -189,6 +209,16 @@ struct timespec redcc_system_clock(int clock) {
 
 int redcc_system_node(void) {
     return -1;
+}
+
+int redcc_system_core(void) {
+    return -1;
+}
+
+bool redcc_system_leave_cores(const unsigned long *taken, size_t words) {
+    (void)taken;
+    (void)words;
+    return false;
 }
 
 int redcc_system_processors(void) {

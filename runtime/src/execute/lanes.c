@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/lanes.h"
 
+#include "base/processor.h"
 #include "redcc/runtime.h"
 
 const char *redcc_lanes_slug(enum lanes_reason reason) {
@@ -14,14 +15,7 @@ const char *redcc_lanes_slug(enum lanes_reason reason) {
 
 /* What lanes.h has functions compiled for. */
 static int widest_of_processor(void) {
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-        return 8;
-    if (__builtin_cpu_supports("avx2"))
-        return 4;
-#endif
-    return 2;
+    return redcc_has_avx512() ? 8 : redcc_has_avx2() ? 4 : 2;
 }
 
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason) {

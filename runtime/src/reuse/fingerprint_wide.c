@@ -3,12 +3,14 @@
 
 #if defined(__x86_64__)
 
+#include "base/processor.h"
+
 #include <immintrin.h>
 
 enum { WORDS = 8, STRIPES = REDCC_WIDE_BLOCK / (8 * WORDS) };
 
 bool redcc_has_wide(void) {
-    return __builtin_cpu_supports("avx2") != 0;
+    return redcc_has_avx2();
 }
 
 #define WIDE __attribute__((target("avx2"))) static inline

@@ -17,11 +17,18 @@ typedef struct dependence {
     bool has_update; /* an update that depends on the counter */
 } dependence;
 
+/* However it is written: what else the header sets or steps makes it no longer. */
 bool candidate_is_tiny(const ir_node *loop) {
     enum { TINY = 16 };
-    const ir_variable *counter;
-    int64_t first, last;
-    return counted_constant(loop, &counter, &first, &last) && last - first < TINY;
+    const counted_result counted = counted_recognise_analysed((ir_node *)loop);
+    int64_t lower, bound;
+    if (!counted.is_counted || !counted.loop.lower || counted.loop.stride ||
+        !expression_constant(counted.loop.lower, &lower) ||
+        !expression_constant(counted.loop.bound, &bound))
+        return false;
+    const uint64_t distance =
+        bound > lower ? (uint64_t)bound - (uint64_t)lower : (uint64_t)lower - (uint64_t)bound;
+    return distance <= TINY;
 }
 
 bool candidate_is_short(const ir_unit *unit, const ir_node *body) {

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/*
+ * The system starts and wakes a thread where the one is that asked for it, though another processor
+ * is idle, and leaves both there for some milliseconds: until the first one waits long enough, or
+ * its time is over. Of regions of 0.45 ms by 2 threads on 2 idle processors the first ones took 4
+ * and 8 ms each, in 11 processes of 12 (Linux 6.18, gcc 12's libgomp, that waits actively); with
+ * this, 0.46.
+ */
+#include "base/cores.h"
+
+#include "base/system.h"
+
+enum { WORD = 8 * sizeof(unsigned long), WORDS = sizeof(struct cores) / sizeof(unsigned long) };
+
+/* Was somebody there already? */
+static bool take(struct cores *cores, int core) {
+    if (core < 0 || core >= WORD * WORDS)
+        return false;
+    const unsigned long bit = 1ul << core % WORD;
+    return atomic_fetch_or_explicit(&cores->taken[core / WORD], bit, memory_order_relaxed) & bit;
+}
+
+void redcc_cores_begin(struct cores *cores) {
+    for (int word = 0; word < WORDS; word++)
+        atomic_store_explicit(&cores->taken[word], 0, memory_order_relaxed);
+    take(cores, redcc_system_core());
+}
+
+/* A thread that sleeps between regions is woken where the system has room for it, beside busy
+ * neighbours always on the waker's processor: to move at each region took longer than it saved. */
+static _Thread_local struct {
+    unsigned length; /* doubled by each move, less by one where none was needed */
+    unsigned left;   /* regions until the next move */
+} rest __attribute__((__tls_model__("initial-exec")));
+enum { LONGEST = 256, SHARE = 4 };
+
+void redcc_cores_take(struct cores *cores) {
+    if (!take(cores, redcc_system_core())) {
+        rest.length -= rest.length > 0;
+        return;
+    }
+    if (rest.left > 0) {
+        rest.left--;
+        return;
+    }
+    rest.length = rest.length == 0 ? 1 : rest.length < LONGEST ? 2 * rest.length : LONGEST;
+    rest.left = rest.length / SHARE;
+    unsigned long taken[WORDS];
+    for (int word = 0; word < WORDS; word++)
+        taken[word] = atomic_load_explicit(&cores->taken[word], memory_order_relaxed);
+    if (redcc_system_leave_cores(taken, WORDS))
+        take(cores, redcc_system_core());
+}

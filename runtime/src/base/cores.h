@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** On which processors the threads of one region run. */
+#ifndef REDCC_BASE_CORES_H
+#define REDCC_BASE_CORES_H
+
+#include <stdatomic.h>
+
+/** Of the first 1024 processors those that a thread of the region was on when it came. */
+struct cores {
+    _Atomic unsigned long taken[1024 / (8 * sizeof(unsigned long))];
+};
+
+/** Before the region, by the thread that begins it: it stays where it is. */
+void redcc_cores_begin(struct cores *cores);
+
+/** By each other thread of the region, when it comes. A thread on a processor that another one of
+ *  them is on moves to one that none is on, if it may run there; less and less often, where the
+ *  system takes it back. */
+void redcc_cores_take(struct cores *cores);
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the processor can do beyond what the runtime is compiled for. */
+#ifndef REDCC_BASE_PROCESSOR_H
+#define REDCC_BASE_PROCESSOR_H
+
+#include <stdbool.h>
+
+/** May functions of these targets be called: "avx2"; "avx512f,avx512dq,avx512vl"? Never on other
+ *  processors than x86-64. Thread-safe. */
+bool redcc_has_avx2(void);
+bool redcc_has_avx512(void);
+
+#endif

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Threads of a region that were put on one processor part; where they may run is as before. */
+#define _GNU_SOURCE
+#include "base/cores.h"
+#include "base/processor.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+static cpu_set_t set_of(int core) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET((size_t)core, &set);
+    return set;
+}
+
+static cpu_set_t allowed(void) {
+    cpu_set_t set;
+    assert_int_equal(sched_getaffinity(0, sizeof set, &set), 0);
+    return set;
+}
+
+static void stay_on(int core) {
+    const cpu_set_t set = set_of(core);
+    assert_int_equal(sched_setaffinity(0, sizeof set, &set), 0);
+}
+
+struct visit {
+    struct cores cores;
+    int host;         /* where the one that begins the region is */
+    cpu_set_t before; /* where the other may run when it comes, */
+    cpu_set_t after;  /* and later */
+    int core;         /* where it ends up */
+    int moves;
+};
+
+static void *come(void *given) {
+    struct visit *visit = given;
+    stay_on(visit->host);
+    sched_setaffinity(0, sizeof visit->before, &visit->before); /* which moves nobody */
+    redcc_cores_take(&visit->cores);
+    visit->core = sched_getcpu();
+    visit->after = allowed();
+    return NULL;
+}
+
+static struct visit visit_of(cpu_set_t before) {
+    static struct visit visit;
+    pthread_t other;
+    visit = (struct visit){.host = sched_getcpu(), .before = before};
+    stay_on(visit.host);
+    redcc_cores_begin(&visit.cores);
+    assert_int_equal(pthread_create(&other, NULL, come, &visit), 0);
+    assert_int_equal(pthread_join(other, NULL), 0);
+    return visit;
+}
+
+static void who_comes_to_a_taken_processor_moves(void **state) {
+    const cpu_set_t *all = *state;
+    for (int i = 0; i < 20; i++) {
+        const struct visit visit = visit_of(*all);
+        if (CPU_COUNT(all) > 1)
+            assert_int_not_equal(visit.core, visit.host);
+        assert_true(CPU_EQUAL(&visit.after, all));
+    }
+}
+
+/* As where the system wakes a thread on the waker's processor each time. */
+static void *come_back(void *given) {
+    struct visit *visit = given;
+    for (int i = 0; i < 1000; i++) {
+        stay_on(visit->host);
+        redcc_cores_begin(&visit->cores); /* in the place of the one that begins the region */
+        sched_setaffinity(0, sizeof visit->before, &visit->before);
+        redcc_cores_take(&visit->cores);
+        visit->moves += sched_getcpu() != visit->host;
+    }
+    return NULL;
+}
+
+static void who_is_taken_back_moves_less_and_less_often(void **state) {
+    const cpu_set_t *all = *state;
+    struct visit visit = {.host = sched_getcpu(), .before = *all};
+    pthread_t other;
+    assert_int_equal(pthread_create(&other, NULL, come_back, &visit), 0);
+    assert_int_equal(pthread_join(other, NULL), 0);
+    if (CPU_COUNT(all) > 1)
+        assert_in_range(visit.moves, 2, 40);
+}
+
+static void who_may_run_nowhere_else_stays(void **state) {
+    (void)state;
+    const struct visit visit = visit_of(set_of(sched_getcpu()));
+    const cpu_set_t host = set_of(visit.host);
+    assert_int_equal(visit.core, visit.host);
+    assert_true(CPU_EQUAL(&visit.after, &host));
+}
+
+/* As if all others were taken. */
+static void who_finds_all_processors_taken_stays(void **state) {
+    struct cores cores;
+    const cpu_set_t *all = *state;
+    stay_on(sched_getcpu());
+    const int host = sched_getcpu();
+    redcc_cores_begin(&cores);
+    for (size_t w = 0; w < sizeof cores.taken / sizeof *cores.taken; w++)
+        atomic_store(&cores.taken[w], ~0ul);
+    redcc_cores_take(&cores);
+    const cpu_set_t before = set_of(host), after = allowed();
+    assert_true(CPU_EQUAL(&after, &before));
+    assert_true(CPU_ISSET((size_t)host, all));
+}
+
+static void each_region_begins_anew(void **state) {
+    (void)state;
+    struct cores cores;
+    for (size_t w = 0; w < sizeof cores.taken / sizeof *cores.taken; w++)
+        atomic_store(&cores.taken[w], ~0ul);
+    stay_on(sched_getcpu());
+    redcc_cores_begin(&cores);
+    int taken = 0;
+    for (size_t w = 0; w < sizeof cores.taken / sizeof *cores.taken; w++)
+        taken += __builtin_popcountl(atomic_load(&cores.taken[w]));
+    assert_int_equal(taken, sched_getcpu() < 1024);
+}
+
+static void the_processor_is_what_the_compiler_finds(void **state) {
+    (void)state;
+#ifdef __x86_64__
+    assert_int_equal(redcc_has_avx2(), __builtin_cpu_supports("avx2") != 0);
+    assert_int_equal(redcc_has_avx512(), __builtin_cpu_supports("avx512f") &&
+                                             __builtin_cpu_supports("avx512dq") &&
+                                             __builtin_cpu_supports("avx512vl"));
+#else
+    assert_false(redcc_has_avx2() || redcc_has_avx512());
+#endif
+}
+
+static int restore(void **state) {
+    return sched_setaffinity(0, sizeof(cpu_set_t), *state);
+}
+
+int main(void) {
+    static cpu_set_t all;
+    void *given = &all;
+    all = allowed();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate_setup_teardown(who_comes_to_a_taken_processor_moves, NULL,
+                                                 restore, given),
+        cmocka_unit_test_prestate_setup_teardown(who_is_taken_back_moves_less_and_less_often, NULL,
+                                                 restore, given),
+        cmocka_unit_test_prestate_setup_teardown(who_may_run_nowhere_else_stays, NULL, restore,
+                                                 given),
+        cmocka_unit_test_prestate_setup_teardown(who_finds_all_processors_taken_stays, NULL,
+                                                 restore, given),
+        cmocka_unit_test_prestate_setup_teardown(each_region_begins_anew, NULL, restore, given),
+        cmocka_unit_test(the_processor_is_what_the_compiler_finds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
