@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "choose/prospects.h"
+#include "choose/size.h"
 #include "problem.h"
 #include "unmade.h"
 
@@ -256,6 +257,17 @@ static void subscripts_are_compared(void **fixture) {
     assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, &now));
 }
 
+/* The first execution is timed before the loop has a state, and no decision has counted its call;
+ * how many there were is what a plan is expected to be used for. */
+static void an_execution_counts_though_nothing_was_decided(void **unused) {
+    (void)unused;
+    static struct choice_state state;
+    const struct situation now = {.trip = TRIP, .threads = 2, .wake = 1e-5};
+    redcc_observe(&state, &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, TRIP, 1, 0, 0});
+    redcc_decide(&state, &now);
+    assert_int_equal(redcc_size_of(&state, TRIP)->rest.calls, 2);
+}
+
 /* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
 static const struct findings shuffled = {.trip = 50000,
                                          .threads = 2,
@@ -286,6 +298,15 @@ static void prospects_follow_from_what_was_found(void **unused) {
     redcc_estimate_prospects(&findings, it);
     assert_false(it[WAY_GRAPH].possible);
     assert_true(it[WAY_INDEX].execution > findings.sequential);
+    findings = shuffled;
+    findings.fetched = true; /* a plan waits for memory less than the loop */
+    struct prospect fetched[WAY_COUNT];
+    redcc_estimate_prospects(&findings, fetched);
+    findings.fetched = false;
+    redcc_estimate_prospects(&findings, it);
+    assert_true(fetched[WAY_INDEX].execution < 0.8 * it[WAY_INDEX].execution);
+    assert_true(fetched[WAY_GRAPH].execution < 0.8 * it[WAY_GRAPH].execution);
+    assert_true(fetched[WAY_GRAPH].set_up == it[WAY_GRAPH].set_up);
     findings = shuffled;
     findings.runs = 0; /* sorted */
     findings.share = 0.51;
@@ -319,6 +340,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
+        cmocka_unit_test(an_execution_counts_though_nothing_was_decided),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
     };

@@ -246,19 +246,36 @@ bool redcc_wants_estimate(const struct inspection *inspection) {
     return !inspection->call->method;
 }
 
-/* Updates in no order of arrays beyond the caches; or of a small array of integers, which are made
- * on private copies. */
+static double bytes_touched(const struct inspection *inspection) {
+    double bytes = 0;
+    for (uint32_t array = 0; array < inspection->call->request.loop->array_count; array++)
+        bytes += (double)redcc_range_size(inspection->touched[array]);
+    return bytes;
+}
+
+/* Are arrays beyond the caches updated in no order? */
+static bool is_random(const struct inspection *inspection, double changes) {
+    return changes >= frequent && bytes_touched(inspection) >= beyond_caches;
+}
+
+/* Will plans prefetch what the original loop waits for? */
+static bool is_fetched(const struct inspection *inspection, double changes) {
+    const struct call *call = inspection->call;
+    const bool is_said_off = call->prefetch == 0;
+    return !is_said_off && (call->request.loop->flags & REDCC_PREFETCHES) &&
+           is_random(inspection, changes);
+}
+
+/* Updates in no order; or of a small array of integers, which are made on private copies. */
 static void find_bins(const struct inspection *inspection, const struct estimate *estimate,
                       struct findings *findings) {
     const redcc_loop *loop = inspection->call->request.loop;
-    double bytes = 0;
-    for (uint32_t array = 0; array < loop->array_count; array++)
-        bytes += (double)redcc_range_size(inspection->touched[array]);
-    const bool is_random = estimate->changes >= frequent && bytes >= beyond_caches;
+    const double bytes = bytes_touched(inspection);
     const bool is_copied = any_order_is_exact(loop) && !(loop->flags & REDCC_ORDER_NEEDED) &&
                            bytes <= copied_most &&
                            findings->touches * (double)findings->trip * least_row > bytes;
-    findings->binned = (loop->flags & REDCC_BINNED) && (is_random || is_copied);
+    findings->binned =
+        (loop->flags & REDCC_BINNED) && (is_random(inspection, estimate->changes) || is_copied);
     findings->bin_bytes = is_copied ? bytes : 0;
 }
 
@@ -285,6 +302,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     findings.share = estimate->share;
     findings.runs = estimate->changes;
     findings.reusable = (call->request.loop->flags & REDCC_VERIFIABLE) != 0;
+    findings.fetched = is_fetched(inspection, findings.runs);
     find_bins(inspection, estimate, &findings);
     redcc_estimate_prospects(&findings, prospect);
     trace_prospects(&findings, prospect, call->request.loop);
@@ -334,6 +352,7 @@ static bool index_pays(const struct chooser *chooser, const struct inspection *i
     struct findings findings = begin_findings(chooser, inspection);
     findings.share = redcc_largest_share(inspection);
     findings.runs = redcc_count_runs(inspection) / (double)findings.trip;
+    findings.fetched = is_fetched(inspection, findings.runs);
     findings.reusable = reusable;
     redcc_estimate_prospects(&findings, prospect);
     trace_prospects(&findings, prospect, inspection->call->request.loop);

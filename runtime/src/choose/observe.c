@@ -97,6 +97,8 @@ static void observe_sequential(struct choice_state *state, struct size_state *si
     if (checked && is_another(redcc_usual(&size->sequential), each))
         size->sequential.count = 0; /* timed before the machine changed: of no use */
     redcc_note_timing(&size->sequential, each);
+    if (size->rest.calls < size->sequential.count) /* timed before the loop had a state */
+        size->rest.calls = size->sequential.count;
     if (comparing)
         count_in_comparison(size, WAY_SEQUENTIAL, each);
 }

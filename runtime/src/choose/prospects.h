@@ -14,6 +14,7 @@ struct findings {
     double touches;    /**< of an iteration */
     double rows;       /**< ... at different addresses */
     double runs;       /**< of the iterations: those that touch other owners than the one before */
+    bool fetched;      /**< its rows lie in no order beyond the caches, and plans prefetch them */
     bool copies;       /**< private copies may and can be had */
     double copied;     /**< bytes of one of them */
     bool binned;       /**< it has a form for binning, which may be worth a trial */

@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/manner.h"
 
+#include <stdbool.h>
+
 /* Each manner so often, there and back: what changes slowly favours none. */
 enum { ROUNDS = 3, FIRST_REST = 64, LONGEST_REST = 4096 };
+/* After two rounds all others have taken so many times as long, at the least: no third is needed.
+ */
+enum { EVIDENT_ROUNDS = 2 };
+static const double evident = 1.7;
 
 static unsigned count_of(unsigned open) {
     return open == 0 ? 1 : open == (WITH_PREFETCH | WITH_LANES) ? 4 : 2;
@@ -29,13 +35,28 @@ unsigned redcc_manner_begins(struct manners *it, unsigned open) {
     return it->rest > 0 ? it->best : tried_at(open, it->timed);
 }
 
-static void end_trial(struct manners *it) {
-    it->best = it->open;
+static unsigned best_of(const struct manners *it) {
+    unsigned best = it->open;
     for (unsigned number = 1; number < count_of(it->open); number++) {
         const unsigned manner = manner_of(it->open, number);
-        if (it->least[manner] < it->least[it->best])
-            it->best = manner;
+        if (it->least[manner] < it->least[best])
+            best = manner;
     }
+    return best;
+}
+
+static bool is_evident(const struct manners *it) {
+    const unsigned best = best_of(it);
+    for (unsigned number = 0; number < count_of(it->open); number++) {
+        const unsigned manner = manner_of(it->open, number);
+        if (manner != best && it->least[manner] < evident * it->least[best])
+            return false;
+    }
+    return true;
+}
+
+static void end_trial(struct manners *it) {
+    it->best = best_of(it);
     it->interval = it->interval ? it->interval * 2 : FIRST_REST;
     it->interval = it->interval > LONGEST_REST ? LONGEST_REST : it->interval;
     it->rest = it->interval;
@@ -55,6 +76,8 @@ void redcc_manner_note(struct manners *it, unsigned open, unsigned of_use, unsig
     }
     double *least = &it->least[manner];
     *least = *least > 0 && *least < seconds_an_iteration ? *least : seconds_an_iteration;
-    if (++it->timed == ROUNDS * count_of(it->open))
+    it->timed++;
+    if (it->timed == ROUNDS * count_of(it->open) ||
+        (it->timed == EVIDENT_ROUNDS * count_of(it->open) && is_evident(it)))
         end_trial(it);
 }
