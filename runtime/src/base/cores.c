@@ -8,6 +8,7 @@
  */
 #include "base/cores.h"
 
+#include "base/clock.h"
 #include "base/system.h"
 
 enum { WORD = 8 * sizeof(unsigned long), WORDS = sizeof(struct cores) / sizeof(unsigned long) };
@@ -26,25 +27,18 @@ void redcc_cores_begin(struct cores *cores) {
     take(cores, redcc_system_core());
 }
 
-/* A thread that sleeps between regions is woken where the system has room for it, beside busy
- * neighbours always on the waker's processor: to move at each region took longer than it saved. */
-static _Thread_local struct {
-    unsigned length; /* doubled by each move, less by one where none was needed */
-    unsigned left;   /* regions until the next move */
-} rest __attribute__((__tls_model__("initial-exec")));
-enum { LONGEST = 256, SHARE = 4 };
+/* A thread that sleeps between regions is woken where the system has room for it, perhaps on the
+ * waker's processor each time. To move takes some 0.05 to 0.1 ms. */
+static const double least_between = 2e-3;
+static _Thread_local double moved_last __attribute__((__tls_model__("initial-exec")));
 
 void redcc_cores_take(struct cores *cores) {
-    if (!take(cores, redcc_system_core())) {
-        rest.length -= rest.length > 0;
+    if (!take(cores, redcc_system_core()))
         return;
-    }
-    if (rest.left > 0) {
-        rest.left--;
+    const double now = redcc_seconds();
+    if (now - moved_last < least_between)
         return;
-    }
-    rest.length = rest.length == 0 ? 1 : rest.length < LONGEST ? 2 * rest.length : LONGEST;
-    rest.left = rest.length / SHARE;
+    moved_last = now;
     unsigned long taken[WORDS];
     for (int word = 0; word < WORDS; word++)
         taken[word] = atomic_load_explicit(&cores->taken[word], memory_order_relaxed);

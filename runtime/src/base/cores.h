@@ -14,8 +14,7 @@ struct cores {
 void redcc_cores_begin(struct cores *cores);
 
 /** By each other thread of the region, when it comes. A thread on a processor that another one of
- *  them is on moves to one that none is on, if it may run there; less and less often, where the
- *  system takes it back. */
+ *  them is on moves to one that none is on, if it may run there; not twice in 2 ms. */
 void redcc_cores_take(struct cores *cores);
 
 #endif

@@ -78,21 +78,25 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
     }
 }
 
-/* The rows of one thread's copy of an array of the stream that are not neutral any more. */
+/* The rows of one thread's copy of an array of the stream from the first to the last that are not
+ * neutral any more: looked for from both ends, which few rows are far from. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
     const redcc_stream *stream = &binning->loop->streams[s];
     const struct element_rule *rule = rule_of(binning, stream->arrays[a]);
     const struct window window = binning->stream[s].window;
+    const uint64_t row = stream->rows[a], size = rule->size;
     uint64_t neutral = 0; /* no integer is larger */
     rule->fill(&neutral, 1);
-    struct row_range rows = redcc_no_rows;
-    for (uint64_t at = 0; at < window.rows * stream->rows[a]; at += rule->size)
-        if (memcmp(copy + at, &neutral, rule->size) != 0) {
-            const redcc_int row = window.first + (redcc_int)(at / stream->rows[a]);
-            rows = redcc_rows_union(rows, (struct row_range){row, row});
-        }
-    return rows;
+    uint64_t first = 0, end = window.rows * row;
+    while (first < end && memcmp(copy + first, &neutral, size) == 0)
+        first += size;
+    while (first < end && memcmp(copy + end - size, &neutral, size) == 0)
+        end -= size;
+    if (first == end)
+        return redcc_no_rows;
+    return (struct row_range){window.first + (redcc_int)(first / row),
+                              window.first + (redcc_int)((end - 1) / row)};
 }
 
 struct row_range redcc_private_rows(const struct binning *binning, uint32_t s) {
