@@ -4,14 +4,17 @@
  * threads: the untouched loop, and the translated one in each manner, one after the other in each
  * round. Of two executions in a row the second is timed; the bits are compared each time.
  *
- *   OMP_NUM_THREADS=2 REDCC_METHOD=localwrite lanes [ROUNDS [SIDE [WIDTH [KERNEL]]]]
+ *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [WIDTH [KERNEL]]]]
  *
+ * By LOCALWRITE with owners by index on data in order, and by the access graph on shuffled data,
+ * as auto would, or by what REDCC_METHOD names.
  * SIDE: of the square mesh, in nodes. WIDTH: 2, 4 or 8 lanes at most. KERNEL: this one alone.
  * Prints lines: kernel,order,threads,serial_seconds, then of each manner speed-up,low,high -
  * against the untouched loop, median and the 5th and 95th percentile of the rounds' own.
  */
 #include "lanes_data.h"
 
+#include "plan/method.h"
 #include "settings.h"
 
 #include <omp.h>
@@ -22,6 +25,7 @@
 enum { MOST_ROUNDS = 999 };
 
 enum kernel {
+    CLOTH,
     MEMBRANE,
     FLOAT_MEMBRANE,
     CONTACTS,
@@ -32,9 +36,9 @@ enum kernel {
     PRODUCT,
     KERNELS
 };
-static const char *const names[] = {"membrane",   "float_membrane", "contacts",
-                                    "touching",   "lennard_jones",  "springs",
-                                    "tetrahedra", "half_product"};
+static const char *const names[] = {"cloth",    "membrane",   "float_membrane",
+                                    "contacts", "touching",   "lennard_jones",
+                                    "springs",  "tetrahedra", "half_product"};
 
 enum course { SERIAL, PLAIN, PREFETCH, LANES, BOTH, COURSES };
 
@@ -51,6 +55,9 @@ static double run(enum kernel kernel, int translated, const struct mesh *m, stru
     const pairs edge = (pairs)m->edge;
     const double began = omp_get_wtime();
     switch (kernel) {
+    case CLOTH:
+        (translated ? cloth : serial_cloth)(m->triangles, m->cloth, x, v, to.b, to.a);
+        break;
     case MEMBRANE:
         (translated ? membrane : serial_membrane)(m->triangles, m->element, x, to.b, to.a);
         break;
@@ -115,9 +122,10 @@ static void print_ratio(const double *above, const double *below, int rounds) {
 
 static struct arrays make_arrays(enum kernel kernel, const struct mesh *m) {
     struct arrays to = {.b_bytes = sizeof(double[3]) * (size_t)m->nodes};
-    const size_t blocks = kernel == MEMBRANE     ? 4 * (size_t)m->nodes
-                          : kernel == TETRAHEDRA ? (size_t)m->blocks.start[m->nodes]
-                                                 : 0;
+    const size_t blocks = kernel == MEMBRANE ? 4 * (size_t)m->nodes
+                          : kernel == TETRAHEDRA || kernel == CLOTH
+                              ? (size_t)m->blocks.start[m->nodes]
+                              : 0;
     to.a_bytes = sizeof(double[3][3]) * blocks;
     to.b = malloc(to.b_bytes);
     to.a = malloc(to.a_bytes + 1);
@@ -153,7 +161,11 @@ int main(int argc, char **argv) {
     const int side = argc > 2 ? atoi(argv[2]) : 467, width = argc > 3 ? atoi(argv[3]) : 8;
     rounds = rounds < 1 ? 1 : rounds > MOST_ROUNDS ? MOST_ROUNDS : rounds;
     widest = width == 2 ? LANES_TWO : width == 4 ? LANES_FOUR : LANES_EIGHT;
+    struct settings *settings = (struct settings *)redcc_settings();
+    const int is_named = settings->method != NULL;
     for (int shuffled = 0; shuffled < 2; shuffled++) {
+        if (!is_named)
+            settings->method = shuffled ? &redcc_method_graph_localwrite : &redcc_method_localwrite;
         struct mesh m = make_mesh(side < 3 ? 3 : side, shuffled);
         for (enum kernel kernel = 0; kernel < KERNELS; kernel++)
             if (argc <= 4 || strcmp(argv[4], names[kernel]) == 0)

@@ -7,21 +7,21 @@
 #   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native
 # For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
 # there, which need nothing but the C library and libgomp. Each is run by
-#   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive REDCC_METHOD=localwrite folder/lanes-O2 ROUNDS SIDE WIDTH KERNEL
+#   OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive folder/lanes-O2 ROUNDS SIDE WIDTH KERNEL
 # where all arguments may be left out: 15 rounds, a mesh of 467 x 467, 8 lanes at most, all kernels.
 . bench/common.sh
 compiler=${CC:-gcc}
 csv=$results/lanes.csv
 programs=${PROGRAMS:-$work}
 mkdir -p "$programs"
-export REDCC_METHOD=${REDCC_METHOD:-localwrite} OMP_WAIT_POLICY=passive
+export OMP_WAIT_POLICY=passive
 "$build/tool/redcc" --require --lanes=auto bench/lanes_kernels.c -o "$work/translated.c" -Ibench 2>/dev/null
 runtime=$(find "$build" -name libredcc_rt.a)
 make_program() { # NAME FLAGS...
   local name=$1 kernel
   shift
   local renamed=()
-  for kernel in membrane float_membrane contacts touching lennard_jones springs tetrahedra half_product; do
+  for kernel in cloth membrane float_membrane contacts touching lennard_jones springs tetrahedra half_product; do
     renamed+=(--redefine-sym "$kernel=serial_$kernel")
   done
   "$compiler" "$@" -ffp-contract=off -Ibench -c bench/lanes_kernels.c -o "$work/serial.o"

@@ -9,6 +9,90 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/* How a triangle is stretched along u or v: the sum of share[p] x[p] over its corners. */
+static void along(const double (*x)[3], int i, int j, int k, const double share[3], double w[3]) {
+    for (int c = 0; c < 3; c++)
+        w[c] = share[0] * x[i][c] + share[1] * x[j][c] + share[2] * x[k][c];
+}
+
+/* Stretch and shear with damping: conditions C of D. Baraff, A. Witkin (1998), forces -k C dC/dx
+ * and -d C' dC/dx. */
+static void compute_force(const double (*x)[3], const double (*v)[3], int i, int j, int k,
+                          const double u_share[3], const double v_share[3], double area,
+                          double f[3][3]) {
+    double wu[3], wv[3], rate_u[3], rate_v[3];
+    along(x, i, j, k, u_share, wu);
+    along(x, i, j, k, v_share, wv);
+    along(v, i, j, k, u_share, rate_u);
+    along(v, i, j, k, v_share, rate_v);
+    const double u_length = sqrt(dot(wu, wu)), v_length = sqrt(dot(wv, wv));
+    const double stretch_u =
+        40.0 * area * (u_length - 1.0) + 0.2 * area * dot(wu, rate_u) / u_length;
+    const double stretch_v =
+        40.0 * area * (v_length - 1.0) + 0.2 * area * dot(wv, rate_v) / v_length;
+    const double shear =
+        15.0 * area * dot(wu, wv) + 0.1 * area * (dot(wu, rate_v) + dot(rate_u, wv));
+    for (int p = 0; p < 3; p++)
+        for (int c = 0; c < 3; c++)
+            f[p][c] = -area * (stretch_u * u_share[p] * wu[c] / u_length +
+                               stretch_v * v_share[p] * wv[c] / v_length +
+                               shear * (u_share[p] * wv[c] + v_share[p] * wu[c]));
+}
+
+/* Their derivatives by the corners' places and velocities, in a step of the implicit method. */
+static void compute_derivatives(const double (*x)[3], int i, int j, int k, const double u_share[3],
+                                const double v_share[3], double area, double df[3][3][3][3]) {
+    double wu[3], wv[3], nu[3], nv[3];
+    along(x, i, j, k, u_share, wu);
+    along(x, i, j, k, v_share, wv);
+    const double u_length = sqrt(dot(wu, wu)), v_length = sqrt(dot(wv, wv));
+    const double stretch_u = 40.0 * area * (u_length - 1.0) / u_length;
+    const double stretch_v = 40.0 * area * (v_length - 1.0) / v_length;
+    const double shear = 15.0 * area * dot(wu, wv);
+    for (int c = 0; c < 3; c++) {
+        nu[c] = wu[c] / u_length;
+        nv[c] = wv[c] / v_length;
+    }
+    for (int p = 0; p < 3; p++)
+        for (int q = 0; q < 3; q++) {
+            const double uu = u_share[p] * u_share[q], vv = v_share[p] * v_share[q];
+            const double uv = u_share[p] * v_share[q] + v_share[p] * u_share[q];
+            for (int r = 0; r < 3; r++)
+                for (int c = 0; c < 3; c++) {
+                    const double unit = r == c ? 1.0 : 0.0;
+                    const double in_p = u_share[p] * wv[r] + v_share[p] * wu[r];
+                    const double in_q = u_share[q] * wv[c] + v_share[q] * wu[c];
+                    df[p][q][r][c] =
+                        -area * (uu * (stretch_u * (unit - nu[r] * nu[c]) +
+                                       (40.0 + 0.2) * area * nu[r] * nu[c]) +
+                                 vv * (stretch_v * (unit - nv[r] * nv[c]) +
+                                       (40.0 + 0.2) * area * nv[r] * nv[c]) +
+                                 (15.0 + 0.1) * area * in_p * in_q + shear * uv * unit);
+                }
+        }
+}
+
+/* Forces of a cloth's triangles, and all blocks of the matrix: 90 numbers are added to. */
+void cloth(int count, const struct cloth_element *restrict element, const double (*restrict x)[3],
+           const double (*restrict v)[3], double (*b)[3], double (*a)[3][3]) {
+    for (int t = 0; t < count; t++) {
+        const int i = element[t].vertex[0], j = element[t].vertex[1], k = element[t].vertex[2];
+        double f[3][3], df[3][3][3][3];
+        compute_force(x, v, i, j, k, element[t].u, element[t].v, element[t].area, f);
+        compute_derivatives(x, i, j, k, element[t].u, element[t].v, element[t].area, df);
+        for (int c = 0; c < 3; c++) {
+            b[i][c] += f[0][c];
+            b[j][c] += f[1][c];
+            b[k][c] += f[2][c];
+        }
+        for (int p = 0; p < 3; p++)
+            for (int q = 0; q < 3; q++)
+                for (int r = 0; r < 3; r++)
+                    for (int c = 0; c < 3; c++)
+                        a[element[t].entry[p][q]][r][c] += df[p][q][r][c];
+    }
+}
+
 /* One strain of a triangle, along u or v: |sum of weight[a] x[a]| is to be 1. */
 static void strain(const double (*x)[3], int i, int j, int k, const double weight[3], double area,
                    double f[3][3], double df[6][3][3]) {

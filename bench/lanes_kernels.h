@@ -11,7 +11,17 @@ struct element {
     double area;
 };
 
+/** The same of a whole matrix: where the block of each pair of corners is. */
+struct cloth_element {
+    int vertex[3];
+    int entry[3][3];
+    double u[3], v[3];
+    double area;
+};
+
 #define BENCH_LANES_KERNELS(X)                                                                     \
+    X(cloth, (int count, const struct cloth_element *element, const double(*x)[3],                 \
+              const double(*v)[3], double(*b)[3], double(*a)[3][3]))                               \
     X(membrane, (int count, const struct element *element, const double(*x)[3], double(*b)[3],     \
                  double(*a)[3][3]))                                                                \
     X(float_membrane,                                                                              \

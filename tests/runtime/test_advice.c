@@ -233,6 +233,23 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
+/* The first of them are executed before the runtime is asked at all. */
+static void the_first_short_iterations_are_not_asked_about(void **unused) {
+    (void)unused;
+    redcc_least_trip = 1000;
+    redcc_unasked_iterations = 5000;
+    assert_false(redcc_is_worth_entering(999)); /* and are not counted */
+    assert_false(redcc_is_worth_entering(2000));
+    assert_false(redcc_is_worth_entering(2000));
+    assert_true(redcc_is_worth_entering(1000));
+    assert_true(redcc_is_worth_entering(1000));
+    assert_false(redcc_is_worth_entering(999));
+    redcc_unasked_iterations = 5000;
+    assert_true(redcc_is_worth_entering(INT64_MAX));
+    assert_true(redcc_is_worth_entering(1000));
+    redcc_least_trip = redcc_unasked_iterations = 0;
+}
+
 /* All subscripts are compared where that costs little, once. */
 static void subscripts_are_compared(void **fixture) {
     struct called *called = *fixture;
@@ -340,6 +357,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
+        cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),

@@ -281,6 +281,11 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
  * validated, 0. */
 extern redcc_int redcc_least_trip;
 
+/** So many short iterations the program may execute before redcc_enter is called for any, in all
+ *  loops together: they take less than the first call of the runtime would have to gain. Not
+ *  positive: none any more. Approximate where several threads count. */
+extern redcc_int redcc_unasked_iterations;
+
 /** Memory for an operand of `size` bytes an iteration, to be given back by redcc_operands_give
  * after redcc_leave. Counted by REDCC_MEMORY_LIMIT. NULL: trip is not positive, or there is no
  * memory (which is reported), and the original loop must run. */
@@ -347,7 +352,15 @@ static __inline__ void redcc_sequential_done(redcc_loop *loop) {
 /** Is a loop of `trip` short iterations worth redcc_enter? Otherwise the original loop runs, and
  *  nothing is reported. Thread-safe. */
 static __inline__ int redcc_is_worth_entering(redcc_int trip) {
-    return trip >= __atomic_load_n(&redcc_least_trip, __ATOMIC_RELAXED);
+    redcc_int left;
+    if (trip < __atomic_load_n(&redcc_least_trip, __ATOMIC_RELAXED))
+        return 0;
+    left = __atomic_load_n(&redcc_unasked_iterations, __ATOMIC_RELAXED);
+    if (left <= 0)
+        return 1;
+    left -= trip;
+    __atomic_store_n(&redcc_unasked_iterations, left, __ATOMIC_RELAXED);
+    return left <= 0;
 }
 
 /* Before redcc_enter, of subscripts whose value in C may be another than the number, or that the
