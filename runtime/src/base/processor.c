@@ -7,16 +7,23 @@
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>
-#define HAS(gcc_name, glibc_name) CPU_FEATURE_ACTIVE(glibc_name)
+
+/* The header's own form shifts an int by 31. */
+static bool is_active(unsigned feature) {
+    const unsigned bit = feature % 128;
+    return __x86_get_cpuid_feature_leaf(feature / 128)->active_array[bit / 32] >> bit % 32 & 1;
+}
+
+#define HAS(gcc_name, glibc_name) is_active(x86_cpu_##glibc_name)
 #endif
 #endif
 #if defined(__x86_64__) && !defined(HAS)
-#define HAS(gcc_name, glibc_name) __builtin_cpu_supports(gcc_name)
+#define HAS(gcc_name, glibc_name) (__builtin_cpu_supports(gcc_name) != 0)
 #endif
 
 bool redcc_has_avx2(void) {
 #ifdef HAS
-    return HAS("avx2", AVX2) != 0;
+    return HAS("avx2", AVX2);
 #else
     return false;
 #endif
@@ -24,8 +31,7 @@ bool redcc_has_avx2(void) {
 
 bool redcc_has_avx512(void) {
 #ifdef HAS
-    return HAS("avx512f", AVX512F) != 0 && HAS("avx512dq", AVX512DQ) != 0 &&
-           HAS("avx512vl", AVX512VL) != 0;
+    return HAS("avx512f", AVX512F) && HAS("avx512dq", AVX512DQ) && HAS("avx512vl", AVX512VL);
 #else
     return false;
 #endif

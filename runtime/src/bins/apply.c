@@ -78,8 +78,8 @@ void redcc_private_fill(const struct binning *binning, const struct binner *binn
     }
 }
 
-/* The rows of one thread's copy of an array of the stream from the first to the last that are not
- * neutral any more: looked for from both ends, which few rows are far from. */
+/* The rows of one thread's copy of an array of the stream, from the first to the last that is not
+ * neutral any more. */
 static struct row_range changed_rows(const struct binning *binning, uint32_t s, uint32_t a,
                                      const char *copy) {
     const redcc_stream *stream = &binning->loop->streams[s];
