@@ -120,13 +120,12 @@ int main(int count, char **arguments) {
     if (count > 3) {
         printf("%lld unasked, ", (long long)redcc_unasked_iterations);
         redcc_unasked_iterations = 0;
-    }
-    if (count > 3)
         for (redcc_int trip = 0; trip < 10000; trip++)
             if (redcc_is_worth_entering(trip)) {
                 printf("from %lld\n", (long long)trip);
                 break;
             }
+    }
 #endif
     free(edge);
     free(x);
