@@ -3,7 +3,7 @@
  * A form of the loop for in-order binning (redcc/bins.h), beside the others: an update becomes a
  * record, which holds what the update reads but for the element itself, and a function applies
  * records to the elements. Updates of one row (bins_row.c), or of several arrays at one subscript,
- * share a record (bins_group.c).
+ * share a record (bins_group.c), and so does what a loop over constants does (bins_nest.c).
  *
  * The loop has no such form where an update cannot be taken apart so, or where its body may not be
  * executed before its reads are compared with what it writes (stale.c).
@@ -47,11 +47,8 @@ static bool writes(const ir_node *node) {
     return false;
 }
 
-/** The promoted type, by a name that needs no declaration; NULL: values of it are not kept. */
-static const char *record_type(const ir_node *operand) {
-    const ir_type *type = operand->type;
-    if (!type || type->is_volatile || type->is_atomic ||
-        (operand->kind == IR_MEMBER && operand->field && operand->field->is_bit_field))
+const char *kept_type(const ir_type *type) {
+    if (!type || type->is_volatile || type->is_atomic)
         return NULL;
     if (type->kind == IR_BOOLEAN || (type->kind == IR_INTEGER && type->size < 4))
         return "int";
@@ -62,6 +59,12 @@ static const char *record_type(const ir_node *operand) {
     if (type->kind == IR_FLOATING)
         return type->size == 4 ? "float" : type->size == 8 ? "double" : NULL;
     return NULL;
+}
+
+static const char *record_type(const ir_node *operand) {
+    return operand->kind == IR_MEMBER && operand->field && operand->field->is_bit_field
+               ? NULL
+               : kept_type(operand->type);
 }
 
 /** The number of the operand that this node is, or says again; -1: none. No two calls say the same.
@@ -154,7 +157,7 @@ static bool gather(const loop_text *loop, bins_record *record, const ir_node *ta
 
 unsigned stream_value_count(const bins_stream *stream) {
     unsigned count = 0;
-    while (count < MOST_RECORD_OPERANDS && stream->types[count])
+    while (count < MOST_RECORD_VALUES && stream->types[count])
         count++;
     return count;
 }
@@ -164,6 +167,7 @@ typedef struct spelling {
     const struct bins_text *bins;
     const bins_record *record;
     const reduction_update *update;
+    unsigned part; /* of the nest's elements */
 } spelling;
 
 /** The element that the update at hand goes to. */
@@ -176,23 +180,24 @@ static const char *element_in_row(const spelling *its) {
         array++;
     return is_wide_row(its->loop, its->bins, its->update->array)
                ? arena_format(its->loop->arena, "%s[%u]", rows[array],
-                              part_of_row(its->loop, its->bins, its->update))
+                              part_of_row(its->loop, its->bins, its->update, its->part))
                : rows[array];
 }
 
 /** The printer's hook: the element, and what the record holds. */
 static const char *name_in_record(const ir_node *node, void *context) {
-    static const char *const values[] = {"redcc__e.v0", "redcc__e.v1", "redcc__e.v2",
-                                         "redcc__e.v3"};
     const spelling *its = context;
     if (!ir_is_expression(node))
         return NULL;
     if (syntax_same(node, its->update->target))
         return element_in_row(its);
     const int number = operand_number(its->record, node);
-    return number < 0                                                          ? NULL
-           : stream_value_count(&its->bins->streams[its->record->stream]) == 1 ? "redcc__e"
-                                                                               : values[number];
+    if (number < 0)
+        return NULL;
+    if (stream_value_count(&its->bins->streams[its->record->stream]) == 1)
+        return "redcc__e";
+    const unsigned parts = nest_part_count(its->record->nest);
+    return arena_format(its->loop->arena, "redcc__e.v%u", (unsigned)number * parts + its->part);
 }
 
 static bool spell_updates(loop_text *loop, const struct bins_text *bins, bins_record *record) {
@@ -201,7 +206,8 @@ static bool spell_updates(loop_text *loop, const struct bins_text *bins, bins_re
     printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
     for (unsigned i = 0; i < record->update_count; i++) {
         its.update = record->updates[i];
-        print_statement(&p, its.update->statement);
+        for (its.part = 0; its.part < nest_part_count(record->nest); its.part++)
+            print_statement(&p, its.update->statement);
     }
     record->text = writer_text(loop->arena, &line);
     return p.problem == NULL;
@@ -220,13 +226,15 @@ static void give_tag(struct bins_text *bins, bins_record *record) {
 /** One type of record for all updates of a stream, of which some use the first values only. */
 static bool fits_stream(struct bins_text *bins, const bins_record *record) {
     const char **types = bins->streams[record->stream].types;
-    for (unsigned i = 0; i < record->operand_count; i++) {
-        const char *type = record_type(record->operands[i]);
+    const unsigned parts = nest_part_count(record->nest);
+    const unsigned values = record->operand_count * parts;
+    for (unsigned i = 0; i < values && values <= MOST_RECORD_VALUES; i++) {
+        const char *type = record_type(record->operands[i / parts]);
         if (types[i] && strcmp(types[i], type) != 0)
             return false;
         types[i] = type;
     }
-    return true;
+    return values <= MOST_RECORD_VALUES;
 }
 
 /* ---- may it have the form? ----------------------------------------------------------------- */
@@ -301,12 +309,27 @@ static bool can_be_grouped(loop_text *loop, struct bins_text *bins, bool wide, b
     return write_records(loop, bins);
 }
 
+/** As few records as can be. */
+static bool choose_records(loop_text *loop, struct bins_text *bins) {
+    find_nests(loop, bins);
+    for (unsigned i = 0; i < loop->facts->update_count; i++)
+        bins->has_nests |= bins->nests[i].outermost != NULL;
+    for (;; bins->has_nests = false) {
+        if (can_be_grouped(loop, bins, true, true) || can_be_grouped(loop, bins, true, false))
+            return true;
+        if (!bins->has_nests)
+            break;
+    }
+    return can_be_grouped(loop, bins, false, true) || can_be_grouped(loop, bins, false, false);
+}
+
 void find_bins(loop_text *loop) {
     const loop_facts *facts = loop->facts;
     struct bins_text *bins = ARENA_ARRAY(loop->arena, struct bins_text, 1);
     bins->records = ARENA_ARRAY(loop->arena, bins_record, facts->update_count + 1);
     bins->streams = ARENA_ARRAY(loop->arena, bins_stream, facts->array_count + 1);
     bins->row_bytes = ARENA_ARRAY(loop->arena, int64_t, facts->array_count + 1);
+    bins->nests = ARENA_ARRAY(loop->arena, bins_nest, facts->update_count + 1);
     if (loop->unit->dialect.is_sanitized || facts->forward_count > 0 || facts->scalar_count > 0 ||
         is_read_elsewhere(loop, facts->counted.body) || !find_told_sources(loop, bins) ||
         !is_harmless_when_stale(loop))
@@ -314,7 +337,6 @@ void find_bins(loop_text *loop) {
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(loop, i))
             return;
-    if (can_be_grouped(loop, bins, true, true) || can_be_grouped(loop, bins, true, false) ||
-        can_be_grouped(loop, bins, false, true) || can_be_grouped(loop, bins, false, false))
+    if (choose_records(loop, bins))
         loop->bins = bins;
 }

@@ -6,14 +6,28 @@
 #include "emit/loop.h"
 
 enum {
-    MOST_STREAM_ARRAYS = 4,   /* REDCC_STREAM_ARRAYS of redcc/bins.h */
-    MOST_RECORD_OPERANDS = 4, /* REDCC_VALUES_4 there */
-    MOST_RECORD_UPDATES = 8
+    MOST_STREAM_ARRAYS = 4, /* REDCC_STREAM_ARRAYS of redcc/bins.h */
+    MOST_RECORD_OPERANDS = 4,
+    MOST_RECORD_VALUES = 9, /* REDCC_VALUES_9 there */
+    MOST_RECORD_UPDATES = 8,
+    MOST_NEST_DEPTH = 3
 };
 
+/** Loops over constants around updates (bins_nest.c), the outermost first. */
+typedef struct bins_nest {
+    const ir_node *outermost; /* NULL: there are none */
+    unsigned depth;
+    struct nest_level {
+        const ir_variable *counter; /* that counts up by 1 */
+        int64_t first, trip;
+    } levels[MOST_NEST_DEPTH];
+} bins_nest;
+
 /** A record that the body appends: of one update, or of several that follow each other, of one row
- *  of an array or of rows of different arrays at one subscript. */
+ *  of an array or of rows of different arrays at one subscript. Or of an update in a nest, in which
+ *  each operand has a value for each part of the row. */
 typedef struct bins_record {
+    const bins_nest *nest; /* NULL: none */
     unsigned update_count;
     const reduction_update *updates[MOST_RECORD_UPDATES]; /* as they follow; the first appends it */
     unsigned stream;
@@ -27,7 +41,7 @@ typedef struct bins_record {
 typedef struct bins_stream {
     unsigned array_count;
     unsigned arrays[MOST_STREAM_ARRAYS];
-    const char *types[MOST_RECORD_OPERANDS]; /* of a record's values; NULL: no more */
+    const char *types[MOST_RECORD_VALUES]; /* of a record's values; NULL: no more */
     unsigned tag_count;
 } bins_stream;
 
@@ -36,21 +50,56 @@ struct bins_text {
     bins_record *records; /* in each stream as the updates follow */
     unsigned stream_count;
     bins_stream *streams;
-    int64_t *row_bytes;    /* of each array, by number: of an element, or of several side by side */
+    int64_t *row_bytes; /* of each array, by number: of an element, or of several side by side */
+    bool has_nests;
+    bins_nest *nests;      /* of each update, by number, where it has any */
     uint32_t told_sources; /* bits, by number: their reads are told */
 };
 
-/** bins_row.c: sets row_bytes; rows are elements, or where `wide` and several elements side by side
+/** bins_nest.c: sets nests. */
+void find_nests(const loop_text *loop, struct bins_text *bins);
+
+/** The nest that the update is in; NULL: in none, or there are no nests in this form. */
+const bins_nest *nest_of(const loop_text *loop, const struct bins_text *bins,
+                         const reduction_update *update);
+
+/** Of which the node is the counter; NULL: of none. */
+const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
+
+/** How many elements an update in it goes to; NULL: 1. */
+unsigned nest_part_count(const bins_nest *nest);
+
+/** The type that C promotes it to, by a name that needs no declaration; NULL: values of it are not
+ *  kept. */
+const char *kept_type(const ir_type *type);
+
+/** What a counter is where the loops come to an element, which is counted from 0. */
+int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part);
+
+/** The same as C, of the counter's promoted type; NULL: the node is none of its counters. */
+const char *nest_counter_text(const loop_text *loop, const bins_nest *nest, const ir_node *node,
+                              unsigned part);
+
+/** bins_row.c: the largest part of the array that holds the element at a constant offset, or at one
+ *  that counters of the nest (NULL: none) say. */
+const ir_node *outermost_row(const loop_text *loop, const reduction_update *update,
+                             const bins_nest *nest);
+
+/** Sets row_bytes; rows are elements, or where `wide` and several elements side by side
  *  are updated, these. */
 void find_rows(const loop_text *loop, struct bins_text *bins, bool wide);
 
 /** Has a row of the array several elements? */
 bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array);
 
-/** Which part of its row the update's element is, counted in elements; find_rows has been called.
- */
+/** Which part of its row the update's element is, counted in elements: of those of a nest the one
+ *  with this number. find_rows has been called. */
 unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
-                     const reduction_update *update);
+                     const reduction_update *update, unsigned part);
+
+/** The same as C, in the nest. */
+const char *part_of_row_text(const loop_text *loop, const struct bins_text *bins,
+                             const reduction_update *update);
 
 /** Has the element the array's type (members of its records may have others) and that type's
  *  alignment, and lies it in step:

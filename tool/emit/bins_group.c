@@ -28,12 +28,16 @@ static bool has_array(const grouping *g, unsigned group, unsigned array) {
     return false;
 }
 
-/** Has the group the update's row, and room for the update? */
+/** Has the group the update's row, and room for the update? What is in a nest has a record for
+ *  itself. */
 static bool may_join(const grouping *g, unsigned group, const reduction_update *update) {
     unsigned count = 0;
     bool has_row = false;
     for (unsigned i = 0; i < g->member_count; i++)
         if (g->members[i].group == group) {
+            if (nest_of(g->loop, g->bins, update) ||
+                nest_of(g->loop, g->bins, g->members[i].update))
+                return false;
             count++;
             has_row = has_row || is_same_row(g->loop, g->bins, g->members[i].update, update);
         }
@@ -110,8 +114,10 @@ static void add_record(const grouping *g, struct bins_text *bins, unsigned group
     for (unsigned i = 0; i < g->member_count; i++)
         if (g->members[i].group == group && stream_of(bins, g->members[i].update->array) == stream)
             record.updates[record.update_count++] = g->members[i].update;
-    if (record.update_count > 0)
-        bins->records[bins->record_count++] = record;
+    if (record.update_count == 0)
+        return;
+    record.nest = nest_of(g->loop, bins, record.updates[0]);
+    bins->records[bins->record_count++] = record;
 }
 
 bool group_updates(loop_text *loop, struct bins_text *bins, bool wide, bool together) {

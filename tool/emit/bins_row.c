@@ -5,6 +5,8 @@
  * `f[i][1]`), the records or arrays that hold them. A row is binned as a whole: its elements need
  * one place, and one record of all that is added to them.
  */
+#include <string.h>
+
 #include "emit/bins.h"
 #include "emit/syntax.h"
 
@@ -15,8 +17,14 @@ static int64_t element_size(const loop_text *loop, unsigned array) {
     return loop->facts->arrays[array].element->size;
 }
 
-/** Is the node a part at a constant offset, to be added to *offset, of its first child? */
-static bool is_constant_part(const ir_node *node, int64_t *offset) {
+/** Are all values of the counter subscripts of the array? */
+static bool is_within(const struct nest_level *level, const ir_type *array) {
+    return level->first + level->trip <= array->count;
+}
+
+/** Is the node a part of its first child, at a constant offset that is added to *offset, or at one
+ *  that a counter of the nest says? */
+static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
         return false;
@@ -27,79 +35,120 @@ static bool is_constant_part(const ir_node *node, int64_t *offset) {
     if (node->kind != IR_INDEX || whole->type->kind != IR_ARRAY)
         return false;
     const ir_node *subscript = node->children[1];
+    const struct nest_level *level = nest_level_of(nest, subscript);
+    if (level)
+        return is_within(level, whole->type);
     *offset += (subscript->flags & IR_HAS_VALUE) ? subscript->value * node->type->size : 0;
     return (subscript->flags & IR_HAS_VALUE) && subscript->value >= 0 &&
            subscript->value < whole->type->count;
 }
 
-/** The largest part of the array that holds the element at a constant offset. */
-static const ir_node *outermost_row(const loop_text *loop, const reduction_update *update) {
+const ir_node *outermost_row(const loop_text *loop, const reduction_update *update,
+                             const bins_nest *nest) {
     const ir_node *row = update->target;
     int64_t offset = 0;
     while (loop_array_of_base(loop, row) < 0 &&
            loop_array_of_base(loop, row->children[0]) != (int)update->array &&
-           is_constant_part(row, &offset))
+           is_known_part(nest, row, &offset))
         row = row->children[0];
     return row;
 }
 
-/** Are two different elements of the array updated in rows that say the same? */
-static bool has_neighbours(const loop_text *loop, unsigned array) {
+/** The nest of update number `i`, if there are nests in this form. */
+static const bins_nest *nest_at(const struct bins_text *bins, unsigned i) {
+    return bins->has_nests && bins->nests[i].outermost ? &bins->nests[i] : NULL;
+}
+
+/** Are two different elements of the array updated in rows that say the same, or in a nest? */
+static bool has_neighbours(const loop_text *loop, const struct bins_text *bins, unsigned array) {
     const loop_facts *facts = loop->facts;
-    for (unsigned i = 0; i < facts->update_count; i++)
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        if (facts->updates[i].array == array && nest_at(bins, i))
+            return true;
         for (unsigned j = 0; j < i && facts->updates[i].array == array; j++)
             if (facts->updates[j].array == array &&
                 !syntax_same(facts->updates[i].target, facts->updates[j].target) &&
-                syntax_same(outermost_row(loop, &facts->updates[i]),
-                            outermost_row(loop, &facts->updates[j])))
+                syntax_same(outermost_row(loop, &facts->updates[i], NULL),
+                            outermost_row(loop, &facts->updates[j], NULL)))
                 return true;
+    }
     return false;
 }
 
 /** Of all of the array's updates the same; otherwise, or where no row has several: an element's. */
-static int64_t wide_row(const loop_text *loop, unsigned array) {
+static int64_t wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array) {
     const loop_facts *facts = loop->facts;
     const int64_t size = element_size(loop, array);
     int64_t bytes = 0;
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array != array)
             continue;
-        const int64_t its = outermost_row(loop, &facts->updates[i])->type->size;
+        const int64_t its = outermost_row(loop, &facts->updates[i], nest_at(bins, i))->type->size;
         if (bytes > 0 && its != bytes)
             return size;
         bytes = its;
     }
     return bytes > size && bytes <= MOST_ROW_BYTES && bytes % size == 0 &&
-                   has_neighbours(loop, array)
+                   has_neighbours(loop, bins, array)
                ? bytes
                : size;
 }
 
 void find_rows(const loop_text *loop, struct bins_text *bins, bool wide) {
     for (unsigned array = 0; array < loop->facts->array_count; array++)
-        bins->row_bytes[array] = wide ? wide_row(loop, array) : element_size(loop, array);
+        bins->row_bytes[array] = wide ? wide_row(loop, bins, array) : element_size(loop, array);
 }
 
 bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array) {
     return bins->row_bytes[array] > element_size(loop, array);
 }
 
-/** The element's row, and its distance from the row's beginning in bytes. */
+/** The element's row, and its distance from the row's beginning in bytes: where it is in a nest, if
+ *  the counters were 0. */
 static const ir_node *row_of(const loop_text *loop, const struct bins_text *bins,
                              const reduction_update *update, int64_t *offset) {
     *offset = 0;
     const ir_node *row = update->target;
     if (is_wide_row(loop, bins, update->array))
         for (; row->type->size != bins->row_bytes[update->array]; row = row->children[0])
-            (void)is_constant_part(row, offset);
+            (void)is_known_part(nest_of(loop, bins, update), row, offset);
     return row;
 }
 
 unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
-                     const reduction_update *update) {
+                     const reduction_update *update, unsigned part) {
+    const bins_nest *nest = nest_of(loop, bins, update);
     int64_t offset;
-    (void)row_of(loop, bins, update, &offset);
+    const ir_node *row = row_of(loop, bins, update, &offset);
+    for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
+        const struct nest_level *level =
+            node->kind == IR_INDEX ? nest_level_of(nest, node->children[1]) : NULL;
+        if (level)
+            offset += nest_counter_value(nest, level, part) * node->type->size;
+    }
     return (unsigned)(offset / element_size(loop, update->array));
+}
+
+const char *part_of_row_text(const loop_text *loop, const struct bins_text *bins,
+                             const reduction_update *update) {
+    const bins_nest *nest = nest_of(loop, bins, update);
+    const int64_t size = element_size(loop, update->array);
+    int64_t offset;
+    const ir_node *row = row_of(loop, bins, update, &offset);
+    const char *text =
+        offset > 0 || !nest ? arena_format(loop->arena, "%lld", (long long)(offset / size)) : NULL;
+    for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
+        if (node->kind != IR_INDEX || !nest_level_of(nest, node->children[1]))
+            continue;
+        const int64_t stride = node->type->size / size;
+        const char *term = text_operand(loop->arena, node->children[1], NULL, NULL);
+        if (strcmp(kept_type(node->children[1]->type), "int") != 0)
+            term = arena_format(loop->arena, "(int)%s", term);
+        if (stride > 1)
+            term = arena_format(loop->arena, "%lld * %s", (long long)stride, term);
+        text = text ? arena_format(loop->arena, "%s + %s", term, text) : term;
+    }
+    return text;
 }
 
 /** Is the element aligned as its type is? A member of a packed record need not be. */

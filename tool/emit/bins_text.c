@@ -12,24 +12,58 @@ static bool is_floating(const char *type) {
 
 /** The type of an array's rows. */
 static const char *row_type(loop_text *loop, unsigned array) {
+    const ir_type *element = loop->facts->arrays[array].element;
+    const char *type = origin_type(loop->arena, element);
     return is_wide_row(loop, loop->bins, array)
-               ? arena_format(loop->arena, "%s_%u", outlined_name(loop, "row"), array)
-               : origin_type(loop->arena, loop->facts->arrays[array].element);
+               ? arena_format(loop->arena, "__typeof__(%s[%lld])", type,
+                              (long long)(loop->bins->row_bytes[array] / element->size))
+               : type;
+}
+
+/** Is it one of the types that the header has, of doubles or floats alone? */
+static bool is_plain_record(const bins_stream *stream) {
+    for (unsigned i = 1; i < stream_value_count(stream); i++)
+        if (strcmp(stream->types[i], stream->types[0]) != 0)
+            return false;
+    return stream->types[0] && is_floating(stream->types[0]);
 }
 
 static const char *record_name(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
-    return stream_value_count(its) < 2
-               ? its->types[0]
+    const unsigned count = stream_value_count(its);
+    if (count < 2)
+        return its->types[0];
+    return is_plain_record(its)
+               ? arena_format(loop->arena, "redcc_%s_%u", its->types[0], count)
                : arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
 }
 
 /* ---- in the body ---------------------------------------------------------------------------- */
 
-static const char *value_text(loop_text *loop, const ir_node *operand, const char *type) {
+/** How names are replaced where the counters of a nest have the values of an element. */
+typedef struct nest_names {
+    loop_text *loop;
+    const bins_nest *nest;
+    unsigned part;
+    ir_c_rename others; /* NULL: other names stay */
+} nest_names;
+
+static const char *name_in_part(const ir_node *node, void *context) {
+    const nest_names *its = context;
+    const char *counter = nest_counter_text(its->loop, its->nest, node, its->part);
+    return counter || !its->others ? counter : its->others(node, its->loop);
+}
+
+static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,
+                              const char *type) {
     arena *a = loop->arena;
-    const char *text = is_floating(type) ? text_expression(a, operand, NULL, NULL)
-                                         : text_operand(a, operand, NULL, NULL);
+    const unsigned parts = nest_part_count(record->nest);
+    if (value >= record->operand_count * parts)
+        return "0"; /* others of the stream have it */
+    const ir_node *operand = record->operands[value / parts];
+    nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
+    const char *text = is_floating(type) ? text_expression(a, operand, name_in_part, &names)
+                                         : text_operand(a, operand, name_in_part, &names);
     if (!text) {
         loop_obstacle(loop, operand->range, "an operand cannot be spelled a second time");
         return "0";
@@ -37,7 +71,7 @@ static const char *value_text(loop_text *loop, const ir_node *operand, const cha
     return macro_argument(a, is_floating(type) ? text : arena_format(a, "(%s)%s", type, text));
 }
 
-/** The values of this record; those that others of the stream use are 0. */
+/** The values of this record. */
 static const char *values_text(loop_text *loop, const bins_record *record) {
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const unsigned count = stream_value_count(stream);
@@ -46,9 +80,7 @@ static const char *values_text(loop_text *loop, const bins_record *record) {
         buffer_format(&out, "REDCC_VALUES_%u(", count);
     for (unsigned i = 0; i < count; i++)
         buffer_format(&out, "%s%s", i > 0 ? ", " : "",
-                      i < record->operand_count
-                          ? value_text(loop, record->operands[i], stream->types[i])
-                          : "0");
+                      value_text(loop, record, i, stream->types[i]));
     if (count > 1)
         buffer_byte(&out, ')');
     const char *text = arena_copy(loop->arena, out.data, out.length);
@@ -69,8 +101,8 @@ static const char *place_text(loop_text *loop, const reduction_update *update,
     const char *base = loop->arrays[update->array].local;
     if (!is_wide_row(loop, loop->bins, update->array))
         return arena_format(loop->arena, "%s, %s", base, address);
-    return arena_format(loop->arena, "%s, %s, %s, %u", base, address, row_type(loop, update->array),
-                        part_of_row(loop, loop->bins, update));
+    return arena_format(loop->arena, "%s, %s, %s, %s", base, address, row_type(loop, update->array),
+                        part_of_row_text(loop, loop->bins, update));
 }
 
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
@@ -78,7 +110,7 @@ const char *bins_update(loop_text *loop, const reduction_update *update, const c
     const bins_stream *stream = &loop->bins->streams[record->stream];
     const char *macro = is_wide_row(loop, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
     const char *place = place_text(loop, update, address);
-    if (record->updates[0] != update)
+    if (record->updates[0] != update || record->nest)
         return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
     if (stream_value_count(stream) == 0)
         return arena_format(loop->arena, "REDCC_%s_ALIKE(%u, %u, %u, %s)", macro, update->array,
@@ -86,6 +118,36 @@ const char *bins_update(loop_text *loop, const reduction_update *update, const c
     return arena_format(loop->arena, "REDCC_%s_BY(%u, %u, %u, %s, %s, %s)", macro, update->array,
                         record->stream, record->tag, place, record_name(loop, record->stream),
                         values_text(loop, record));
+}
+
+/** Appends the record of an update in a nest. */
+static const char *append_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
+    const reduction_update *update = record->updates[0];
+    const bool has_values = stream_value_count(&loop->bins->streams[record->stream]) > 0;
+    nest_names names = {.loop = loop, .nest = record->nest, .others = name};
+    const char *target = text_operand(loop->arena, update->target, name_in_part, &names);
+    if (!target)
+        loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
+    const char *address =
+        macro_argument(loop->arena, arena_format(loop->arena, "&%s", target ? target : "0"));
+    const char *place =
+        arena_format(loop->arena, "%u, %u, %u, %s, %s, %s, %u", update->array, record->stream,
+                     record->tag, loop->arrays[update->array].local, address,
+                     row_type(loop, update->array), part_of_row(loop, loop->bins, update, 0));
+    return has_values ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
+                                     record_name(loop, record->stream), values_text(loop, record))
+                      : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
+}
+
+const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name) {
+    const char *text = NULL;
+    for (unsigned i = 0; loop->bins && i < loop->bins->record_count; i++) {
+        const bins_record *record = &loop->bins->records[i];
+        if (record->nest && record->nest->outermost == statement)
+            text = arena_format(loop->arena, "%s%s ", text ? text : "",
+                                append_text(loop, record, name));
+    }
+    return text;
 }
 
 /* ---- in front of the function --------------------------------------------------------------- */
@@ -122,21 +184,10 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
     return text;
 }
 
-static void write_rows(loop_text *loop, writer *out, const bins_stream *stream) {
-    for (unsigned i = 0; i < stream->array_count; i++) {
-        const unsigned array = stream->arrays[i];
-        const ir_type *element = loop->facts->arrays[array].element;
-        if (is_wide_row(loop, loop->bins, array))
-            writer_line(out, "typedef %s %s[%lld];", origin_type(loop->arena, element),
-                        row_type(loop, array),
-                        (long long)(loop->bins->row_bytes[array] / element->size));
-    }
-}
-
 static void write_record(loop_text *loop, writer *out, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const unsigned count = stream_value_count(its);
-    if (count < 2)
+    if (count < 2 || is_plain_record(its))
         return;
     buffer members = {0};
     for (unsigned i = 0; i < count; i++)
@@ -161,7 +212,6 @@ void write_bins(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < bins->stream_count; i++) {
         const bins_stream *its = &bins->streams[i];
         const char *row = row_type(loop, its->arrays[0]);
-        write_rows(loop, out, its);
         write_record(loop, out, i);
         if (stream_value_count(its) == 0)
             writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),

@@ -99,10 +99,24 @@ static bool print_noted(body_copy *copy, const ir_node *statement) {
     return true;
 }
 
+/** What a loop over constants adds, in bins; then the loop. */
+static bool print_appends(body_copy *copy, const ir_node *statement) {
+    const char *appends =
+        copy->within == statement ? NULL : bins_appends(copy->loop, statement, local_name);
+    if (!appends)
+        return false;
+    writer_line(copy->printer.out, "{ %s", appends);
+    copy->within = statement;
+    print_statement(&copy->printer, statement);
+    copy->within = NULL;
+    writer_line(copy->printer.out, "}");
+    return true;
+}
+
 static bool print_guard(printer *p, const ir_node *statement) {
     body_copy *copy = (body_copy *)p;
-    if (print_operand(copy, statement) || print_forward(copy, statement) ||
-        print_noted(copy, statement))
+    if (print_appends(copy, statement) || print_operand(copy, statement) ||
+        print_forward(copy, statement) || print_noted(copy, statement))
         return true;
     if (copy->within == statement)
         return false;
@@ -245,6 +259,30 @@ static void choose_printed_updates(body_copy *copy) {
     }
 }
 
+static void choose_printed_nests(body_copy *copy, const ir_node *node) {
+    const ir_node *body = copy->loop->facts->counted.body;
+    if (node->kind == IR_FOR && bins_appends(copy->loop, node, local_name) &&
+        syntax_editable_statement(node, body) != node)
+        print_instead(copy, node);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        choose_printed_nests(copy, node->children[i]);
+}
+
+static void append_nests(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const char *appends = node->kind == IR_FOR && !is_printed(copy, node)
+                              ? bins_appends(loop, node, local_name)
+                              : NULL;
+    if (appends) {
+        edit_insert(loop->arena, &copy->edits, node->range.begin,
+                    arena_format(loop->arena, "{ %s", appends));
+        edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, node),
+                    " }");
+    }
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        append_nests(copy, node->children[i]);
+}
+
 static void guard_updates(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
@@ -316,7 +354,9 @@ static const char *copied_text(body_copy *copy) {
     visit_names(copy, body, print_name_in_macro);
     choose_accessors(copy, body);
     choose_printed_updates(copy);
+    choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
+    append_nests(copy, body);
     guard_updates(copy);
     if (is_printed(copy, body))
         return printed_text(copy, body);

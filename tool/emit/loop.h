@@ -191,6 +191,9 @@ bool has_branches(const loop_text *loop);
 void find_bins(loop_text *loop);
 /** what goes before an update whose element has this address; */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address);
+/** bins_text.c: what goes in front of a loop over constants, to append what it adds; NULL: nothing.
+ */
+const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
 /** bins_text.c: what applies records; the streams, and how many; the arguments of
  *  REDCC_PARALLEL_BINNED that say so. */
 void write_bins(loop_text *loop, writer *out);

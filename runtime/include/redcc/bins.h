@@ -324,7 +324,7 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
 /** The number of the row, of type `redcc_row`, that has the element as its part `redcc_part`. */
 #define REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part)                                     \
     ((redcc_int)((redcc_row *)(void *)((redcc_size)(redcc_at) -                                    \
-                                       (redcc_part) * sizeof *(redcc_at)) -                        \
+                                       (redcc_size)(redcc_part) * sizeof *(redcc_at)) -            \
                  (redcc_row *)(void *)(redcc_base)))
 
 /** The same where the rows of the stream's array have several elements. */
@@ -347,6 +347,21 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
     if (redcc__guarded != REDCC_IN_BINS &&                                                         \
         REDCC_IS_MADE(redcc_i, REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_at))
 
+/** Go before a loop over constants whose iterations update parts of one row: a record of what all
+ * of them add, or that they do. The updates are REDCC_UPDATE_ROW_WITH. */
+#define REDCC_APPEND_ROW_BY(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,          \
+                            redcc_part, redcc_record, redcc_values)                                \
+    if (redcc__guarded == REDCC_IN_BINS) {                                                         \
+        const redcc_record redcc__e = redcc_values;                                                \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, &redcc__e);  \
+    }
+#define REDCC_APPEND_ROW_ALIKE(redcc_i, redcc_s, redcc_tag, redcc_base, redcc_at, redcc_row,       \
+                               redcc_part)                                                         \
+    if (redcc__guarded == REDCC_IN_BINS)                                                           \
+        redcc_push(redcc__bins_##redcc_i, &redcc__streams[redcc_s],                                \
+                   REDCC_ROW(redcc_base, redcc_at, redcc_row, redcc_part), redcc_tag, 0);
+
 /** A record of several values. */
 #define REDCC_VALUES_2(redcc_v0, redcc_v1)                                                         \
     { redcc_v0, redcc_v1 }
@@ -354,6 +369,47 @@ REDCC_INLINE void *redcc_copy_base(const redcc_bins *bins, const redcc_stream *s
     { redcc_v0, redcc_v1, redcc_v2 }
 #define REDCC_VALUES_4(redcc_v0, redcc_v1, redcc_v2, redcc_v3)                                     \
     { redcc_v0, redcc_v1, redcc_v2, redcc_v3 }
+#define REDCC_VALUES_5(redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4)                           \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4 }
+#define REDCC_VALUES_6(redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5)                 \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5 }
+#define REDCC_VALUES_7(redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6)       \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6 }
+#define REDCC_VALUES_8(redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6,       \
+                       redcc_v7)                                                                   \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6, redcc_v7 }
+#define REDCC_VALUES_9(redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6,       \
+                       redcc_v7, redcc_v8)                                                         \
+    { redcc_v0, redcc_v1, redcc_v2, redcc_v3, redcc_v4, redcc_v5, redcc_v6, redcc_v7, redcc_v8 }
+
+/** Records of values of one type: redcc_double_2 ... redcc_double_9, and so of floats. */
+#define REDCC_RECORDS(redcc_type)                                                                  \
+    typedef struct {                                                                               \
+        redcc_type v0, v1;                                                                         \
+    } redcc_##redcc_type##_2;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2;                                                                     \
+    } redcc_##redcc_type##_3;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3;                                                                 \
+    } redcc_##redcc_type##_4;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3, v4;                                                             \
+    } redcc_##redcc_type##_5;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3, v4, v5;                                                         \
+    } redcc_##redcc_type##_6;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3, v4, v5, v6;                                                     \
+    } redcc_##redcc_type##_7;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3, v4, v5, v6, v7;                                                 \
+    } redcc_##redcc_type##_8;                                                                      \
+    typedef struct {                                                                               \
+        redcc_type v0, v1, v2, v3, v4, v5, v6, v7, v8;                                             \
+    } redcc_##redcc_type##_9
+REDCC_RECORDS(double);
+REDCC_RECORDS(float);
 
 /** Goes before a REDCC_APPLY whose records update floats several times. gcc 12 packs updates of
  *  neighbours (SLP), and leaves out the roundings to float between them: of float x, y and double

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Loops over constants around updates and nothing else: `for (c = 0; c < 3; c++) f[i][c] += a[c];`.
+ * What each of their iterations adds is kept by one record, in front of the loop: nothing that the
+ * operands read changes in it, for what it writes is written later, and no two of its iterations
+ * update the same element.
+ */
+#include <string.h>
+
+#include "analysis/base/counted.h"
+#include "emit/bins.h"
+#include "emit/syntax.h"
+
+/* ---- the loops ----------------------------------------------------------------------------- */
+
+/** Is this `for (c = FIRST; c < BOUND; c++)` over constants? */
+static bool is_level(const ir_node *node, struct nest_level *level) {
+    const ir_variable *counter;
+    ir_variable *stepped;
+    int64_t last, step;
+    if (node->kind != IR_FOR || !counted_constant(node, &counter, &level->first, &last) ||
+        !counted_step(node->children[2], &stepped, &step) || step != 1 || stepped != counter ||
+        !kept_type(counter->type))
+        return false;
+    level->counter = counter;
+    level->trip = last - level->first + 1;
+    return level->first >= 0 && level->trip <= MOST_RECORD_VALUES;
+}
+
+static bool holds_only_updates(const loop_text *loop, const ir_node *node) {
+    const reduction_update *update = loop_update_at(loop->facts, node);
+    struct nest_level level;
+    if (update)
+        return !update->last;
+    if (node->kind == IR_FOR)
+        return is_level(node, &level) && holds_only_updates(loop, node->children[3]);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!holds_only_updates(loop, node->children[i]))
+            return false;
+    return node->kind == IR_BLOCK;
+}
+
+const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node) {
+    for (unsigned i = 0; nest && node->kind == IR_VARIABLE && i < nest->depth; i++)
+        if (nest->levels[i].counter == node->variable)
+            return &nest->levels[i];
+    return NULL;
+}
+
+static bool mentions_counter(const bins_nest *nest, const ir_node *node) {
+    if (nest_level_of(nest, node))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions_counter(nest, node->children[i]))
+            return true;
+    return false;
+}
+
+unsigned nest_part_count(const bins_nest *nest) {
+    unsigned count = 1;
+    for (unsigned i = 0; nest && i < nest->depth; i++)
+        count *= (unsigned)nest->levels[i].trip;
+    return count;
+}
+
+/** Is each counter one subscript of the row's parts, and nowhere else in the element's address?
+ *  Then the iterations' elements differ, and the row is the same for all. */
+static bool is_one_row(const loop_text *loop, const reduction_update *update,
+                       const bins_nest *nest) {
+    const ir_node *row = outermost_row(loop, update, nest);
+    unsigned found[MOST_NEST_DEPTH] = {0};
+    for (const ir_node *node = update->target; node != row; node = node->children[0]) {
+        const struct nest_level *level =
+            node->kind == IR_INDEX ? nest_level_of(nest, node->children[1]) : NULL;
+        if (level)
+            found[level - nest->levels]++;
+    }
+    for (unsigned i = 0; i < nest->depth; i++)
+        if (found[i] != 1)
+            return false;
+    return !mentions_counter(nest, row);
+}
+
+/** The loops around the update from `outermost` on. */
+static bool make_nest(const loop_text *loop, const reduction_update *update,
+                      const ir_node *outermost, bins_nest *nest) {
+    *nest = (bins_nest){.outermost = outermost};
+    for (const ir_node *node = outermost; node != update->statement;) {
+        const ir_node *next = NULL;
+        if (node->kind == IR_FOR) {
+            if (nest->depth == MOST_NEST_DEPTH || !is_level(node, &nest->levels[nest->depth++]))
+                return false;
+            next = node->children[3];
+        }
+        for (unsigned i = 0; node->kind == IR_BLOCK && i < node->child_count; i++)
+            if (ir_contains(node->children[i], update->statement))
+                next = node->children[i];
+        if (!next)
+            return false;
+        node = next;
+    }
+    return nest_part_count(nest) <= MOST_RECORD_VALUES && is_one_row(loop, update, nest);
+}
+
+/** The outermost such loops around the update; outermost is NULL where there are none. */
+static bins_nest find_nest(const loop_text *loop, const reduction_update *update) {
+    bins_nest found = {0}, nest;
+    for (const ir_node *node = update->statement->parent;
+         node && node != loop->facts->loop && (node->kind == IR_FOR || node->kind == IR_BLOCK);
+         node = node->parent)
+        if (node->kind == IR_FOR) {
+            if (!holds_only_updates(loop, node))
+                break;
+            if (make_nest(loop, update, node, &nest))
+                found = nest;
+        }
+    return found;
+}
+
+/* ---- the order of updates ------------------------------------------------------------------ */
+
+/** Are both in one nest, and do they come to the same parts of their rows in each iteration? */
+static bool have_equal_parts(const loop_text *loop, const reduction_update *a,
+                             const bins_nest *of_a, const reduction_update *b,
+                             const bins_nest *of_b) {
+    if (of_a->outermost != of_b->outermost)
+        return false;
+    const ir_node *left = a->target, *right = b->target;
+    const ir_node *const left_row = outermost_row(loop, a, of_a);
+    const ir_node *const right_row = outermost_row(loop, b, of_b);
+    for (; left != left_row && right != right_row;
+         left = left->children[0], right = right->children[0])
+        if (left->kind != right->kind ||
+            (left->kind == IR_INDEX && !syntax_same(left->children[1], right->children[1])) ||
+            (left->kind == IR_MEMBER && left->field != right->field))
+            return false;
+    return left == left_row && right == right_row;
+}
+
+/** A nest keeps the records of its updates one after the other. So those of one array must come to
+ *  an element in that order. */
+static bool keeps_order(const loop_text *loop, const bins_nest *nests, unsigned i) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
+        if (facts->updates[j].array == facts->updates[i].array &&
+            ir_contains(nests[i].outermost, facts->updates[j].statement) &&
+            !have_equal_parts(loop, &facts->updates[i], &nests[i], &facts->updates[j], &nests[j]))
+            return false;
+    return true;
+}
+
+void find_nests(const loop_text *loop, struct bins_text *bins) {
+    const loop_facts *facts = loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        bins->nests[i] = find_nest(loop, &facts->updates[i]);
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (!keeps_order(loop, bins->nests, i)) {
+            memset(bins->nests, 0, facts->update_count * sizeof *bins->nests);
+            return;
+        }
+}
+
+const bins_nest *nest_of(const loop_text *loop, const struct bins_text *bins,
+                         const reduction_update *update) {
+    const bins_nest *nest = &bins->nests[update - loop->facts->updates];
+    return bins->has_nests && nest->outermost && is_wide_row(loop, bins, update->array) ? nest
+                                                                                        : NULL;
+}
+
+/* ---- the counters' values ------------------------------------------------------------------ */
+
+int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part) {
+    unsigned i = nest->depth - 1;
+    for (; &nest->levels[i] != level; i--)
+        part /= (unsigned)nest->levels[i].trip;
+    return level->first + part % (unsigned)level->trip;
+}
+
+const char *nest_counter_text(const loop_text *loop, const bins_nest *nest, const ir_node *node,
+                              unsigned part) {
+    const struct nest_level *level = nest_level_of(nest, node);
+    if (!level)
+        return NULL;
+    const char *type = kept_type(level->counter->type);
+    const long long value = nest_counter_value(nest, level, part);
+    return strcmp(type, "int") == 0 ? arena_format(loop->arena, "%lld", value)
+                                    : arena_format(loop->arena, "((%s)%lld)", type, value);
+}
