@@ -21,6 +21,45 @@ static void constant_loop(kernel *k) {
     put_body(k, outside);
 }
 
+/* An element of a row, mostly that of the loop's counter. */
+static const char *part_of_row(kernel *k, const array *a, const char *index, const char *c) {
+    const int which = below(k, 12);
+    return which == 0   ? text(k, "%s[%s][2 - %s]", a->base, index, c)
+           : which == 1 ? text(k, "%s[%s][%d]", a->base, index, below(k, 3))
+           : which == 2
+               ? text(k, "%s[(%s + (int)%s) & %d][%s]", a->base, index, c, k->elements - 1, c)
+               : text(k, "%s[%s][%s]", a->base, index, c);
+}
+
+void loop_over_parts(kernel *k) {
+    static const char *const types[] = {"int", "int", "int", "unsigned", "long", "unsigned char"};
+    const array *a = any_reduction(k);
+    if (a->shape != SHAPE_ROWS)
+        return;
+    const scope outside = k->scope;
+    const char *c = new_name(k, "c");
+    const char *indices[] = {subscript(k), subscript(k)};
+    const char *type = types[below(k, 6)];
+    const int from = chance(k, 20), step = chance(k, 10) ? 2 : 1;
+    const bool is_outer = chance(k, 30);
+    if (is_outer)
+        declare_outside(k, type, c, k->without ? "0" : NULL);
+    put(k, &k->body, "for (%s%s%s = %d; %s < 3; %s += %d) {\n", is_outer ? "" : type,
+        is_outer ? "" : " ", c, from, c, c, step);
+    add_name(&k->scope.smalls, c);
+    k->scope.in_loop = k->scope.can_skip = true;
+    for (int left = 1 + below(k, 3); left > 0; left--) {
+        if (chance(k, 12))
+            plain_update(k);
+        else
+            put(k, &k->body, "%s;\n", update(k, a, part_of_row(k, a, indices[below(k, 2)], c)));
+        if (chance(k, 5))
+            put(k, &k->body, "if (%s)\ncontinue;\n", condition(k));
+    }
+    put(k, &k->body, "}\n");
+    k->scope = outside;
+}
+
 static void row_loop(kernel *k) {
     const scope outside = k->scope;
     const char *c = new_name(k, "c");

@@ -103,6 +103,7 @@ typedef struct kernel {
     bool has_strides; /* programs of seeds divisible by 13: steps that are variables */
     bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
                          n */
+    bool has_parts;   /* programs of seeds that leave 1, divided by 4: loop_over_parts */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -135,6 +136,9 @@ int below(kernel *k, int n);
 /** The name becomes known in the scope. */
 void add_name(names *list, const char *name);
 const char *any_name(kernel *k, const names *list);
+/** A statement: an update; a loop over the parts of rows, and updates of them. */
+void plain_update(kernel *k);
+void loop_over_parts(kernel *k);
 /** Begins a numbered statement; end_statement takes it out where it is to be left out. */
 size_t begin_statement(kernel *k);
 void end_statement(kernel *k, size_t begin);

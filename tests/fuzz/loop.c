@@ -323,6 +323,18 @@ static void put_statements(kernel *k, bool with_bait) {
         buffer_text(&k->body, store);
 }
 
+/* Little else than loops over the parts of rows: such a body mostly has a form for bins. */
+static void put_parts(kernel *k) {
+    for (int left = 1 + below(k, 3); left > 0; left--) {
+        const size_t begin = begin_statement(k);
+        if (chance(k, 80))
+            loop_over_parts(k);
+        else
+            plain_update(k);
+        end_statement(k, begin);
+    }
+}
+
 static void put_loop(kernel *k, bool with_bait, const char *counter) {
     const bool is_while = chance(k, 6);
     const char *end = "}\n";
@@ -343,7 +355,10 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     put(k, &k->body, "%s{\n", head.data);
     buffer_free(&head);
     add_name(&k->scope.positions, counter);
-    put_statements(k, with_bait);
+    if (k->has_parts && chance(k, 60))
+        put_parts(k);
+    else
+        put_statements(k, with_bait);
     buffer_text(&k->body, end);
 }
 
@@ -411,6 +426,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_idioms = seed % 11 == 0;
     k.has_strides = seed % 13 == 0;
     k.has_drains = seed % 17 == 0;
+    k.has_parts = seed % 4 == 1;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

@@ -199,7 +199,11 @@ static void updates_of_a_row(kernel *k, const array *a) {
                 update(k, a, place(k, a, chance(k, 12) ? subscript(k) : index)));
 }
 
-static void plain_update(kernel *k) {
+void plain_update(kernel *k) {
+    if (k->has_parts && !k->scope.in_loop && chance(k, 60)) {
+        loop_over_parts(k);
+        return;
+    }
     const array *a = any_reduction(k);
     if (a->shape != SHAPE_FLAT && chance(k, 30)) {
         updates_of_a_row(k, a);

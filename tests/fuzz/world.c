@@ -69,6 +69,8 @@ static void make_reduction(kernel *k, array *a, const char *name) {
                                                      "+", "+", "+", "&", "|", "^", "<", ">"};
     a->type = types[below(k, LENGTH(types))];
     a->shape = below(k, 10) < 6 ? SHAPE_FLAT : below(k, 2) ? SHAPE_ROWS : SHAPE_RECORDS;
+    if (k->has_parts && a->shape == SHAPE_FLAT && chance(k, 70))
+        a->shape = SHAPE_ROWS;
     a->operation = "+";
     if (!elements[a->type].is_floating)
         a->operation = integer_operations[below(k, LENGTH(integer_operations))];
