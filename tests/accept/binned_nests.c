@@ -183,7 +183,7 @@ static void types(int n) {
     }
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (unsigned c = 0; c < 4; c++)
-            single[i1[t]][c] += part[t][c];
+            single[i1[t]][c] += part[t][c] * (-c >> 8);
     }
 } // WIDE: 176 180 184
 // ELEMENTS: 170
@@ -207,12 +207,25 @@ static void of_members(int n) {
         (to)[i1[t]][c] += value[t][c];                                                             \
         (to)[i2[t]][c] -= value[t][c];                                                             \
     }
+#define EACH_IF(when, c)                                                                           \
+    if (when)                                                                                      \
+    EACH(c)
+#define EACH_OF(row, c)                                                                            \
+    const int k = (row);                                                                           \
+    EACH(c)
 static void by_macro(int n, double (*restrict to)[3]) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         EACH(c) to[i1[t]][c] += by[t][c];
         ADD(to, by)
     }
-} // WIDE: 211
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        EACH_OF(i1[t], c) to[k][c] += by[t][c];
+    }
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        EACH_IF(i2[t] % 3, c) to[i1[t]][c] += by[t][c];
+    }
+} // WIDE: 217 224
+// ELEMENTS: 221
 
 // Not one row, or no loop that counts up by one over constants: elements.
 static void no_nests(int n, int m) {
@@ -251,15 +264,15 @@ static void no_nests(int n, int m) {
     for (int t = 0; t < n; t++) // EXPECT: transformed
         for (int c = 0; c < 3; c++)
             f[i1[t] + c][c] += by[t][c];
-} // ELEMENTS: 219 222 225 228 231 235 238 241 251
-// WIDE: 246
+} // ELEMENTS: 232 235 238 241 244 248 251 254 264
+// WIDE: 259
 
 static void that_overlap(int n, double (*rows)[3], const double *x) {
     for (int t = 0; t < n; t++) { // EXPECT: transformed
         for (int c = 0; c < 3; c++)
             rows[i1[t]][c] = rows[i1[t]][c] * 0.5 + x[3 * t + c];
     }
-} // WIDE: 258
+} // WIDE: 271
 
 static void show_all(void) {
 #define SHOW(array) case_print(#array, array, sizeof array)

@@ -85,6 +85,8 @@ static bool is_one_row(const loop_text *loop, const reduction_update *update,
 static bool make_nest(const loop_text *loop, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
+    if (!syntax_editable_statement(outermost, loop->facts->counted.body))
+        return false; /* a macro's text has more than the loop */
     for (const ir_node *node = outermost; node != update->statement;) {
         const ir_node *next = NULL;
         if (node->kind == IR_FOR) {
@@ -119,12 +121,10 @@ static bins_nest find_nest(const loop_text *loop, const reduction_update *update
 
 /* ---- the order of updates ------------------------------------------------------------------ */
 
-/** Are both in one nest, and do they come to the same parts of their rows in each iteration? */
+/** Do both come to the same parts of their rows in each iteration of one nest? */
 static bool have_equal_parts(const loop_text *loop, const reduction_update *a,
                              const bins_nest *of_a, const reduction_update *b,
                              const bins_nest *of_b) {
-    if (of_a->outermost != of_b->outermost)
-        return false;
     const ir_node *left = a->target, *right = b->target;
     const ir_node *const left_row = outermost_row(loop, a, of_a);
     const ir_node *const right_row = outermost_row(loop, b, of_b);
