@@ -364,6 +364,8 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
     }
     assert(0 <= number && number < threads && threads <= execution->state->thread_count);
     if (number == 0) {
+        if (execution->call.started > 0)
+            redcc_cores_give_way(&execution->cores, threads - 1);
         redcc_team_came(threads);
         redcc_within_relax(&execution->within, execution->call.always_planned, is_long(execution));
     }

@@ -123,13 +123,75 @@ static void who_finds_all_processors_taken_stays(void **state) {
     assert_true(CPU_ISSET((size_t)host, all));
 }
 
+static bool is_taken(struct cores *cores, int core) {
+    const size_t bits = 8 * sizeof *cores->taken;
+    return atomic_load(&cores->taken[(size_t)core / bits]) >> (size_t)core % bits & 1;
+}
+
+struct wait {
+    cpu_set_t all;
+    int come; /* of one */
+    int host, core;
+    bool host_is_taken, core_is_taken;
+    cpu_set_t after;
+};
+
+static void *begin_region(void *given) {
+    static struct cores cores;
+    struct wait *wait = given;
+    wait->host = sched_getcpu();
+    stay_on(wait->host);
+    redcc_cores_begin(&cores);
+    sched_setaffinity(0, sizeof wait->all, &wait->all);
+    atomic_store(&cores.come, wait->come);
+    redcc_cores_give_way(&cores, 1);
+    wait->core = sched_getcpu();
+    wait->host_is_taken = is_taken(&cores, wait->host);
+    wait->core_is_taken = is_taken(&cores, wait->core);
+    wait->after = allowed();
+    return NULL;
+}
+
+static struct wait wait_of(const cpu_set_t *all, int come) {
+    static struct wait wait;
+    pthread_t first;
+    wait = (struct wait){.all = *all, .come = come};
+    assert_int_equal(pthread_create(&first, NULL, begin_region, &wait), 0);
+    assert_int_equal(pthread_join(first, NULL), 0);
+    return wait;
+}
+
+static void who_waits_in_vain_gives_way(void **state) {
+    const cpu_set_t *all = *state;
+    for (int i = 0; i < 20; i++) {
+        const struct wait wait = wait_of(all, 0);
+        assert_true(wait.core_is_taken);
+        if (CPU_COUNT(all) > 1) {
+            assert_int_not_equal(wait.core, wait.host);
+            assert_false(wait.host_is_taken);
+        }
+        assert_true(CPU_EQUAL(&wait.after, all));
+    }
+}
+
+static void who_need_not_wait_stays(void **state) {
+    int moves = 0;
+    for (int i = 0; i < 20; i++) {
+        const struct wait wait = wait_of(*state, 1);
+        moves += wait.core != wait.host; /* by the system, perhaps */
+    }
+    assert_in_range(moves, 0, 5);
+}
+
 static void each_region_begins_anew(void **state) {
     (void)state;
     struct cores cores;
     for (size_t w = 0; w < sizeof cores.taken / sizeof *cores.taken; w++)
         atomic_store(&cores.taken[w], ~0ul);
     stay_on(sched_getcpu());
+    atomic_store(&cores.come, 3);
     redcc_cores_begin(&cores);
+    assert_int_equal(atomic_load(&cores.come), 0);
     int taken = 0;
     for (size_t w = 0; w < sizeof cores.taken / sizeof *cores.taken; w++)
         taken += __builtin_popcountl(atomic_load(&cores.taken[w]));
@@ -165,6 +227,8 @@ int main(void) {
                                                  given),
         cmocka_unit_test_prestate_setup_teardown(who_finds_all_processors_taken_stays, NULL,
                                                  restore, given),
+        cmocka_unit_test_prestate_setup_teardown(who_waits_in_vain_gives_way, NULL, restore, given),
+        cmocka_unit_test_prestate_setup_teardown(who_need_not_wait_stays, NULL, restore, given),
         cmocka_unit_test_prestate_setup_teardown(each_region_begins_anew, NULL, restore, given),
         cmocka_unit_test(the_processor_is_what_the_compiler_finds),
     };

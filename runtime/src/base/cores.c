@@ -11,19 +11,33 @@
 #include "base/clock.h"
 #include "base/system.h"
 
-enum { WORD = 8 * sizeof(unsigned long), WORDS = sizeof(struct cores) / sizeof(unsigned long) };
+enum {
+    WORD = 8 * sizeof(unsigned long),
+    WORDS = sizeof((struct cores){0}.taken) / sizeof(unsigned long)
+};
+
+static unsigned long bit_of(int core) {
+    return 1ul << core % WORD;
+}
 
 /* Was somebody there already? */
 static bool take(struct cores *cores, int core) {
     if (core < 0 || core >= WORD * WORDS)
         return false;
-    const unsigned long bit = 1ul << core % WORD;
-    return atomic_fetch_or_explicit(&cores->taken[core / WORD], bit, memory_order_relaxed) & bit;
+    return atomic_fetch_or_explicit(&cores->taken[core / WORD], bit_of(core),
+                                    memory_order_relaxed) &
+           bit_of(core);
+}
+
+static void leave(struct cores *cores, int core) {
+    if (0 <= core && core < WORD * WORDS)
+        atomic_fetch_and_explicit(&cores->taken[core / WORD], ~bit_of(core), memory_order_relaxed);
 }
 
 void redcc_cores_begin(struct cores *cores) {
     for (int word = 0; word < WORDS; word++)
         atomic_store_explicit(&cores->taken[word], 0, memory_order_relaxed);
+    atomic_store_explicit(&cores->come, 0, memory_order_relaxed);
     take(cores, redcc_system_core());
 }
 
@@ -32,16 +46,39 @@ void redcc_cores_begin(struct cores *cores) {
 static const double least_between = 2e-3;
 static _Thread_local double moved_last __attribute__((__tls_model__("initial-exec")));
 
-void redcc_cores_take(struct cores *cores) {
-    if (!take(cores, redcc_system_core()))
-        return;
+/* To a processor that is neither `core`, where the thread is, nor taken. */
+static void move(struct cores *cores, int core) {
     const double now = redcc_seconds();
-    if (now - moved_last < least_between)
+    if (core < 0 || core >= WORD * WORDS || now - moved_last < least_between)
         return;
     moved_last = now;
     unsigned long taken[WORDS];
     for (int word = 0; word < WORDS; word++)
         taken[word] = atomic_load_explicit(&cores->taken[word], memory_order_relaxed);
-    if (redcc_system_leave_cores(taken, WORDS))
-        take(cores, redcc_system_core());
+    taken[core / WORD] |= bit_of(core);
+    redcc_system_leave_cores(taken, WORDS);
+}
+
+void redcc_cores_take(struct cores *cores) {
+    const int core = redcc_system_core();
+    atomic_fetch_add_explicit(&cores->come, 1, memory_order_relaxed);
+    if (!take(cores, core))
+        return;
+    move(cores, core);
+    take(cores, redcc_system_core());
+}
+
+/* Threads that the system starts on processors of their own come after 0.1 ms. */
+static const double longest_start = 0.15e-3;
+
+void redcc_cores_give_way(struct cores *cores, int others) {
+    const double until = redcc_seconds() + longest_start;
+    while (atomic_load_explicit(&cores->come, memory_order_relaxed) < others)
+        if (redcc_seconds() > until) {
+            const int core = redcc_system_core();
+            leave(cores, core); /* who comes to it may stay */
+            move(cores, core);
+            take(cores, redcc_system_core());
+            return;
+        }
 }
