@@ -103,7 +103,7 @@ typedef struct kernel {
     bool has_strides; /* programs of seeds divisible by 13: steps that are variables */
     bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
                          n */
-    bool has_parts;   /* programs of seeds that leave 1, divided by 4: loop_over_parts */
+    bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
