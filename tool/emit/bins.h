@@ -59,7 +59,9 @@ struct bins_text {
 /** bins_nest.c: sets nests. */
 void find_nests(const loop_text *loop, struct bins_text *bins);
 
-/** The nest that the update is in; NULL: in none, or there are no nests in this form. */
+/** The nest of update number `i`; NULL: it has none, or this form has no nests. Of nest_of also
+ *  where the array's rows are single elements. */
+const bins_nest *nest_at(const struct bins_text *bins, unsigned i);
 const bins_nest *nest_of(const loop_text *loop, const struct bins_text *bins,
                          const reduction_update *update);
 
@@ -76,7 +78,7 @@ const char *kept_type(const ir_type *type);
 /** What a counter is where the loops come to an element, which is counted from 0. */
 int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part);
 
-/** The same as C, of the counter's promoted type; NULL: the node is none of its counters. */
+/** The same as C, of the counter's promoted type; NULL: the node is not a counter of the nest. */
 const char *nest_counter_text(const loop_text *loop, const bins_nest *nest, const ir_node *node,
                               unsigned part);
 
@@ -92,8 +94,8 @@ void find_rows(const loop_text *loop, struct bins_text *bins, bool wide);
 /** Has a row of the array several elements? */
 bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array);
 
-/** Which part of its row the update's element is, counted in elements: of those of a nest the one
- *  with this number. find_rows has been called. */
+/** The position of the update's element in the row, counted in elements. In a nest, `part` is the
+ *  number of the iteration. find_rows has been called. */
 unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
                      const reduction_update *update, unsigned part);
 

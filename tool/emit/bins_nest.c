@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Loops over constants around updates and nothing else: `for (c = 0; c < 3; c++) f[i][c] += a[c];`.
- * What each of their iterations adds is kept by one record, in front of the loop: nothing that the
- * operands read changes in it, for what it writes is written later, and no two of its iterations
- * update the same element.
+ * One record, appended before the loop, holds what all iterations add. This is legal for two
+ * reasons: the operands read nothing that the loop changes, since updates are applied later, and
+ * no two iterations update the same element.
  */
 #include <string.h>
 
@@ -137,8 +137,8 @@ static bool have_equal_parts(const loop_text *loop, const reduction_update *a,
     return left == left_row && right == right_row;
 }
 
-/** A nest keeps the records of its updates one after the other. So those of one array must come to
- *  an element in that order. */
+/** The records of a nest's updates are appended in the order of the statements. Two updates of one
+ *  array must reach each element in that order too. */
 static bool keeps_order(const loop_text *loop, const bins_nest *nests, unsigned i) {
     const loop_facts *facts = loop->facts;
     for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
@@ -160,11 +160,15 @@ void find_nests(const loop_text *loop, struct bins_text *bins) {
         }
 }
 
+const bins_nest *nest_at(const struct bins_text *bins, unsigned i) {
+    return bins->has_nests && bins->nests[i].outermost ? &bins->nests[i] : NULL;
+}
+
 const bins_nest *nest_of(const loop_text *loop, const struct bins_text *bins,
                          const reduction_update *update) {
-    const bins_nest *nest = &bins->nests[update - loop->facts->updates];
-    return bins->has_nests && nest->outermost && is_wide_row(loop, bins, update->array) ? nest
-                                                                                        : NULL;
+    return is_wide_row(loop, bins, update->array)
+               ? nest_at(bins, (unsigned)(update - loop->facts->updates))
+               : NULL;
 }
 
 /* ---- the counters' values ------------------------------------------------------------------ */

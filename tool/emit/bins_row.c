@@ -22,8 +22,8 @@ static bool is_within(const struct nest_level *level, const ir_type *array) {
     return level->first + level->trip <= array->count;
 }
 
-/** Is the node a part of its first child, at a constant offset that is added to *offset, or at one
- *  that a counter of the nest says? */
+/** Is the node a part of the array or record that is the first child, at a constant offset that is
+ *  added to *offset, or at an offset given by a counter of the nest? */
 static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *offset) {
     const ir_node *whole = node->child_count > 0 ? node->children[0] : NULL;
     if (!whole || !whole->type || whole->type->size <= 0)
@@ -52,11 +52,6 @@ const ir_node *outermost_row(const loop_text *loop, const reduction_update *upda
            is_known_part(nest, row, &offset))
         row = row->children[0];
     return row;
-}
-
-/** The nest of update number `i`, if there are nests in this form. */
-static const bins_nest *nest_at(const struct bins_text *bins, unsigned i) {
-    return bins->has_nests && bins->nests[i].outermost ? &bins->nests[i] : NULL;
 }
 
 /** Are two different elements of the array updated in rows that say the same, or in a nest? */
