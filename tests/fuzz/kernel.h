@@ -104,6 +104,7 @@ typedef struct kernel {
     bool has_drains;  /* programs of seeds divisible by 17: read_then_stored, local records, i + 1 <
                          n */
     bool has_parts;   /* programs of seeds that leave 1, divided by 6: loop_over_parts */
+    bool has_turns;   /* programs of seeds that leave 6, divided by 7: turns.c */
     bool is_masked;   /* subscripts from memory are masked at their use */
     bool is_damped;   /* floating values are bounded at their use */
     bool has_outer_counter;
@@ -167,7 +168,8 @@ const char *contribution(kernel *k, const array *a);
 /** One update of one element, as a statement's text without `;`. */
 const char *update(kernel *k, const array *a, const char *where);
 
-/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c */
+/* ---- statement.c, inner.c, stored.c, bait.c, wide.c, rows.c, spans.c, helpers.c, idioms.c,
+ * turns.c */
 
 void statement(kernel *k);
 void block(kernel *k, int count);
@@ -192,6 +194,7 @@ void loop_along_a_row(kernel *k);
 void call_of_helper(kernel *k);
 void in_pieces(kernel *k);
 void idiom(kernel *k);
+void loop_along_a_list(kernel *k);
 array *any_reduction(kernel *k);
 /** A variable of the loop that is declared outside of it; `initial` is its first value. */
 void declare_outside(kernel *k, const char *type, const char *name, const char *initial);

@@ -335,6 +335,14 @@ static void put_parts(kernel *k) {
     }
 }
 
+static void put_turns(kernel *k) {
+    for (int left = 1 + below(k, 2); left > 0; left--) {
+        const size_t begin = begin_statement(k);
+        loop_along_a_list(k);
+        end_statement(k, begin);
+    }
+}
+
 static void put_loop(kernel *k, bool with_bait, const char *counter) {
     const bool is_while = chance(k, 6);
     const char *end = "}\n";
@@ -357,6 +365,8 @@ static void put_loop(kernel *k, bool with_bait, const char *counter) {
     add_name(&k->scope.positions, counter);
     if (k->has_parts && chance(k, 60))
         put_parts(k);
+    else if (k->has_turns && chance(k, 80))
+        put_turns(k);
     else
         put_statements(k, with_bait);
     buffer_text(&k->body, end);
@@ -427,6 +437,7 @@ int put_kernel(buffer *b, uint64_t seed, const bool *without, int without_count)
     k.has_strides = seed % 13 == 0;
     k.has_drains = seed % 17 == 0;
     k.has_parts = seed % 6 == 1;
+    k.has_turns = seed % 7 == 6;
     k.is_masked = k.is_damped = with_bait || chance(&k, 30);
     make_world(&k);
     put_loops(&k, with_bait);

@@ -29,6 +29,13 @@ static const char *local_name(const ir_node *node, void *context) {
     return array >= 0 ? loop->arrays[array].local : forward_read_name(loop, node);
 }
 
+/** The same where the program may not come to what is written: sums wrap around. */
+static const char *bare_name(const ir_node *node, void *context) {
+    const char *name = local_name(node, context);
+    arena *a = ((const loop_text *)context)->arena;
+    return name ? name : wrapping_operation(a, node, bare_name, context);
+}
+
 /** Not to catch an `else` of its own, nor to look as if it did. */
 static bool needs_braces(const reduction_update *update) {
     return update->last || update->statement->kind != IR_EXPRESSION;
@@ -283,6 +290,22 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
+/** Turns of inner loops that are not the thread's part are left out as soon as that is known. */
+static void ask_for_turns(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const ir_node *const body = loop->facts->counted.body, *before;
+    const char *question = ir_is_loop(node) && !is_printed(copy, node)
+                               ? turn_question(loop, node, bare_name, &before)
+                               : NULL;
+    if (question && syntax_editable_statement(before, body) == before &&
+        !is_printed(copy, before)) {
+        edit_insert(loop->arena, &copy->edits, before->range.begin, question);
+        return;
+    }
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        ask_for_turns(copy, node->children[i]);
+}
+
 static void guard_updates(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
@@ -356,6 +379,8 @@ static const char *copied_text(body_copy *copy) {
     choose_printed_updates(copy);
     choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
+    if (loop->outline.done)
+        ask_for_turns(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
     if (is_printed(copy, body))

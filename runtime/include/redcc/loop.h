@@ -242,6 +242,14 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
 
+/** In the body of an inner loop, before the rest of a turn: in the guarded form it is left out where
+ *  the thread owns no row that it would update. */
+#define REDCC_TURN(redcc_owned)                                                                    \
+    if (redcc__guarded == 1 && !(redcc_owned))                                                     \
+        continue;
+#define REDCC_OWNS_ROW(redcc_i, redcc_at, redcc_bytes)                                             \
+    redcc_owns_part(redcc__own_##redcc_i, (const void *)(redcc_at), redcc_bytes)
+
 /* For each array, what one chunk holds of it: where to write, and who owns what. */
 #define REDCC_BODY_PARAMETERS_1 const int redcc__guarded, const redcc_owner *const redcc__own_0
 #define REDCC_BODY_PARAMETERS_2 REDCC_BODY_PARAMETERS_1, const redcc_owner *const redcc__own_1

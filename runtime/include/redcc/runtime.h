@@ -556,6 +556,20 @@ static __inline__ int redcc_owns(const redcc_owner *owner, const void *address) 
     return owner->hook && redcc_hooked(owner->hook, address);
 }
 
+/** May this thread write to any of the bytes at `address`, as far as is known without the hook? */
+static __inline__ int redcc_owns_part(const redcc_owner *owner, const void *address,
+                                      redcc_size bytes) {
+    const redcc_size into = (redcc_size)((const char *)address - owner->first);
+    const redcc_size last = into + bytes - 1;
+    if (owner->hook)
+        return 1;
+    if (!owner->map)
+        return last < owner->size + bytes - 1;
+    return bytes > owner->unit ||
+           (into < owner->size && owner->map[into / owner->unit] == owner->self) ||
+           (last < owner->size && owner->map[last / owner->unit] == owner->self);
+}
+
 #include "loop.h"
 
 #endif

@@ -1,0 +1,269 @@
+// Turns of inner loops: in the guarded form a thread leaves out those none of whose rows it owns, where
+// the rest of the turn is nothing but updates and what they need. TURN: a question stands here.
+// INTEGERS: no
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case.h"
+
+enum { N = 600, M = 200, MOST = 12 };
+static int point[N + 1], list[N * MOST], own[N], near[N][MOST], kind[N * MOST];
+static unsigned char small[N * MOST];
+static double r[M][3], w[N * MOST], reach;
+
+static double f[M + 8][3], g[M], s[M + 8], o[N];
+static int counts[M];
+static struct atom {
+    double mass;
+    double force[3];
+    float charge;
+} atom[M + 8];
+
+static double image(double d) {
+    return d > 0.5 ? d - 1 : d < -0.5 ? d + 1 : d;
+}
+
+static void apart(const double *a, const double *b, double *d) {
+    for (int c = 0; c < 3; c++)
+        d[c] = image(a[c] - b[c]);
+}
+
+static void half_list(int n) {
+    int i, j, k, a;
+    for (i = 0; i < n; i++) { // EXPECT: transformed
+        a = own[i];
+        for (k = point[i]; k < point[i + 1]; k++) {
+            j = list[k];
+            const double dx = image(r[a][0] - r[j][0]); // TURN
+            const double dy = image(r[a][1] - r[j][1]), dz = image(r[a][2] - r[j][2]);
+            const double r2 = dx * dx + dy * dy + dz * dz;
+            if (r2 < reach) {
+                const double e = 1.0 / (r2 + 0.25);
+                f[a][0] += e * dx;
+                f[a][1] += e * dy;
+                f[j][0] -= e * dx;
+                f[j][1] -= e * dy;
+                f[j][2] -= e * dz;
+            }
+        }
+    }
+}
+
+static void half_list_named(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            double d[3]; // TURN
+            apart(r[a], r[j], d);
+            const double e = 1 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + 0.5);
+            for (int c = 0; c < 3; c++) {
+                f[a][c] += e * d[c];
+                f[j + 1][c] -= e * d[c];
+            }
+        }
+    }
+}
+
+// The loops of a turn may be left, and it may itself be cut short.
+static void of_several_arrays(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        int k = 0, j, b;
+        do {
+            j = list[i * MOST + k];
+            b = 3 * small[i * MOST + k] % M;
+            double e = 0; // TURN
+            for (int c = 0; c < 3; c++) {
+                if (e > 2)
+                    break;
+                e += r[j][c] * r[b][c] * w[k];
+            }
+            if (e < -1.5)
+                continue;
+            e = e * e + 0.5 * e * e;
+            atom[j].force[1] += e;
+            atom[b].charge += (float)e;
+            s[j + b >= M ? 0 : j + b] += e;
+        } while (++k < MOST);
+    }
+}
+
+// No array element is there where the question is asked: the condition says so.
+static void under_condition(int n, int last) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            int j = list[k];
+            if (kind[k] % 3 == 0)
+                j = -1000000 * kind[k];
+            const double e = image(w[k] * r[a][0]) * w[k] + w[k] * r[a][1]; // TURN
+            if (j >= 0 && j < last) {
+                s[j] += e;
+                s[a] *= e;
+            }
+        }
+    }
+}
+
+// Of loops inside of one another the inner one, where a row is known there only.
+static void of_cells(int n, double *t) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int c = 0; c < 3; c++)
+            for (int k = point[i]; k < point[i + 1]; k++) {
+                const int j = list[k];
+                const double e = w[k] * w[k] - r[j][c] * w[k] + r[a][c] * w[k] * 0.25; // TURN
+                t[a] += e;
+                t[j] -= e;
+            }
+    }
+}
+
+// What is stored is read again below, in the same turn.
+static void of_stored_values(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            o[j] = e;
+            g[a] += o[j] * e;
+        }
+    }
+}
+
+// ---- no question
+
+static void with_sums(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        double sum = 0;
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[j] -= e;
+            sum += e;
+        }
+        s[a] += sum;
+    }
+}
+
+__attribute__((aligned(32))) static void in_place(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[j] -= e;
+            s[a] += e;
+        }
+    }
+}
+
+static void with_end(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            if (e > 1.5)
+                break;
+            s[a] += e;
+            s[j] -= e;
+        }
+    }
+}
+
+static void with_memory(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        double before = 1, d[3] = {0, 0, 0};
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = w[k] * before - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[a] += e;
+            s[j] -= e;
+            before = r[j][1];
+        }
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = d[0] * d[1] - d[2] * w[k] + r[a][0] * w[k] * 0.25;
+            s[a] += e;
+            s[j] -= e;
+            apart(r[j], r[a], d);
+        }
+    }
+}
+
+static void with_late_rows(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = 0; k < MOST; k++) {
+            int j = near[i][k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[j] -= e;
+            j = (j + 7) % M;
+            s[j] += e;
+        }
+    }
+}
+
+static void with_rows_in_memory(int n) {
+    for (int i = 0; i < n; i++) // EXPECT: transformed
+        for (int k = 0; k < MOST; k++) {
+            const double e = w[k] * w[k] - r[near[i][k]][0] * w[k] + r[own[i]][0] * w[k] * 0.25;
+            s[near[i][k]] -= e;
+            s[own[i]] += e;
+        }
+}
+
+static void with_little_work(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = w[k] * w[k];
+            g[a] += e;
+            g[j] -= e;
+            counts[j] += kind[k];
+        }
+    }
+}
+
+int main(void) {
+    static double t[M];
+    case_subscripts(own, N, M);
+    case_subscripts(list, N * MOST, M);
+    case_subscripts(near[0], N * MOST, M);
+    case_subscripts(kind, N * MOST, 100);
+    case_values(&r[0][0], 3 * M);
+    case_values(w, N * MOST);
+    for (int i = 0; i < N * MOST; i++)
+        small[i] = (unsigned char)case_below(256);
+    for (int i = 0; i < N; i++)
+        point[i + 1] = point[i] + case_below(MOST + 1);
+    for (int i = 0; i < M; i++)
+        s[i] = g[i] = t[i] = i % 3 ? case_value() : -0.0;
+    reach = 0.7, w[5] = INFINITY, w[9] = -0.0, w[11] = 5e-324;
+    for (int round = 0; round < 2; round++) {
+        half_list(N);
+        half_list_named(N);
+        of_several_arrays(N);
+        under_condition(N, M / 2);
+        of_cells(N, t);
+        of_stored_values(N);
+        with_sums(N);
+        in_place(N);
+        with_end(N);
+        with_memory(N);
+        with_late_rows(N);
+        with_rows_in_memory(N);
+        with_little_work(N);
+        CASE_PRINT(f), CASE_PRINT(g), CASE_PRINT(s), CASE_PRINT(o), CASE_PRINT(t);
+        CASE_PRINT(counts);
+        CASE_PRINT(atom);
+        memset(s, 0, sizeof s); // which infinities have reached
+        w[5] = 0.5;
+    }
+}

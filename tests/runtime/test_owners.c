@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* What a thread owns: of rows at any place, redcc_owns_part against redcc_owns of each byte. */
+#include <redcc/runtime.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { BYTES = 64, UNITS = BYTES };
+
+static char memory[3 * BYTES];
+static unsigned char map[UNITS];
+
+static unsigned random_below(unsigned n) {
+    static uint64_t state = 17;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (unsigned)(state >> 33) % n;
+}
+
+static bool owns_a_byte(const redcc_owner *owner, const char *at, redcc_size bytes) {
+    for (redcc_size i = 0; i < bytes; i++)
+        if (redcc_owns(owner, at + i))
+            return true;
+    return false;
+}
+
+static void check(const redcc_owner *owner) {
+    for (redcc_size bytes = 1; bytes <= (owner->map ? owner->unit : 40); bytes++)
+        for (const char *at = memory; at + bytes <= memory + sizeof memory; at++)
+            assert_int_equal(redcc_owns_part(owner, at, bytes), owns_a_byte(owner, at, bytes));
+}
+
+static void a_range(void **state) {
+    (void)state;
+    for (redcc_size begin = 0; begin < BYTES; begin++)
+        for (redcc_size size = 1; size <= BYTES; size++)
+            check(&(redcc_owner){.first = memory + BYTES + begin, .size = size});
+}
+
+static void units_of_a_map(void **state) {
+    (void)state;
+    for (int round = 0; round < 300; round++) {
+        const redcc_size unit = 1 + random_below(24);
+        for (int i = 0; i < UNITS; i++)
+            map[i] = (unsigned char)random_below(3);
+        check(&(redcc_owner){.first = memory + BYTES,
+                             .size = unit * (1 + random_below((unsigned)(BYTES / unit))),
+                             .map = map,
+                             .unit = unit,
+                             .self = random_below(3)});
+    }
+}
+
+/* Where it is not known it may be. */
+static void what_is_not_known(void **state) {
+    (void)state;
+    memset(map, 1, sizeof map);
+    const redcc_owner of_units = {.first = memory, .size = BYTES, .map = map, .unit = 8};
+    assert_true(redcc_owns_part(&of_units, memory, 9));
+    assert_false(redcc_owns_part(&of_units, memory, 8));
+    struct redcc_hook *const hook = (struct redcc_hook *)(void *)memory;
+    assert_true(redcc_owns_part(&(redcc_owner){.hook = hook}, memory, 8));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_range), cmocka_unit_test(units_of_a_map),
+                                       cmocka_unit_test(what_is_not_known)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Turns of an inner loop that are not the thread's part. In the guarded form of
+ *
+ *     for (k = 0; k < n[i]; k++) {
+ *         j = list[i][k];
+ *         ... much work ...
+ *         f[i] += e; f[j] -= e;
+ *     }
+ *
+ * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
+ * to the next turn. This is legal where the rest of the turn does nothing but updates, and changes
+ * no variable but its own; and where the rows that it updates can be named before it.
+ */
+#include "analysis/base/expression.h"
+#include "emit/loop.h"
+#include "emit/syntax.h"
+
+/* A question is asked once more of each turn: for how many operations on floating values, and how
+ * many rows at the most. */
+enum { WORTH = 4, MOST_ROWS = 4 };
+
+typedef struct turn {
+    loop_text *loop;
+    const ir_node *inner; /* the loop whose turns they are */
+    const ir_node *block; /* its body */
+    unsigned rest;        /* number of the statement that the rest of a turn begins with */
+    unsigned row_count;
+    const reduction_update *rows[MOST_ROWS]; /* one update of each row */
+} turn;
+
+static const ir_node *body_of(const ir_node *loop) {
+    return ir_child(loop, loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0);
+}
+
+/* ---- what the rest of a turn does ---------------------------------------------------------- */
+
+static bool is_own_variable(const turn *t, const ir_variable *variable) {
+    for (unsigned i = t->rest; variable && i < t->block->child_count; i++)
+        if (ir_declarator_in(t->block->children[i], variable))
+            return true;
+    return false;
+}
+
+/** Is it in an update, which writes nothing but the element? */
+static bool is_in_update(const turn *t, const ir_node *node) {
+    for (; node != t->block; node = node->parent)
+        if (loop_update_at(t->loop->facts, node))
+            return true;
+    return false;
+}
+
+static bool may_be_written_by_call(const turn *t, const ir_node *argument, const ir_type *type) {
+    if ((type->kind != IR_POINTER && type->kind != IR_ARRAY) || type->target->is_const)
+        return false;
+    if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
+        argument = argument->children[0];
+    return argument->type->kind == IR_POINTER || !is_own_variable(t, expression_object(argument));
+}
+
+/** The loop's analysis has seen that no call does more than to write through its arguments. */
+static bool may_write(const turn *t, const ir_node *call) {
+    const ir_function *callee = call->children[0]->function;
+    for (unsigned i = 1; i < call->child_count; i++) {
+        const bool is_named = callee && i <= callee->parameter_count;
+        const ir_node *argument = call->children[i];
+        if (may_be_written_by_call(t, argument,
+                                   is_named ? callee->parameters[i - 1]->type : argument->type))
+            return true;
+    }
+    return !callee;
+}
+
+/** Does it do anything that is seen outside of the rest of its turn, updates apart? `is_inside`: a
+ *  loop or switch of the rest is around it. */
+static bool shows(const turn *t, const ir_node *node, bool is_inside) {
+    switch (node->kind) {
+    case IR_OPAQUE:
+    case IR_GOTO:
+    case IR_LABEL:
+    case IR_RETURN:
+        return true;
+    case IR_BREAK:
+        return !is_inside;
+    case IR_CALL:
+        if (may_write(t, node))
+            return true;
+        break;
+    default:
+        break;
+    }
+    const ir_node *written = expression_written(node);
+    if ((written || node->kind == IR_ASSIGN || ir_is_increment(node)) && !is_in_update(t, node) &&
+        !(written && is_own_variable(t, expression_object(written))))
+        return true;
+    is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (shows(t, node->children[i], is_inside))
+            return true;
+    return false;
+}
+
+/** Operations on floating values, and calls, outside of updates: those are asked for anyway. */
+static unsigned work_in(const turn *t, const ir_node *node) {
+    if (loop_update_at(t->loop->facts, node))
+        return 0;
+    unsigned work = expression_is_floating_work(node) || node->kind == IR_CALL;
+    for (unsigned i = 0; i < node->child_count; i++)
+        work += work_in(t, node->children[i]);
+    return work;
+}
+
+static bool may_be_left_out(const turn *t) {
+    unsigned work = 0;
+    for (unsigned i = t->rest; i < t->block->child_count; i++) {
+        if (shows(t, t->block->children[i], false))
+            return false;
+        work += work_in(t, t->block->children[i]);
+    }
+    return work >= WORTH;
+}
+
+/* ---- where its rows are known -------------------------------------------------------------- */
+
+/** Does executing this statement always give the variable a value? */
+static bool sets(const ir_node *statement, const ir_variable *variable) {
+    if (statement->kind == IR_DECLARATION) {
+        const ir_node *declarator = ir_declarator_in(statement, variable);
+        return declarator && declarator->child_count > 0;
+    }
+    if (statement->kind == IR_EXPRESSION)
+        statement = statement->children[0];
+    return statement->kind == IR_ASSIGN && statement->op == IR_OP_NONE &&
+           expression_is_variable(statement->children[0], variable);
+}
+
+static bool writes(const ir_node *node, const ir_variable *variable) {
+    const ir_node *written = expression_written(node);
+    if ((written && expression_object(written) == variable) ||
+        (node->kind == IR_DECLARATOR && node->variable == variable))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (writes(node->children[i], variable))
+            return true;
+    return false;
+}
+
+static bool is_private(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].variable == variable)
+            return true;
+    return false;
+}
+
+/** Has it a value whenever a turn begins? */
+static bool is_set_before(const turn *t, const ir_variable *variable) {
+    const loop_facts *facts = t->loop->facts;
+    if (!is_private(facts, variable))
+        return true;
+    const ir_node *below = t->block;
+    for (const ir_node *node = t->inner; below != facts->counted.body;
+         below = node, node = node->parent) {
+        if (node->kind == IR_FOR && below == body_of(node) && sets(node->children[0], variable))
+            return true;
+        for (unsigned i = 0; node->kind == IR_BLOCK && node->children[i] != below; i++)
+            if (sets(node->children[i], variable))
+                return true;
+    }
+    return false;
+}
+
+/** The rest of a turn begins behind what sets this variable. False: it may be without a value, or
+ *  have another one when the row is updated. */
+static bool await_variable(turn *t, const ir_variable *variable) {
+    bool is_set = is_set_before(t, variable);
+    for (unsigned i = 0; i < t->block->child_count; i++) {
+        is_set |= sets(t->block->children[i], variable);
+        if (!writes(t->block->children[i], variable))
+            continue;
+        if (!is_set)
+            return false;
+        t->rest = i + 1 > t->rest ? i + 1 : t->rest;
+    }
+    return is_set && !variable->address_taken;
+}
+
+static bool await_variables(turn *t, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && loop_array_of_base(t->loop, node) < 0 &&
+        !await_variable(t, node->variable))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!await_variables(t, node->children[i]))
+            return false;
+    return true;
+}
+
+static bool is_same_row(const reduction_update *a, const reduction_update *b) {
+    return a->array == b->array && syntax_same(a->row, b->row);
+}
+
+/** False: there are too many, or it is not known where it is. */
+static bool add_row(turn *t, const reduction_update *update) {
+    for (unsigned i = 0; i < t->row_count; i++)
+        if (is_same_row(t->rows[i], update))
+            return true;
+    if (t->row_count == MOST_ROWS || update->last || update->row->type->size <= 0 ||
+        expression_has_load(update->row, true) || expression_has_hazard(update->row) ||
+        !await_variables(t, update->row))
+        return false;
+    t->rows[t->row_count++] = update;
+    return true;
+}
+
+static bool find_rows(turn *t) {
+    const loop_facts *facts = t->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(t->inner, facts->updates[i].statement) && !add_row(t, &facts->updates[i]))
+            return false;
+    return t->row_count > 0 && t->rest < t->block->child_count;
+}
+
+/* ---- the question -------------------------------------------------------------------------- */
+
+/** An address as a number: of a row that the program may not come to. */
+static const char *row_number(const turn *t, const ir_node *row, ir_c_rename name) {
+    row_address address;
+    return row_address_of(row, &address) && !needs_address(&address)
+               ? address_number(t->loop->arena, &address, NULL, name, t->loop)
+               : NULL;
+}
+
+const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename name,
+                          const ir_node **before) {
+    turn t = {.loop = loop, .inner = inner, .block = body_of(inner)};
+    if (loop->facts->sets_errno || t.block->kind != IR_BLOCK || !find_rows(&t) ||
+        !may_be_left_out(&t))
+        return NULL;
+    const char *question = "";
+    for (unsigned i = 0; i < t.row_count; i++) {
+        const ir_node *row = t.rows[i]->row;
+        const char *number = row_number(&t, row, name);
+        if (!number)
+            return NULL;
+        question = arena_format(loop->arena, "%s%sREDCC_OWNS_ROW(%u, %s, %lld)", question,
+                                i > 0 ? " || " : "", t.rows[i]->array,
+                                macro_argument(loop->arena, number), (long long)row->type->size);
+    }
+    *before = t.block->children[t.rest];
+    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
+}
