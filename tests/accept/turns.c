@@ -131,9 +131,81 @@ static void of_stored_values(int n) {
     }
 }
 
+// What the turns add up goes to a row that is known before them.
+static void of_sums(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        double sum = 0, force[3] = {0.5, 0, 0};
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            s[j] -= e;
+            sum += e;
+            for (int c = 0; c < 3; c++)
+                force[c] -= e * r[j][c];
+        }
+        sum *= 0.5;
+        for (int k = 0; k < MOST; k++) {
+            const int j = near[i][k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25; // TURN
+            g[j] += e;
+            sum -= e;
+        }
+        s[a] += sum;
+        for (int c = 0; c < 3; c++)
+            f[a][c] += force[c];
+    }
+}
+
 // ---- no question
 
-static void with_sums(int n) {
+static void with_sums_between(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        double sum = 0;
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            sum += e;
+            s[j] -= sum;
+        }
+    }
+}
+
+static void with_sums_of_rows(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        double sum = 0;
+        for (int m = 0; m < 2; m++) {
+            const int a = near[i][m];
+            s[a] += sum;
+            for (int k = point[i]; k < point[i + 1]; k++) {
+                const int j = list[k];
+                const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+                s[j] -= e;
+                sum += e;
+            }
+        }
+    }
+}
+
+static void with_sums_that_decide(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        const int a = own[i];
+        double sum = 0, twice;
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[a][0] * w[k] * 0.25;
+            s[j] -= e;
+            sum += e;
+        }
+        twice = 2 * sum;
+        if (twice > 1)
+            g[near[i][0]] += 0.5;
+        s[a] += sum;
+    }
+}
+
+static void with_stored_sums(int n) {
     for (int i = 0; i < n; i++) { // EXPECT: transformed
         const int a = own[i];
         double sum = 0;
@@ -143,6 +215,22 @@ static void with_sums(int n) {
             s[j] -= e;
             sum += e;
         }
+        o[a] = sum;
+        g[near[i][0]] += o[a];
+    }
+}
+
+static void with_another_row(int n) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        int a = own[i];
+        double sum = 0;
+        for (int k = point[i]; k < point[i + 1]; k++) {
+            const int j = list[k];
+            const double e = w[k] * w[k] - r[j][0] * w[k] + r[j][0] * w[k] * 0.25;
+            s[j] -= e;
+            sum += e;
+        }
+        a = (a + 1) % M;
         s[a] += sum;
     }
 }
@@ -251,7 +339,12 @@ int main(void) {
         under_condition(N, M / 2);
         of_cells(N, t);
         of_stored_values(N);
-        with_sums(N);
+        of_sums(N);
+        with_sums_between(N);
+        with_sums_of_rows(N);
+        with_sums_that_decide(N);
+        with_stored_sums(N);
+        with_another_row(N);
         in_place(N);
         with_end(N);
         with_memory(N);

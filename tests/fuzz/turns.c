@@ -33,7 +33,8 @@ static void put_turning_point(kernel *k, const char *row, const char *carried) {
         put(k, &k->body, "if (%s)\nbreak;\n", condition(k));
         break;
     case 1:
-        put(k, &k->body, "%s = %s * 0.5 + 0.25;\n", carried, carried);
+        put(k, &k->body, chance(k, 70) ? "%s += 0.25;\n" : "%s = %s * 0.5 + 0.25;\n", carried,
+            carried);
         break;
     case 2:
         put(k, &k->body, "%s = (%s + 1) & %d;\n", row, row, k->elements - 1);

@@ -10,7 +10,9 @@
  *
  * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
  * to the next turn. This is legal where the rest of the turn does nothing but updates, and changes
- * no variable but its own; and where the rows that it updates can be named before it.
+ * no variable but its own; and where the rows that it updates can be named before it. It may also
+ * add to variables that are read by updates outside of the loop alone, as in `p += e; ... f[i] +=
+ * p;`: then the thread must not own their rows either.
  */
 #include "analysis/base/expression.h"
 #include "emit/loop.h"
@@ -18,7 +20,7 @@
 
 /* A question is asked once more of each turn: for how many operations on floating values, and how
  * many rows at the most. */
-enum { WORTH = 4, MOST_ROWS = 4 };
+enum { WORTH = 4, MOST_ROWS = 4, MOST_SUMS = 12 };
 
 typedef struct turn {
     loop_text *loop;
@@ -27,6 +29,8 @@ typedef struct turn {
     unsigned rest;        /* number of the statement that the rest of a turn begins with */
     unsigned row_count;
     const reduction_update *rows[MOST_ROWS]; /* one update of each row */
+    unsigned sum_count;
+    const ir_variable *sums[MOST_SUMS]; /* that turns add to */
 } turn;
 
 static const ir_node *body_of(const ir_node *loop) {
@@ -40,6 +44,20 @@ static bool is_own_variable(const turn *t, const ir_variable *variable) {
         if (ir_declarator_in(t->block->children[i], variable))
             return true;
     return false;
+}
+
+static const private_variable *private_of(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].variable == variable)
+            return &facts->variables.privates[i];
+    return NULL;
+}
+
+/** Has each iteration one of its own, of which nothing is left when it is over? */
+static bool is_of_iteration(const turn *t, const ir_variable *variable) {
+    const private_variable *it = private_of(t->loop->facts, variable);
+    return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
+           !variable->address_taken;
 }
 
 /** Is it in an update, which writes nothing but the element? */
@@ -71,9 +89,22 @@ static bool may_write(const turn *t, const ir_node *call) {
     return !callee;
 }
 
-/** Does it do anything that is seen outside of the rest of its turn, updates apart? `is_inside`: a
- *  loop or switch of the rest is around it. */
-static bool shows(const turn *t, const ir_node *node, bool is_inside) {
+/** `p += e`, of a variable that is nobody's but the iteration's: notes it. */
+static bool adds(turn *t, const ir_node *node, const ir_variable *variable) {
+    if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
+        return false;
+    for (unsigned i = 0; i < t->sum_count; i++)
+        if (t->sums[i] == variable)
+            return true;
+    if (t->sum_count == MOST_SUMS)
+        return false;
+    t->sums[t->sum_count++] = variable;
+    return true;
+}
+
+/** Does it do anything that is seen outside of the rest of its turn, updates and sums apart?
+ *  `is_inside`: a loop or switch of the rest is around it. */
+static bool shows(turn *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
     case IR_GOTO:
@@ -90,8 +121,9 @@ static bool shows(const turn *t, const ir_node *node, bool is_inside) {
         break;
     }
     const ir_node *written = expression_written(node);
+    const ir_variable *object = written ? expression_object(written) : NULL;
     if ((written || node->kind == IR_ASSIGN || ir_is_increment(node)) && !is_in_update(t, node) &&
-        !(written && is_own_variable(t, expression_object(written))))
+        !(object && (is_own_variable(t, object) || adds(t, node, object))))
         return true;
     is_inside |= ir_is_loop(node) || node->kind == IR_SWITCH;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -110,7 +142,7 @@ static unsigned work_in(const turn *t, const ir_node *node) {
     return work;
 }
 
-static bool may_be_left_out(const turn *t) {
+static bool may_be_left_out(turn *t) {
     unsigned work = 0;
     for (unsigned i = t->rest; i < t->block->child_count; i++) {
         if (shows(t, t->block->children[i], false))
@@ -145,17 +177,10 @@ static bool writes(const ir_node *node, const ir_variable *variable) {
     return false;
 }
 
-static bool is_private(const loop_facts *facts, const ir_variable *variable) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].variable == variable)
-            return true;
-    return false;
-}
-
 /** Has it a value whenever a turn begins? */
 static bool is_set_before(const turn *t, const ir_variable *variable) {
     const loop_facts *facts = t->loop->facts;
-    if (!is_private(facts, variable))
+    if (!private_of(facts, variable))
         return true;
     const ir_node *below = t->block;
     for (const ir_node *node = t->inner; below != facts->counted.body;
@@ -219,6 +244,87 @@ static bool find_rows(turn *t) {
     return t->row_count > 0 && t->rest < t->block->child_count;
 }
 
+/* ---- sums ---------------------------------------------------------------------------------- */
+
+static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
+    const ir_node *written = expression_written(node);
+    unsigned count =
+        (written && expression_object(written) == variable) ||
+        (node->kind == IR_DECLARATOR && node->variable == variable && node->child_count > 0);
+    for (unsigned i = 0; i < node->child_count; i++)
+        count += writers_of(node->children[i], variable);
+    return count;
+}
+
+/** Are its variables what they are in the turn wherever the iteration comes to it? */
+static bool is_fixed(const turn *t, const ir_node *row) {
+    const loop_facts *facts = t->loop->facts;
+    if (row->kind == IR_VARIABLE && private_of(facts, row->variable) &&
+        (!is_set_before(t, row->variable) || writers_of(facts->counted.body, row->variable) > 1))
+        return false;
+    for (unsigned i = 0; i < row->child_count; i++)
+        if (!is_fixed(t, row->children[i]))
+            return false;
+    return true;
+}
+
+static bool holds_label(const ir_node *node) {
+    if (node->kind == IR_LABEL)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (holds_label(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Is the loop executed once in an iteration, at the most? */
+static bool is_executed_once(const turn *t) {
+    const ir_node *const body = t->loop->facts->counted.body;
+    for (const ir_node *node = t->inner; node != body; node = node->parent)
+        if (ir_is_loop(node->parent) && node->parent != t->loop->facts->loop)
+            return false;
+    return !holds_label(body);
+}
+
+static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *sum);
+
+/** The subscripts of p[c][d]. */
+static bool subscripts_flow(turn *t, const ir_node *target, const ir_variable *sum) {
+    for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
+        if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))
+            return false;
+    return true;
+}
+
+/** Does nothing read the sum but updates outside of the loop, of elements that nothing reads? Adds
+ *  their rows. */
+static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *sum) {
+    const reduction_update *update = loop_update_at(t->loop->facts, node);
+    if (update && expression_mentions(node, sum))
+        return !ir_contains(t->inner, node) && !forward_stored_by(t->loop->facts, node) &&
+               is_fixed(t, update->row) && add_row(t, update);
+    if (update)
+        return true;
+    if (node->kind == IR_VARIABLE && node->variable == sum)
+        return false;
+    const ir_node *written = expression_written(node);
+    const ir_node *target = written && expression_object(written) == sum ? written : NULL;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (node->children[i] == target ? !subscripts_flow(t, target, sum)
+                                        : !flows_into_updates(t, node->children[i], sum))
+            return false;
+    return true;
+}
+
+static bool sums_flow_into_updates(turn *t) {
+    if (t->sum_count > 0 && !is_executed_once(t))
+        return false;
+    for (unsigned i = 0; i < t->sum_count; i++)
+        if (!flows_into_updates(t, t->loop->facts->counted.body, t->sums[i]))
+            return false;
+    return true;
+}
+
 /* ---- the question -------------------------------------------------------------------------- */
 
 /** An address as a number: of a row that the program may not come to. */
@@ -233,7 +339,7 @@ const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename nam
                           const ir_node **before) {
     turn t = {.loop = loop, .inner = inner, .block = body_of(inner)};
     if (loop->facts->sets_errno || t.block->kind != IR_BLOCK || !find_rows(&t) ||
-        !may_be_left_out(&t))
+        !may_be_left_out(&t) || !sums_flow_into_updates(&t))
         return NULL;
     const char *question = "";
     for (unsigned i = 0; i < t.row_count; i++) {
