@@ -165,14 +165,14 @@ static inline void charge_update(double *r, const double *e) {
     *r += *e;
 }
 #define CORNER(UPDATE, dx, dy, dz)                                                                 \
-    UPDATE(charge, cell + (dx) + SIDE * ((dy) + SIDE * (dz)),                                      \
+    UPDATE(charge, cell + (dx) + side * ((dy) + side * (dz)),                                      \
            (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz));
 #define CHARGE(UPDATE)                                                                             \
     {                                                                                              \
         const double *const p = d->x[t];                                                           \
         const int ix = (int)p[0], iy = (int)p[1], iz = (int)p[2];                                  \
         const double fx = p[0] - ix, fy = p[1] - iy, fz = p[2] - iz;                               \
-        const int cell = ix + SIDE * (iy + SIDE * iz);                                             \
+        const int side = d->side, cell = ix + side * (iy + side * iz);                             \
         (void)fx, (void)fy, (void)fz;                                                              \
         CORNER(UPDATE, 0, 0, 0)                                                                    \
         CORNER(UPDATE, 1, 0, 0)                                                                    \
@@ -217,7 +217,7 @@ KERNEL(forces, forces_record, sizeof(forces_record), REDCC_SUM, REDCC_OTHER_TYPE
 
 struct kernel {
     const char *name;
-    size_t rows, row;
+    size_t rows, row; /* of a grid: cells on a side */
     enum pattern pattern;
     int most_threads; /* 0: any number */
     void (*sequential)(const struct data *, void *);
@@ -231,7 +231,8 @@ static const struct kernel kernels[] = {
     {"doubles-16M", (size_t)16 * MILLION, OF(doubles, double)},
     {"floats-16M", (size_t)16 * MILLION, OF(floats, float)},
     {"counters-16M", (size_t)16 * MILLION, OF(counts, int)},
-    {"charge-128^3", 0, OF(charge, double)},
+    {"charge-128^3", 128, OF(charge, double)},
+    {"charge-256^3", 256, OF(charge, double)},
     {"half-neighbours-shuffled", 0, OF(forces, forces_record)},
     {"histogram-4096", 4096, OF(counts, int)},
     {"doubles-16M-sorted", (size_t)16 * MILLION, ORDERED(doubles, double, SORTED)},
@@ -357,7 +358,7 @@ static bool measure_auto(const struct kernel *kernel, const struct data *sets, i
 
 static void make(const struct kernel *kernel, struct data *d) {
     if (kernel->loop == &charge_loop)
-        make_particles(d);
+        make_particles(d, (int)kernel->rows);
     else if (kernel->loop == &forces_loop)
         make_neighbours(d);
     else

@@ -45,13 +45,16 @@ void make_subscripts(struct data *d, enum pattern pattern, size_t rows) {
     *d = (struct data){.trip = TRIP, .rows = rows, .k = k, .value = values, .part = parts};
 }
 
-void make_particles(struct data *d) {
+void make_particles(struct data *d, int side) {
     enum { PARTICLES = 2 * MILLION };
     double(*x)[3] = malloc(PARTICLES * sizeof *x);
     for (int p = 0; p < PARTICLES; p++)
         for (int c = 0; c < 3; c++)
-            x[p][c] = unit_random() * ((double)SIDE - 1.001);
-    *d = (struct data){.trip = PARTICLES, .rows = SIDE * SIDE * SIDE, .x = (const double(*)[3])x};
+            x[p][c] = unit_random() * ((double)side - 1.001);
+    *d = (struct data){.trip = PARTICLES,
+                       .rows = (size_t)side * (size_t)side * (size_t)side,
+                       .x = (const double(*)[3])x,
+                       .side = side};
 }
 
 void make_neighbours(struct data *d) {

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-enum { TRIP = 10000000, MILLION = 1 << 20, SIDE = 128 };
+enum { TRIP = 10000000, MILLION = 1 << 20 };
 
 /** What a loop reads, new in each of the sets. */
 struct data {
@@ -18,6 +18,7 @@ struct data {
     const double *value;
     const float *part;
     const double (*x)[3];
+    int side; /* of the particles' grid, in cells */
 };
 
 /** Where subscripts go. */
@@ -26,8 +27,8 @@ enum pattern { RANDOM, SORTED, BANDED };
 /** TRIP subscripts of so many rows, and values, which all data share. */
 void make_subscripts(struct data *d, enum pattern pattern, size_t rows);
 
-/** Particles in SIDE cells each way. */
-void make_particles(struct data *d);
+/** Particles anywhere in a grid of side * side * side cells. */
+void make_particles(struct data *d, int side);
 
 /** Atoms on a lattice, each with half of its 26 neighbours, numbered at random. */
 void make_neighbours(struct data *d);
