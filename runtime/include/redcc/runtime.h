@@ -270,12 +270,10 @@ typedef struct redcc_worker {
  * iterations, one thread, nested or concurrent use, a method or order that says so).
  * Stops the program with a message where REDCC_METHOD or REDCC_ORDER name nothing known, or ask
  * together for what no method gives. bases, known and key are read before it returns.
- * Thread-safe. Cold: what registers there are is for the loop beside it, as without it. A loop that
- * deposits charge on a grid took up to 9 % longer before (script/bench choice).
+ * Thread-safe.
  */
 int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const *bases,
-                const redcc_extent *known, const redcc_word *key, int threads, int nested)
-    __attribute__((__cold__));
+                const redcc_extent *known, const redcc_word *key, int threads, int nested);
 
 /** From so many iterations on a loop of short iterations (without loops or calls inside) is worth
  *  redcc_enter, by which alone a few of them would take twice as long. Set by the first
