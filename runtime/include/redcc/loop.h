@@ -88,11 +88,14 @@ REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_s
 
 #include "prefetch.h"
 
-/** Asks the runtime whether the loop is to run in parallel. */
+/** Asks the runtime whether the loop is to run in parallel. Not expected to: what registers there
+ *  are is for the loop beside it. */
 #define REDCC_ENTER(redcc_known)                                                                   \
     (redcc__key[0] = (redcc_word)redcc__lower,                                                     \
-     redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases, redcc_known,           \
-                 redcc__key, omp_get_max_threads(), omp_in_parallel()))
+     __builtin_expect(redcc_enter(&redcc__call, REDCC_DESCRIPTOR, redcc__trip, redcc__bases,       \
+                                  redcc_known, redcc__key, omp_get_max_threads(),                  \
+                                  omp_in_parallel()),                                              \
+                      0))
 
 /** After the original loop; without OpenMP it says nothing. */
 #define REDCC_SEQUENTIAL_DONE redcc_sequential_done(REDCC_DESCRIPTOR);
@@ -242,8 +245,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_UPDATE(redcc_i, redcc_at)                                                            \
     if (!redcc__guarded || redcc_owns(redcc__own_##redcc_i, redcc_at))
 
-/** In the body of an inner loop, before the rest of a turn: in the guarded form it is left out where
- *  the thread owns no row that it would update. */
+/** In an inner loop, before the rest of a turn: in the guarded form it is left out where the thread
+ *  owns no row that it would update. */
 #define REDCC_TURN(redcc_owned)                                                                    \
     if (redcc__guarded == 1 && !(redcc_owned))                                                     \
         continue;
