@@ -162,8 +162,7 @@ bool is_bare(const loop_facts *facts, const ir_node *statement);
 /** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
  *  none of these. A rename and its context as ir_c_expression takes them. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
-/** Does it begin with & of an object? (Of an array not: a pointer that stands for it says the same.)
- */
+/** Does it begin with & of an object? An array needs none, nor a pointer in its place. */
 bool needs_address(const row_address *address);
 /** The address as a number, redcc_size. `counter`: one of its subscripts steps with it (spans), and
  *  is computed in 64 bits, as if its type were as wide; or NULL. NULL: cannot be spelled. */
@@ -211,8 +210,8 @@ void check_stale_slice(loop_text *loop);
 bool is_harmless_when_stale(loop_text *loop);
 
 /** turns.c: what asks, in the body of an inner loop and in front of statement *before, whether any
- *  row that the rest of the turn updates is the thread's: if not, it goes on to the next turn. NULL:
- *  there is nothing to be left out so. */
+ *  row that the rest of the turn updates is the thread's: if not, it goes on to the next turn.
+ *  NULL: nothing is to be left out so. */
 const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename name,
                           const ir_node **before);
 
