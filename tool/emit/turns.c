@@ -33,10 +33,6 @@ typedef struct turn {
     const ir_variable *sums[MOST_SUMS]; /* that turns add to */
 } turn;
 
-static const ir_node *body_of(const ir_node *loop) {
-    return ir_child(loop, loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0);
-}
-
 /* ---- what the rest of a turn does ---------------------------------------------------------- */
 
 static bool is_own_variable(const turn *t, const ir_variable *variable) {
@@ -53,7 +49,7 @@ static const private_variable *private_of(const loop_facts *facts, const ir_vari
     return NULL;
 }
 
-/** Has each iteration one of its own, of which nothing is left when it is over? */
+/** Is it private to an iteration, and not live-out? */
 static bool is_of_iteration(const turn *t, const ir_variable *variable) {
     const private_variable *it = private_of(t->loop->facts, variable);
     return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
@@ -102,8 +98,8 @@ static bool adds(turn *t, const ir_node *node, const ir_variable *variable) {
     return true;
 }
 
-/** Does it do anything that is seen outside of the rest of its turn, updates and sums apart?
- *  `is_inside`: a loop or switch of the rest is around it. */
+/** Has it an effect that later turns or statements can see, other than updates and sums?
+ * `is_inside`: a loop or switch of the rest encloses it. */
 static bool shows(turn *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
@@ -166,15 +162,15 @@ static bool sets(const ir_node *statement, const ir_variable *variable) {
            expression_is_variable(statement->children[0], variable);
 }
 
-static bool writes(const ir_node *node, const ir_variable *variable) {
+/** How many places give the variable a value. */
+static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     const ir_node *written = expression_written(node);
-    if ((written && expression_object(written) == variable) ||
-        (node->kind == IR_DECLARATOR && node->variable == variable))
-        return true;
+    unsigned count =
+        (written && expression_object(written) == variable) ||
+        (node->kind == IR_DECLARATOR && node->variable == variable && node->child_count > 0);
     for (unsigned i = 0; i < node->child_count; i++)
-        if (writes(node->children[i], variable))
-            return true;
-    return false;
+        count += writers_of(node->children[i], variable);
+    return count;
 }
 
 /** Has it a value whenever a turn begins? */
@@ -185,7 +181,8 @@ static bool is_set_before(const turn *t, const ir_variable *variable) {
     const ir_node *below = t->block;
     for (const ir_node *node = t->inner; below != facts->counted.body;
          below = node, node = node->parent) {
-        if (node->kind == IR_FOR && below == body_of(node) && sets(node->children[0], variable))
+        if (node->kind == IR_FOR && below == ir_loop_body(node) &&
+            sets(node->children[0], variable))
             return true;
         for (unsigned i = 0; node->kind == IR_BLOCK && node->children[i] != below; i++)
             if (sets(node->children[i], variable))
@@ -200,7 +197,7 @@ static bool await_variable(turn *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
         is_set |= sets(t->block->children[i], variable);
-        if (!writes(t->block->children[i], variable))
+        if (writers_of(t->block->children[i], variable) == 0)
             continue;
         if (!is_set)
             return false;
@@ -246,16 +243,6 @@ static bool find_rows(turn *t) {
 
 /* ---- sums ---------------------------------------------------------------------------------- */
 
-static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
-    const ir_node *written = expression_written(node);
-    unsigned count =
-        (written && expression_object(written) == variable) ||
-        (node->kind == IR_DECLARATOR && node->variable == variable && node->child_count > 0);
-    for (unsigned i = 0; i < node->child_count; i++)
-        count += writers_of(node->children[i], variable);
-    return count;
-}
-
 /** Are its variables what they are in the turn wherever the iteration comes to it? */
 static bool is_fixed(const turn *t, const ir_node *row) {
     const loop_facts *facts = t->loop->facts;
@@ -268,22 +255,13 @@ static bool is_fixed(const turn *t, const ir_node *row) {
     return true;
 }
 
-static bool holds_label(const ir_node *node) {
-    if (node->kind == IR_LABEL)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (holds_label(node->children[i]))
-            return true;
-    return false;
-}
-
 /** Is the loop executed once in an iteration, at the most? */
 static bool is_executed_once(const turn *t) {
     const ir_node *const body = t->loop->facts->counted.body;
     for (const ir_node *node = t->inner; node != body; node = node->parent)
         if (ir_is_loop(node->parent) && node->parent != t->loop->facts->loop)
             return false;
-    return !holds_label(body);
+    return !ir_has_kind(body, IR_LABEL);
 }
 
 static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *sum);
@@ -337,7 +315,7 @@ static const char *row_number(const turn *t, const ir_node *row, ir_c_rename nam
 
 const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename name,
                           const ir_node **before) {
-    turn t = {.loop = loop, .inner = inner, .block = body_of(inner)};
+    turn t = {.loop = loop, .inner = inner, .block = ir_loop_body(inner)};
     if (loop->facts->sets_errno || t.block->kind != IR_BLOCK || !find_rows(&t) ||
         !may_be_left_out(&t) || !sums_flow_into_updates(&t))
         return NULL;

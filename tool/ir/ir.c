@@ -13,6 +13,19 @@ bool ir_is_loop(const ir_node *node) {
     return node->kind == IR_FOR || node->kind == IR_WHILE || node->kind == IR_DO;
 }
 
+const ir_node *ir_loop_body(const ir_node *loop) {
+    return loop->children[loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0];
+}
+
+bool ir_has_kind(const ir_node *node, ir_kind kind) {
+    if (node->kind == kind)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (ir_has_kind(node->children[i], kind))
+            return true;
+    return false;
+}
+
 bool ir_is_increment(const ir_node *node) {
     return node->kind == IR_UNARY && node->op >= IR_OP_PRE_INCREMENT &&
            node->op <= IR_OP_POST_DECREMENT;

@@ -361,6 +361,10 @@ static inline ir_node *ir_child(const ir_node *node, unsigned index) {
 bool ir_is_expression(const ir_node *node);
 /** The loop kinds: IR_FOR, IR_WHILE, IR_DO. */
 bool ir_is_loop(const ir_node *node);
+/** What a loop executes in each iteration. */
+const ir_node *ir_loop_body(const ir_node *loop);
+/** Is the node, or one below it, of that kind? */
+bool ir_has_kind(const ir_node *node, ir_kind kind);
 /** ++ or --, before or after its operand. */
 bool ir_is_increment(const ir_node *node);
 /** Is there a `continue` of the loop whose body this is, or is in? */

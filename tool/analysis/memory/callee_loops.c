@@ -3,15 +3,6 @@
 
 #include "analysis/base/expression.h"
 
-static bool has_kind(const ir_node *node, ir_kind kind) {
-    if (node->kind == kind)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_kind(node->children[i], kind))
-            return true;
-    return false;
-}
-
 /* ---- leaving a loop --------------------------------------------------------------------------
  */
 
@@ -62,15 +53,11 @@ static bool holds_label(const ir_node *node) {
 
 /* ---- the loops ------------------------------------------------------------------------------- */
 
-static const ir_node *body_of(const ir_node *loop) {
-    return loop->children[3];
-}
-
 static void take_loop(callee_loops *loops, ir_node *loop) {
     const counted_result found = counted_recognise(loop);
     const ir_variable *counter;
     int64_t first, last;
-    if (!found.is_counted || !found.loop.lower || holds_label(body_of(loop)))
+    if (!found.is_counted || !found.loop.lower || holds_label(ir_loop_body(loop)))
         return;
     if (loops->count == CALLEE_MOST_LOOPS) {
         loops->are_known = false;
@@ -81,18 +68,18 @@ static void take_loop(callee_loops *loops, ir_node *loop) {
     loops->items[0] = (callee_loop){.loop = loop,
                                     .counted = found.loop,
                                     .is_constant = counted_constant(loop, &counter, &first, &last),
-                                    .may_end_early = leaves(body_of(loop), true)};
+                                    .may_end_early = leaves(ir_loop_body(loop), true)};
 }
 
 callee_loops callee_loops_around(const ir_function *function, const ir_node *node) {
     callee_loops loops = {.body = function->body, .are_known = true};
     const ir_node *child = node;
     for (ir_node *outer = node->parent; outer; child = outer, outer = outer->parent)
-        if (outer->kind == IR_FOR && body_of(outer) == child)
+        if (outer->kind == IR_FOR && ir_loop_body(outer) == child)
             take_loop(&loops, outer);
     /* a jump may lead into a loop, or around what sets a variable */
-    if (child != function->body || has_kind(function->body, IR_LABEL) ||
-        has_kind(function->body, IR_GOTO) || has_kind(function->body, IR_OPAQUE))
+    if (child != function->body || ir_has_kind(function->body, IR_LABEL) ||
+        ir_has_kind(function->body, IR_GOTO) || ir_has_kind(function->body, IR_OPAQUE))
         loops.are_known = false;
     return loops;
 }
@@ -100,7 +87,7 @@ callee_loops callee_loops_around(const ir_function *function, const ir_node *nod
 bool callee_loops_counter(callee_loops *loops, const ir_variable *variable, const ir_node *site) {
     for (unsigned i = 0; loops->are_known && site && i < loops->count; i++) {
         callee_loop *item = &loops->items[i];
-        if (item->counted.counter == variable && ir_contains(body_of(item->loop), site)) {
+        if (item->counted.counter == variable && ir_contains(ir_loop_body(item->loop), site)) {
             item->is_used = true;
             return true;
         }
@@ -112,8 +99,8 @@ bool callee_loops_share(const callee_loops *loops, const ir_variable *variable,
                         const ir_node *first, const ir_node *second) {
     for (unsigned i = 0; i < loops->count; i++)
         if (loops->items[i].counted.counter == variable &&
-            ir_contains(body_of(loops->items[i].loop), first) &&
-            ir_contains(body_of(loops->items[i].loop), second))
+            ir_contains(ir_loop_body(loops->items[i].loop), first) &&
+            ir_contains(ir_loop_body(loops->items[i].loop), second))
             return true;
     return false;
 }
@@ -133,7 +120,7 @@ static bool comes_to(const callee_loops *loops, const ir_node *loop, const ir_no
     const ir_variable *counter;
     int64_t first, last;
     return (is_one_of(loops, loop) || counted_constant(loop, &counter, &first, &last)) &&
-           !leaves(body_of(loop), true) && !continues_before(body_of(loop), node);
+           !leaves(ir_loop_body(loop), true) && !continues_before(ir_loop_body(loop), node);
 }
 
 /* Is this part evaluated whenever the parent is? */
@@ -149,7 +136,7 @@ static bool is_certain_part(const callee_loops *loops, const ir_node *parent, co
         return (parent->op != IR_OP_AND && parent->op != IR_OP_OR) || parent->children[0] == part;
     case IR_FOR:
         return parent->children[0] == part || parent->children[1] == part ||
-               (body_of(parent) == part && comes_to(loops, parent, node));
+               (ir_loop_body(parent) == part && comes_to(loops, parent, node));
     case IR_BLOCK:
     case IR_EXPRESSION:
     case IR_DECLARATION:

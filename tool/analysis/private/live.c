@@ -95,10 +95,6 @@ static ways ways_of_choice(const search *s, const ir_node *node) {
 
 /* ---- loops --------------------------------------------------------------------------------- */
 
-static const ir_node *body_of(const ir_node *loop) {
-    return loop->children[loop->kind == IR_FOR ? 3 : loop->kind == IR_WHILE ? 1 : 0];
-}
-
 /* From the end of the body until the loop ends or the body begins again. */
 static ways ways_of_step(const search *s, const ir_node *loop) {
     if (loop->kind == IR_FOR)
@@ -111,19 +107,19 @@ static ways ways_out(const search *s, const ir_node *loop, ways all) {
     const ways step = ways_of_step(s, loop);
     all = then(landed(all, WAY_CONTINUES), step);
     if (all & WAY_PASSES)
-        all |= then(landed(ways_of(s, body_of(loop)), WAY_CONTINUES), step);
+        all |= then(landed(ways_of(s, ir_loop_body(loop)), WAY_CONTINUES), step);
     return landed(all, WAY_BREAKS);
 }
 
 static ways ways_of_loop(const search *s, const ir_node *loop) {
     if (loop->kind == IR_DO)
-        return ways_out(s, loop, ways_of(s, body_of(loop)));
+        return ways_out(s, loop, ways_of(s, ir_loop_body(loop)));
     const ways head = loop->kind == IR_FOR
                           ? then(ways_of(s, loop->children[0]), ways_of(s, loop->children[1]))
                           : ways_of(s, loop->children[0]);
     if (loop == s->loop && loop->kind == IR_FOR)
         return head;
-    return then(head, WAY_PASSES | ways_out(s, loop, ways_of(s, body_of(loop))));
+    return then(head, WAY_PASSES | ways_out(s, loop, ways_of(s, ir_loop_body(loop))));
 }
 
 static ways ways_of_switch(const search *s, const ir_node *node) {
@@ -199,7 +195,7 @@ static bool occurs_elsewhere(variable_facts *facts, const ir_node *loop,
 /* The ways from the end of `node` to the end of what it stands in. */
 static ways ways_behind(const search *s, const ir_node *node, ways all) {
     const ir_node *parent = node->parent;
-    if (ir_is_loop(parent) && node == body_of(parent))
+    if (ir_is_loop(parent) && node == ir_loop_body(parent))
         return ways_out(s, parent, all);
     const bool is_in_order = parent->kind == IR_BLOCK || parent->kind == IR_DECLARATION;
     const bool is_chosen = parent->kind == IR_IF || parent->kind == IR_SWITCH;
