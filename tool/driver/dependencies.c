@@ -61,6 +61,18 @@ static bool is_listed(const word_list *list, const char *name) {
     return false;
 }
 
+/* One that only translated text includes. */
+static bool is_the_runtimes(const char *name) {
+    static const char *const headers[] = {
+        "/redcc/bins.h", "/redcc/lanes.h",    "/redcc/lanes_width.h", "/redcc/lanes_x86.h",
+        "/redcc/loop.h", "/redcc/prefetch.h", "/redcc/runtime.h",
+    };
+    for (size_t i = 0; i < sizeof headers / sizeof *headers; i++)
+        if (source_ends_with(name, headers[i]))
+            return true;
+    return false;
+}
+
 /* The headers of a list: without the source itself, the runtime's headers, and what stands there
  * for a second time (gcc repeats a header that is found by two ways). */
 static word_list headers_of(arena *a, const word_list *list, const char *path) {
@@ -68,11 +80,7 @@ static word_list headers_of(arena *a, const word_list *list, const char *path) {
     const char *itself = without_dot_slash(path);
     for (unsigned i = 0; i < list->count; i++) {
         const char *name = list->items[i];
-        if (strcmp(name, itself) != 0 && !source_ends_with(name, "/redcc/runtime.h") &&
-            !source_ends_with(name, "/redcc/loop.h") && !source_ends_with(name, "/redcc/bins.h") &&
-            !source_ends_with(name, "/redcc/prefetch.h") &&
-            !source_ends_with(name, "/redcc/lanes.h") &&
-            !source_ends_with(name, "/redcc/lanes_width.h") && !is_listed(&headers, name))
+        if (strcmp(name, itself) != 0 && !is_the_runtimes(name) && !is_listed(&headers, name))
             words_add(a, &headers, name);
     }
     return headers;

@@ -77,10 +77,21 @@
     REDCC_ALL_4(__VA_ARGS__), REDCC_LANE(4, __VA_ARGS__), REDCC_LANE(5, __VA_ARGS__),              \
         REDCC_LANE(6, __VA_ARGS__), REDCC_LANE(7, __VA_ARGS__)
 
-#define REDCC_SOME_2(redcc_m) (redcc_m[0] | redcc_m[1])
-#define REDCC_SOME_4(redcc_m) (REDCC_SOME_2(redcc_m) | redcc_m[2] | redcc_m[3])
-#define REDCC_SOME_8(redcc_m)                                                                      \
-    (REDCC_SOME_4(redcc_m) | redcc_m[4] | redcc_m[5] | redcc_m[6] | redcc_m[7])
+#include "lanes_x86.h"
+#ifndef REDCC_ROOTS_2
+#define REDCC_ROOTS_2(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
+#define REDCC_SIGNS_2(redcc_m) ((redcc_m[0] | redcc_m[1]) < 0)
+#endif
+#ifndef REDCC_ROOTS_4
+#define REDCC_ROOTS_4(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
+#define REDCC_SIGNS_4(redcc_m) ((redcc_m[0] | redcc_m[1] | redcc_m[2] | redcc_m[3]) < 0)
+#endif
+#ifndef REDCC_ROOTS_8
+#define REDCC_ROOTS_8(redcc_root, redcc_v) redcc_root = redcc_each_root(redcc_v)
+#define REDCC_SIGNS_8(redcc_m)                                                                     \
+    ((redcc_m[0] | redcc_m[1] | redcc_m[2] | redcc_m[3] | redcc_m[4] | redcc_m[5] | redcc_m[6] |   \
+      redcc_m[7]) < 0)
+#endif
 
 /* ---- what lanes_width.h gives a meaning ------------------------------------------------------ */
 
@@ -115,6 +126,9 @@
 #define redcc_floats_of(...) __builtin_convertvector((__VA_ARGS__), redcc_floats)
 #define redcc_mask_of_floats(...) __builtin_convertvector((__VA_ARGS__), redcc_mask)
 #define redcc_any REDCC_WIDE(redcc_any)
+#define redcc_each_root REDCC_WIDE(redcc_each_root)
+#define REDCC_ROOTS REDCC_WIDE(REDCC_ROOTS)
+#define REDCC_SIGNS REDCC_WIDE(REDCC_SIGNS)
 #define redcc_lanes_sqrt REDCC_WIDE(redcc_lanes_sqrt)
 #define redcc_lanes_fabs REDCC_WIDE(redcc_lanes_fabs)
 #define redcc_lanes_sqrtf REDCC_WIDE(redcc_lanes_sqrtf)
@@ -128,10 +142,10 @@
  * redcc_doubles_of, redcc_floats_of: each lane converted as C converts.
  * redcc_mask_of_floats: the lanes of which a comparison of floats holds.
  * redcc_any: is there a lane in the mask?
- * redcc_lanes_sqrt: each lane by itself; where one is negative errno is set as it is sequentially.
- * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind, and
- * is a constant a double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor
- * of -fsingle-precision-constant.
+ * redcc_lanes_sqrt: all lanes at once; where one is negative each by itself (redcc_each_root),
+ * which sets errno as it is set sequentially. redcc_rounds_alike: is a product rounded before it is
+ * added to, in functions of this kind, and is a constant a double? No macro tells of
+ * -ffp-contract=fast, which clang prefers to pragmas, nor of -fsingle-precision-constant.
  */
 #define REDCC_LANES_TOOLS                                                                          \
     typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));                 \
@@ -153,10 +167,18 @@
         return (redcc_floats)(((redcc_float_mask)yes & mask) | ((redcc_float_mask)no & ~mask));    \
     }                                                                                              \
     REDCC_LIFTED int redcc_any(redcc_mask mask) {                                                  \
-        return REDCC_SOME(mask) != 0;                                                              \
+        return REDCC_SIGNS(mask) != 0;                                                             \
+    }                                                                                              \
+    static __attribute__((__noinline__, __unused__)) REDCC_TARGET redcc_vector redcc_each_root(    \
+        redcc_vector value) {                                                                      \
+        return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});          \
     }                                                                                              \
     REDCC_LIFTED redcc_vector redcc_lanes_sqrt(redcc_vector value) {                               \
-        return (__extension__(redcc_vector){REDCC_ALL(__builtin_sqrt(value[redcc__l]))});          \
+        redcc_vector root;                                                                         \
+        if (redcc_any((redcc_mask)value < 0))                                                      \
+            return redcc_each_root(value);                                                         \
+        REDCC_ROOTS(root, value);                                                                  \
+        return root;                                                                               \
     }                                                                                              \
     REDCC_LIFTED redcc_vector redcc_lanes_fabs(redcc_vector value) {                               \
         return (__extension__(redcc_vector){REDCC_ALL(__builtin_fabs(value[redcc__l]))});          \

@@ -5,21 +5,17 @@
  */
 #undef REDCC_WIDE
 #undef REDCC_ALL
-#undef REDCC_SOME
 #undef REDCC_TARGET
 #if redcc_width == 2
 #define REDCC_WIDE(redcc_name) redcc_name##_2
 #define REDCC_ALL REDCC_ALL_2
-#define REDCC_SOME REDCC_SOME_2
 #define REDCC_TARGET REDCC_TARGET_2
 #elif redcc_width == 4
 #define REDCC_WIDE(redcc_name) redcc_name##_4
 #define REDCC_ALL REDCC_ALL_4
-#define REDCC_SOME REDCC_SOME_4
 #define REDCC_TARGET REDCC_TARGET_4
 #else
 #define REDCC_WIDE(redcc_name) redcc_name##_8
 #define REDCC_ALL REDCC_ALL_8
-#define REDCC_SOME REDCC_SOME_8
 #define REDCC_TARGET REDCC_TARGET_8
 #endif
