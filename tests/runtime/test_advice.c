@@ -265,13 +265,14 @@ static void subscripts_are_compared(void **fixture) {
     redcc_advise_timed(chooser, &called->described.loop, known, TRIP, 1);
     assert_true(chooser->remembered);
     struct fingerprint before = chooser->all, now;
-    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_true(redcc_fingerprint_equal(before, now));
+    assert_false(redcc_reuse_fingerprint(&called->described.loop, known, 0, &now)); /* no time */
     called->problem.row[TRIP / 2 + 1]++;
-    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, &now));
+    assert_true(redcc_reuse_fingerprint(&called->described.loop, known, 1, &now));
     assert_false(redcc_fingerprint_equal(before, now));
     const redcc_extent unknown[] = {known[0], {known[1].first, NULL}, known[2], {0, 0}};
-    assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, &now));
+    assert_false(redcc_reuse_fingerprint(&called->described.loop, unknown, 1, &now));
 }
 
 /* The first execution is timed before the loop has a state, and no decision has counted its call;

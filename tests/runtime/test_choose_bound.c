@@ -94,6 +94,29 @@ static void heavy_loops(void **unused) {
     check(trace, "heavy, 40, not compared", (struct asked){1 + share, 1.15, 1});
 }
 
+/* Its first execution takes so many times as long as the others. */
+static int parallel_executions(int count, double first, double faster) {
+    struct trace *trace = heavy(count, 0.03, faster);
+    trace->call[0].sequential *= first;
+    const struct simulated it = simulate(trace);
+    if (it.total > (1 + share) * it.sequential)
+        fail_msg("first %g, %g times as fast: %.4f times the sequential program's time", first,
+                 faster, it.total / it.sequential);
+    free(trace);
+    return it.parallel;
+}
+
+/* The sequential loop is timed a second time, the later the clearer it is that the plan is faster.
+ */
+static void first_executions_take_longer(void **unused) {
+    (void)unused;
+    assert_int_equal(parallel_executions(40, 1.5, 1.9), 39);
+    assert_int_equal(parallel_executions(100, 1.5, 1.9), 98);
+    assert_int_equal(parallel_executions(40, 1.5, 1.4), 37);
+    assert_in_range(parallel_executions(400, 1.5, 0.9), 1, 30); /* the plan was the slower way */
+    assert_in_range(parallel_executions(400, 3, 0.9), 1, 80);
+}
+
 /* Random updates of a large array with other subscripts at each call, in bins: 100 ms. */
 static struct trace *in_bins(int count, double execution) {
     struct trace *trace = heavy(count, 0.5, 1);
@@ -448,6 +471,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stable_loops),
         cmocka_unit_test(heavy_loops),
+        cmocka_unit_test(first_executions_take_longer),
         cmocka_unit_test(bins_on_trial),
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),

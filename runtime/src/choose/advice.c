@@ -9,6 +9,7 @@
 #include "choose/prospects.h"
 #include "plan/copies.h"
 
+#include <math.h>
 #include <stdatomic.h>
 #include <string.h>
 
@@ -21,7 +22,9 @@ static const double frequent = 0.25;       /* runs, of the iterations */
 /* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
-static const double byte_compared = 0.1e-9, compared_most = 0.02; /* of an execution */
+/* Seconds that a core of today takes to read a byte of subscripts; what comparing all of them may
+ * take of an execution. */
+static const double byte_compared = 0.03e-9, compared_most = 0.02;
 /* Bytes of arrays that no core's own caches hold: random updates of smaller ones are no faster in
  * bins (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
 static const double beyond_caches = 12e6, copied_most = 4e6;
@@ -116,7 +119,7 @@ static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) 
 
 static bool are_the_same(const struct chooser *chooser, const struct request *request) {
     struct fingerprint all;
-    return redcc_reuse_fingerprint(request->loop, request->known, &all) &&
+    return redcc_reuse_fingerprint(request->loop, request->known, INFINITY, &all) &&
            redcc_fingerprint_equal(all, chooser->all);
 }
 
@@ -142,9 +145,10 @@ static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) 
 
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds) {
+    const double most = compared_most * seconds;
     chooser->remembered = redcc_timings_of(&chooser->state, trip) == 1 &&
-                          bytes_to_check(loop, known) * byte_compared < compared_most * seconds &&
-                          redcc_reuse_fingerprint(loop, known, &chooser->all);
+                          bytes_to_check(loop, known) * byte_compared < most &&
+                          redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {

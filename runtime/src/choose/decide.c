@@ -40,7 +40,9 @@ static const double soon = 8;
 
 static const double wakes = 50;         /* waking the threads costs 2 % of an execution then */
 static const double checked_after = 64; /* timing the sequential loop again costs 1/64; */
-static const double checked_early = 16; /* where only its first execution was timed, 1/16 */
+/* where only its first execution was timed, which found no page in place, 1/16, or 1/32 where the
+ * plan takes so little of it that it is likely to be faster than the next one as well */
+static const double checked_early = 16, checked_soon = 32, likely = 0.4;
 
 enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024 };
 
@@ -294,8 +296,12 @@ static struct decision decide_comparing(struct choice_state *state, struct size_
  * slow lately, it costs nothing. A first execution finds no page of the arrays in place, and says
  * less than the others. */
 static bool is_check_due(const struct size_state *size, long long trip) {
-    const double more = redcc_usual(&size->sequential) - size->prospect[size->way].execution;
-    const double after = size->sequential.count == 1 ? checked_early : checked_after;
+    const double sequential = redcc_usual(&size->sequential);
+    const double parallel = size->prospect[size->way].execution;
+    const double more = sequential - parallel;
+    const double after = size->sequential.count > 1       ? checked_after
+                         : parallel < likely * sequential ? checked_soon
+                                                          : checked_early;
     return size->unchecked > after * more * (double)trip;
 }
 

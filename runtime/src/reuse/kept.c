@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/kept.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "ownership/overlap.h"
 
@@ -186,19 +187,32 @@ static bool is_part_of_another(const redcc_loop *loop, const redcc_extent *known
     return false;
 }
 
-bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known,
+/* Takes the bytes into *all; false: the time was over before. */
+static bool take_in(struct fingerprint *all, const char *data, size_t bytes, double until) {
+    enum { PIECE = 256 * 1024 };
+    for (size_t done = 0; done < bytes; done += PIECE) {
+        const size_t left = bytes - done;
+        const struct fingerprint parts[] = {
+            *all, redcc_fingerprint(data + done, left < PIECE ? left : PIECE)};
+        if (redcc_seconds() > until)
+            return false;
+        *all = redcc_fingerprint_join(parts, 2);
+    }
+    return true;
+}
+
+bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all) {
+    const double until = redcc_seconds() + seconds;
     *all = redcc_fingerprint(NULL, 0);
     if (!(loop->flags & REDCC_VERIFIABLE))
         return false;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         if (!loop->sources[s].is_subscript || (!known[s].end && is_part_of_another(loop, known, s)))
             continue;
-        if (!known[s].end)
+        if (!known[s].end ||
+            !take_in(all, known[s].first, (size_t)(known[s].end - known[s].first), until))
             return false;
-        const size_t bytes = (size_t)(known[s].end - known[s].first);
-        const struct fingerprint parts[] = {*all, redcc_fingerprint(known[s].first, bytes)};
-        *all = redcc_fingerprint_join(parts, 2);
     }
     return true;
 }

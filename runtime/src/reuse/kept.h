@@ -62,8 +62,9 @@ struct reuse {
  *  0: there are none such. */
 void redcc_reuse_sample(struct reuse *reuse);
 
-/** Of all subscripts, as far as it is known where they lie; false: of some array nothing is. */
-bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known,
+/** Of all subscripts, as far as it is known where they lie; false: of some array nothing is, or it
+ *  takes longer than so many seconds. */
+bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all);
 
 /** Looks for a plan of that way (SEQUENTIAL: of any) that may serve the call by so many threads, if
