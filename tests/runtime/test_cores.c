@@ -4,15 +4,18 @@
 #include "base/clock.h"
 #include "base/cores.h"
 #include "base/processor.h"
+#include "base/system.h"
 
 #include <pthread.h>
 #include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -210,6 +213,40 @@ static void the_processor_is_what_the_compiler_finds(void **state) {
 #endif
 }
 
+static atomic_bool over;
+
+static void *compute(void *unused) {
+    while (!atomic_load(&over))
+        ;
+    return unused;
+}
+
+/* As many threads compute as there are processors, and some more. */
+static void threads_that_would_wait_are_foreseen(void **unused) {
+    (void)unused;
+    enum { MOST = 512 };
+    static pthread_t thread[MOST];
+    const int online = redcc_system_online(), count = online + 6;
+    if (redcc_system_running() == 0)
+        skip(); /* not known here */
+    assert_int_equal(online, sysconf(_SC_NPROCESSORS_ONLN));
+    if (online != redcc_system_processors() || count > MOST)
+        skip();
+    for (int i = 0; i < count; i++)
+        assert_int_equal(pthread_create(&thread[i], NULL, compute, NULL), 0);
+    const double until = redcc_seconds() + 10;
+    while (!redcc_cores_are_wanted(0) && redcc_seconds() < until)
+        ;
+    const bool wanted = redcc_cores_are_wanted(0), with_fewer = redcc_cores_are_wanted(-10000);
+    const int running = redcc_system_running();
+    atomic_store(&over, true);
+    for (int i = 0; i < count; i++)
+        pthread_join(thread[i], NULL);
+    assert_true(wanted);
+    assert_false(with_fewer);
+    assert_in_range(running, count + 1, 10000);
+}
+
 static int restore(void **state) {
     return sched_setaffinity(0, sizeof(cpu_set_t), *state);
 }
@@ -231,6 +268,7 @@ int main(void) {
         cmocka_unit_test_prestate_setup_teardown(who_need_not_wait_stays, NULL, restore, given),
         cmocka_unit_test_prestate_setup_teardown(each_region_begins_anew, NULL, restore, given),
         cmocka_unit_test(the_processor_is_what_the_compiler_finds),
+        cmocka_unit_test(threads_that_would_wait_are_foreseen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,3 +82,23 @@ void redcc_cores_give_way(struct cores *cores, int others) {
             return;
         }
 }
+
+/* A look takes 4 microseconds. */
+static const double least_between_looks = 1e-3;
+
+bool redcc_cores_are_wanted(int more) {
+    static _Atomic double looked;
+    static atomic_int running, online = -1;
+    if (atomic_load(&online) < 0) {
+        const int all = redcc_system_online();
+        atomic_store(&online, all == redcc_system_processors() ? all : 0);
+    }
+    if (atomic_load(&online) == 0)
+        return false;
+    const double now = redcc_seconds();
+    if (now - atomic_load(&looked) > least_between_looks) {
+        atomic_store(&looked, now);
+        atomic_store(&running, redcc_system_running());
+    }
+    return atomic_load(&running) + more > atomic_load(&online);
+}

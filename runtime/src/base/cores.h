@@ -4,6 +4,7 @@
 #define REDCC_BASE_CORES_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 
 /** Of the first 1024 processors those that a thread of the region was on when it came; how many
  *  threads came beside the one that began it. */
@@ -23,5 +24,10 @@ void redcc_cores_take(struct cores *cores);
  *  waits for them, and moves to a processor that none is on where they do not come in 0.15 ms. For
  * a new thread may be kept waiting on this one. */
 void redcc_cores_give_way(struct cores *cores, int others);
+
+/** Would so many threads more have to share processors with other programs, as far as one look
+ *  says, which is up to a millisecond old? False where it is not known, or where the calling thread
+ *  may not run on all processors. Any thread. */
+bool redcc_cores_are_wanted(int more);
 
 #endif

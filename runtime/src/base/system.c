@@ -158,6 +158,37 @@ unsigned long long redcc_system_started(void) {
     return at ? strtoull(at, NULL, 10) : 0;
 }
 
+/* /proc/loadavg: "0.25 1.42 1.78 3/77 7479", of 77 threads 3 run. */
+int redcc_system_running(void) {
+    char text[128] = "";
+    const int file = redcc_system_open("/proc/loadavg");
+    if (file < 0)
+        return 0;
+    redcc_system_read(file, text, sizeof text - 1);
+    redcc_system_close(file);
+    const char *at = text;
+    for (int field = 1; at && field < 4; field++)
+        at = strchr(at + 1, ' ');
+    return at ? (int)strtol(at, NULL, 10) : 0;
+}
+
+/* "0-1", "0,2-5". */
+int redcc_system_online(void) {
+    char text[1024] = "";
+    const int file = redcc_system_open("/sys/devices/system/cpu/online");
+    if (file < 0)
+        return 0;
+    redcc_system_read(file, text, sizeof text - 1);
+    redcc_system_close(file);
+    int count = 0;
+    for (char *at = text; '0' <= *at && *at <= '9'; at += *at == ',') {
+        const long first = strtol(at, &at, 10);
+        const long last = *at == '-' ? strtol(at + 1, &at, 10) : first;
+        count += (int)(last - first) + 1;
+    }
+    return count;
+}
+
 long redcc_system_cores_lost(void) {
     struct rusage used;
     return redcc_system(SYS_getrusage, RUSAGE_SELF, &used) == 0 ? used.ru_nivcsw : 0;
@@ -239,6 +270,14 @@ long redcc_system_process(void) {
 }
 
 unsigned long long redcc_system_started(void) {
+    return 0;
+}
+
+int redcc_system_running(void) {
+    return 0;
+}
+
+int redcc_system_online(void) {
     return 0;
 }
 

@@ -124,6 +124,12 @@ long redcc_system_process(void);
  *  other process has it. */
 unsigned long long redcc_system_started(void);
 
+/** How many threads of all programs run or want to, the calling one included; 0: not known. */
+int redcc_system_running(void);
+
+/** The machine's processors that are in use; 0: not known. */
+int redcc_system_online(void);
+
 /** How often the process's threads had to leave their cores to others; 0: not known. */
 long redcc_system_cores_lost(void);
 

@@ -2,6 +2,7 @@
 #include "choose/advice.h"
 
 #include "base/clock.h"
+#include "base/cores.h"
 #include "base/memory.h"
 #include "base/system.h"
 #include "base/team.h"
@@ -48,8 +49,8 @@ static _Atomic double wake;
 
 /* Seconds that starting a thread takes. Before it was measured, as on a machine that is not busy:
  * 0.1 to 0.4 ms, since who asks for a thread does not keep it waiting (base/cores.h). Where other
- * processes want the cores it may be 2 to 6 ms. */
-static const double first_start = 0.4e-3;
+ * programs want the cores it is 2 to 6 ms: it waits for its turn. */
+static const double first_start = 0.4e-3, turn = 4e-3;
 static _Atomic double start;
 
 static double wake_seconds(void) {
@@ -59,7 +60,11 @@ static double wake_seconds(void) {
 
 static double start_seconds(int threads) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
-    return redcc_team_missing(threads) * (measured > 0 ? measured : first_start);
+    const double usual = measured > 0 ? measured : first_start;
+    const int missing = redcc_team_missing(threads);
+    if (missing == 0)
+        return 0;
+    return missing * (usual < turn && redcc_cores_are_wanted(missing) ? turn : usual);
 }
 
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started) {
