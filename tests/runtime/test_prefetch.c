@@ -60,6 +60,55 @@ static void a_slice_without_a_worker_tells_nothing(void **unused) {
     REDCC_AHEAD(nowhere, 77);
 }
 
+/* As REDCC_KNOWN_ROW does, for the first iteration and for the last. */
+static redcc_progression progression_of(const void *first, const void *last, redcc_size bytes,
+                                        redcc_int trip) {
+    redcc_progression it = {0, 0, 0};
+    redcc_progression_row(&it, first, bytes, 0, trip);
+    redcc_progression_row(&it, last, bytes, 1, trip);
+    return it;
+}
+
+static void assert_progression(redcc_progression it, const void *first, redcc_int step,
+                               redcc_size bytes) {
+    assert_int_equal(it.first, (redcc_size)first);
+    assert_int_equal(it.step, step);
+    assert_int_equal(it.bytes, bytes);
+}
+
+static void rows_of_iterations_lie_at_equal_distances(void **unused) {
+    (void)unused;
+    enum { TRIP = 10 };
+    static struct {
+        int node[3];
+        double weight[11];
+    } element[TRIP];
+    static int pair[TRIP][2];
+    static double wide[TRIP][40];
+    const redcc_int size = sizeof *element;
+    assert_progression(progression_of(pair, pair[TRIP - 1], sizeof *pair, TRIP), pair, 8, 8);
+    assert_progression(progression_of(pair[TRIP - 1], pair, sizeof *pair, TRIP), pair[TRIP - 1], -8,
+                       8);
+    assert_progression(progression_of(pair, pair, sizeof *pair, 1), pair, 0, 8);
+    assert_progression(progression_of(element, &element[TRIP - 1], 12, TRIP), element, size,
+                       (redcc_size)size); /* all of the structure */
+    assert_progression(progression_of(wide, wide[TRIP - 1], 8, TRIP), wide, 320, 8); /* too much */
+    /* members of one structure are asked for once, others by themselves */
+    const redcc_progression all[] = {
+        {0, 0, 0},
+        progression_of(element, &element[TRIP - 1], 12, TRIP),
+        progression_of(element[0].weight, element[TRIP - 1].weight, 88, TRIP),
+        progression_of(pair, pair[TRIP - 1], sizeof *pair, TRIP)};
+    redcc_progression found[4];
+    redcc_progressions_begin(found, all, 4);
+    assert_int_equal(found[0].first, 0);
+    assert_progression(found[1], element, size, (redcc_size)size);
+    assert_int_equal(found[2].first, 0);
+    assert_progression(found[3], pair, 8, 8);
+    redcc_progressions_prefetch(found, 4, 5);
+    redcc_progressions_prefetch(found, 4, (redcc_int)1 << 40); /* no address need be valid */
+}
+
 static void only_large_arrays_that_are_written_in_place(void **unused) {
     (void)unused;
     struct offsets touched[2] = {{-(1 << 19), 0}, {5, 4}};
@@ -76,6 +125,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_iteration_two_ahead_in_the_list),
         cmocka_unit_test(a_slice_without_a_worker_tells_nothing),
+        cmocka_unit_test(rows_of_iterations_lie_at_equal_distances),
         cmocka_unit_test(only_large_arrays_that_are_written_in_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -303,10 +303,7 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
         const redcc_run *redcc__run_end = redcc__worker.run_end;                                   \
         const int redcc__width = redcc_lanes_of(&redcc__worker);                                   \
         redcc_run redcc__rest[REDCC_MOST_LANES];                                                   \
-        redcc_ahead redcc__ahead;                                                                  \
-        if (redcc__prefetches)                                                                     \
-            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.manner.prefetches,      \
-                              redcc__width ? redcc__width : REDCC_PREFETCH_DISTANCE);              \
+        REDCC_PREFETCH_BEGIN(redcc__width ? redcc__width : REDCC_PREFETCH_DISTANCE)                \
         if (redcc__width) {                                                                        \
             const int redcc__guarded = 0;                                                          \
             int redcc__count, redcc__i;                                                            \

@@ -56,6 +56,8 @@
     redcc_call redcc__call;                                                                        \
     void *redcc__bases[redcc_arrays];                                                              \
     redcc_extent redcc__known[(redcc_sources) + 1] __attribute__((__unused__)) = {{0, 0}};         \
+    redcc_progression redcc__progressions[(redcc_sources) + 1]                                     \
+        __attribute__((__unused__)) = {{0, 0, 0}};                                                 \
     redcc_word redcc__key[redcc_keys];                                                             \
     int redcc__end __attribute__((__unused__))
 
@@ -75,7 +77,13 @@
 
 /** A row that the loop reads lies there; several: all between them as well. */
 #define REDCC_KNOWN_ROW(redcc_i, redcc_row)                                                        \
-    redcc_known_row(&redcc__known[redcc_i], (const char *)&redcc_row, sizeof(redcc_row))
+    do {                                                                                           \
+        const char *const redcc__row = (const char *)&redcc_row;                                   \
+        redcc_known_row(&redcc__known[redcc_i], redcc__row, sizeof(redcc_row));                    \
+        if (redcc__prefetches)                                                                     \
+            redcc_progression_row(&redcc__progressions[redcc_i], redcc__row, sizeof(redcc_row),    \
+                                  redcc__end, redcc__trip);                                        \
+    } while (0)
 REDCC_INLINE void redcc_known_row(redcc_extent *extent, const char *row, redcc_size bytes) {
     if (!extent->first || row < extent->first)
         extent->first = row;
@@ -302,10 +310,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
     while (redcc_next(&redcc__worker)) {                                                           \
         redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
         const redcc_run *const redcc__run_end = redcc__worker.run_end;                             \
-        redcc_ahead redcc__ahead;                                                                  \
-        if (redcc__prefetches)                                                                     \
-            redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__worker.manner.prefetches,      \
-                              REDCC_PREFETCH_DISTANCE);                                            \
+        REDCC_PREFETCH_BEGIN(REDCC_PREFETCH_DISTANCE)                                              \
         REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 

@@ -3,9 +3,10 @@
  * Prefetches of what iterations to come update and read, in the executor of loop.h.
  *
  * The slice of a later iteration of the same thread computes the addresses, as it did for the
- * inspector: it reads what is known to be readable, and unmodified while the loop runs. Nothing is
- * stored, so no result depends on it. Of each row the first byte, the last and each line between
- * are asked for.
+ * inspector: it reads what is known to be readable, and unmodified while the loop runs. What it
+ * reads itself is asked for twice as far ahead, where the rows of consecutive iterations lie at
+ * equal distances. Nothing is stored, so no result depends on it. Of each row the first byte, the
+ * last and each line between are asked for.
  *
  * loop.h includes this file.
  */
@@ -26,11 +27,16 @@ enum { redcc__prefetches = 0 };
 /* Lines of a row that are asked for: more than this in a row the processor sees by itself. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
-/** Asks for a row. The address need not be valid. */
+/** Asks for a row. The address need not be valid. A row of 8-byte numbers begins at a multiple of
+ * 8: no line lies between two bytes of it that are up to 71 bytes apart. */
 REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
-    redcc_size at;
-    for (at = 0; at < bytes && at < redcc_prefetch_most; at += redcc_prefetch_line)
+    const redcc_size apart = redcc_prefetch_line - 1 + (bytes % 8 == 0 ? 8 : 1);
+    redcc_size at = 0;
+    __builtin_prefetch((const void *)(redcc_size)address);
+    for (; at + apart + 1 < bytes && at + redcc_prefetch_line < redcc_prefetch_most;) {
+        at += redcc_prefetch_line;
         __builtin_prefetch((const void *)((redcc_size)address + at));
+    }
     if (bytes > redcc_prefetch_line / 4) /* a scalar does not straddle lines */
         __builtin_prefetch((const void *)((redcc_size)address + bytes - 1));
 }
@@ -41,6 +47,55 @@ REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
     redcc_prefetch((const char *)((redcc_size)(redcc_base) +                                       \
                                   (redcc_size)(redcc_row) * sizeof(*(redcc_base))),                \
                    sizeof(*(redcc_base)))
+
+/* ---- rows of iterations -------------------------------------------------------------------- */
+
+/** Where iterations read: iteration k at first + k * step, in bytes. */
+typedef struct redcc_progression {
+    redcc_size first; /* 0: not known */
+    redcc_int step;
+    redcc_size bytes;
+} redcc_progression;
+
+/** Of a loop's sources, by their numbers. */
+#define REDCC_PROGRESSIONS ((int)(sizeof redcc__progressions / sizeof *redcc__progressions))
+
+/** Iteration 0 reads a row there (is_last: iteration trip - 1 does). */
+REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes,
+                                        int is_last, redcc_int trip) {
+    const redcc_int step =
+        trip > 1 ? ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1) : 0;
+    if (!is_last) {
+        it->first = (redcc_size)row;
+        it->bytes = bytes;
+        return;
+    }
+    it->step = step;
+    /* of a member of a structure all of that */
+    if (step > (redcc_int)bytes && step <= redcc_prefetch_most)
+        it->bytes = (redcc_size)step;
+}
+
+/** Forgets those that the ones before cover: members of the same structures. */
+REDCC_INLINE void redcc_progressions_begin(redcc_progression *to, const redcc_progression *from,
+                                           int count) {
+    int i, j;
+    for (i = 0; i < count; i++) {
+        to[i] = from[i];
+        for (j = 0; j < i; j++)
+            if (to[j].step == to[i].step && to[i].first - to[j].first < to[j].bytes)
+                to[i].first = 0;
+    }
+}
+
+REDCC_INLINE void redcc_progressions_prefetch(const redcc_progression *it, int count, redcc_int k) {
+    int i;
+    for (i = 0; i < count; i++)
+        if (it[i].first)
+            redcc_prefetch((const char *)(it[i].first + (redcc_size)(k * it[i].step)), it[i].bytes);
+}
+
+/* ---- iterations to come -------------------------------------------------------------------- */
 
 /** The iteration that lies so far ahead in the runs at hand. */
 typedef struct redcc_ahead {
@@ -81,14 +136,30 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
         redcc_ahead_step(it);
 }
 
-/** Goes before an iteration: the slice, of the one ahead; without a worker it prefetches. */
+/** Before the runs at hand: what prefetches so many iterations ahead, where it is wished. */
+#define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
+    redcc_ahead redcc__ahead, redcc__farther;                                                      \
+    redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
+    if (redcc__prefetches) {                                                                       \
+        const int redcc__wished = redcc__worker.manner.prefetches;                                 \
+        redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__wished, redcc_distance);           \
+        redcc_ahead_begin(&redcc__farther, &redcc__worker, redcc__wished, 2 * (redcc_distance));   \
+        redcc_progressions_begin(redcc__rows, redcc__progressions, REDCC_PROGRESSIONS);            \
+    }
+
+/** Goes before an iteration: the rows of the one farther ahead, and the slice of the one ahead;
+ *  without a worker it prefetches. */
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
-    if (redcc__prefetches && redcc_ahead_step(&redcc__ahead)) {                                    \
-        redcc_probe *const redcc__probe = 0;                                                       \
-        redcc_worker *const redcc__teller = 0;                                                     \
-        const redcc_u32 redcc__told = 0;                                                           \
-        const redcc_int redcc__k = redcc__ahead.k;                                                 \
-        redcc_call_of_slice;                                                                       \
+    {                                                                                              \
+        if (redcc__prefetches && redcc_ahead_step(&redcc__farther))                                \
+            redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, redcc__farther.k);        \
+        if (redcc__prefetches && redcc_ahead_step(&redcc__ahead)) {                                \
+            redcc_probe *const redcc__probe = 0;                                                   \
+            redcc_worker *const redcc__teller = 0;                                                 \
+            const redcc_u32 redcc__told = 0;                                                       \
+            const redcc_int redcc__k = redcc__ahead.k;                                             \
+            redcc_call_of_slice;                                                                   \
+        }                                                                                          \
     }
 
 #endif
