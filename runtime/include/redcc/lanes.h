@@ -142,10 +142,11 @@
  * redcc_doubles_of, redcc_floats_of: each lane converted as C converts.
  * redcc_mask_of_floats: the lanes of which a comparison of floats holds.
  * redcc_any: is there a lane in the mask?
- * redcc_lanes_sqrt: all lanes at once; where one is negative each by itself (redcc_each_root),
- * which sets errno as it is set sequentially. redcc_rounds_alike: is a product rounded before it is
- * added to, in functions of this kind, and is a constant a double? No macro tells of
- * -ffp-contract=fast, which clang prefers to pragmas, nor of -fsingle-precision-constant.
+ * redcc_each_root: lane by lane, where errno is set as it is sequentially.
+ * redcc_lanes_sqrt: all lanes at once; where one is negative redcc_each_root, for errno.
+ * redcc_rounds_alike: is a product rounded before it is added to, in functions of this kind, and
+ * is a constant a double? No macro tells of -ffp-contract=fast, which clang prefers to pragmas, nor
+ * of -fsingle-precision-constant.
  */
 #define REDCC_LANES_TOOLS                                                                          \
     typedef double redcc_vector __attribute__((__vector_size__(8 * redcc_width)));                 \

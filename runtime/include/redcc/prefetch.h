@@ -27,9 +27,10 @@ enum { redcc__prefetches = 0 };
 /* Lines of a row that are asked for: more than this in a row the processor sees by itself. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
 
-/** Asks for a row. The address need not be valid. A row of 8-byte numbers begins at a multiple of
- * 8: no line lies between two bytes of it that are up to 71 bytes apart. */
+/** Asks for a row. The address need not be valid. */
 REDCC_INLINE void redcc_prefetch(const char *address, redcc_size bytes) {
+    /* Rows of 8-byte numbers begin at a multiple of 8: no line lies between two bytes of one that
+     * are up to 71 bytes apart. */
     const redcc_size apart = redcc_prefetch_line - 1 + (bytes % 8 == 0 ? 8 : 1);
     redcc_size at = 0;
     __builtin_prefetch((const void *)(redcc_size)address);
