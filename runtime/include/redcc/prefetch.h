@@ -64,13 +64,14 @@ typedef struct redcc_progression {
 /** Iteration 0 reads a row there (is_last: iteration trip - 1 does). */
 REDCC_INLINE void redcc_progression_row(redcc_progression *it, const char *row, redcc_size bytes,
                                         int is_last, redcc_int trip) {
-    const redcc_int step =
-        trip > 1 ? ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1) : 0;
+    redcc_int step = 0;
     if (!is_last) {
         it->first = (redcc_size)row;
         it->bytes = bytes;
         return;
     }
+    if (trip > 1)
+        step = ((redcc_int)(redcc_size)row - (redcc_int)it->first) / (trip - 1);
     it->step = step;
     /* of a member of a structure all of that */
     if (step > (redcc_int)bytes && step <= redcc_prefetch_most)

@@ -8,17 +8,11 @@
 
 /* Most machines have one, and to ask takes a hundredth of a short loop's time. */
 static bool has_several(void) {
-    bool several = true;
-#if defined(__linux__)
     char text[8] = "";
-    const int file = redcc_system_open("/sys/devices/system/node/possible");
-    if (file >= 0) {
-        redcc_system_read(file, text, sizeof text - 1);
-        redcc_system_close(file);
-        several = strcmp(text, "0\n") != 0;
-    }
+#if defined(__linux__)
+    redcc_system_read_text("/sys/devices/system/node/possible", text, sizeof text);
 #endif
-    return several;
+    return strcmp(text, "0\n") != 0;
 }
 
 int redcc_node(void) {

@@ -35,6 +35,14 @@ void redcc_system_close(int descriptor) {
     redcc_system(SYS_close, descriptor);
 }
 
+void redcc_system_read_text(const char *name, char *text, size_t bytes) {
+    const int file = redcc_system_open(name);
+    if (file < 0)
+        return;
+    redcc_system_read(file, text, bytes - 1);
+    redcc_system_close(file);
+}
+
 #ifdef SYS_mmap2 /* the place in the file is counted in pages there; ours have no file */
 #define MAP_CALL SYS_mmap2
 #else
@@ -144,19 +152,10 @@ long redcc_system_process(void) {
     return redcc_system(SYS_getpid);
 }
 
-/* What a short file of the system says, ended by 0; nothing where it cannot be read. */
-static void read_text(const char *name, char *text, size_t bytes) {
-    const int file = redcc_system_open(name);
-    if (file < 0)
-        return;
-    redcc_system_read(file, text, bytes - 1);
-    redcc_system_close(file);
-}
-
 /* Of /proc/self/stat the 22nd field; the second, a name in brackets, may hold anything. */
 unsigned long long redcc_system_started(void) {
     char text[1024] = "";
-    read_text("/proc/self/stat", text, sizeof text);
+    redcc_system_read_text("/proc/self/stat", text, sizeof text);
     const char *at = strrchr(text, ')');
     for (int field = 2; at && field < 22; field++)
         at = strchr(at + 1, ' ');
@@ -166,7 +165,7 @@ unsigned long long redcc_system_started(void) {
 /* /proc/loadavg: "0.25 1.42 1.78 3/77 7479", of 77 threads 3 run. */
 int redcc_system_running(void) {
     char text[128] = "";
-    read_text("/proc/loadavg", text, sizeof text);
+    redcc_system_read_text("/proc/loadavg", text, sizeof text);
     const char *at = text;
     for (int field = 1; at && field < 4; field++)
         at = strchr(at + 1, ' ');
@@ -176,7 +175,7 @@ int redcc_system_running(void) {
 /* "0-1", "0,2-5". */
 int redcc_system_online(void) {
     char text[1024] = "";
-    read_text("/sys/devices/system/cpu/online", text, sizeof text);
+    redcc_system_read_text("/sys/devices/system/cpu/online", text, sizeof text);
     int count = 0;
     for (char *at = text; '0' <= *at && *at <= '9'; at += *at == ',') {
         const long first = strtol(at, &at, 10);

@@ -80,6 +80,10 @@ long redcc_system_read(int descriptor, void *into, size_t bytes);
 
 void redcc_system_close(int descriptor);
 
+/** Reads the beginning of a file into `text`, `bytes` bytes of zeros, of which the last stays one.
+ *  Where the file cannot be read all stay zeros. */
+void redcc_system_read_text(const char *name, char *text, size_t bytes);
+
 #endif
 
 /** `bytes` bytes of memory of our own, a multiple of a page, all zero; NULL: there are none. */

@@ -144,11 +144,7 @@ static void enlarge_stacks(int more) {
 
 static bool is_low(const char *name) {
     char text[32] = "";
-    const int file = redcc_system_open(name);
-    if (file < 0)
-        return false;
-    redcc_system_read(file, text, sizeof text - 1);
-    redcc_system_close(file);
+    redcc_system_read_text(name, text, sizeof text);
     return text[0] >= '0' && text[0] <= '9' && strtol(text, NULL, 10) < FEW;
 }
 
