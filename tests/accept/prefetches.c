@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-// Loops of long iterations prefetch what iterations to come touch: by their lists, over the ends of
-// runs, below conditions and past `continue`.
+// Executors prefetch what iterations to come touch, the farther ahead the shorter those are: by their
+// lists, over the ends of runs, below conditions and past `continue`.
 // METHODS: expansion pseudo-expansion dwa-lip pe-dwa-lip:2
 // INTEGERS: no
 #include "case.h"
@@ -77,6 +77,17 @@ static void left_early(int n, const double (*restrict x)[3], const double (*rest
     }
 }
 
+static void light(int n, const double (*restrict x)[3], const double (*restrict w)[3],
+                  double (*b)[3]) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        const int i = corner[t][0], j = corner[t][1];
+        for (int c = 0; c < 3; c++) {
+            b[i][c] += w[t][c] * (x[j][c] - x[i][c]);
+            b[j][c] -= w[t][c] * (x[j][c] - x[i][c]);
+        }
+    }
+}
+
 int main(void) {
     setenv("REDCC_PREFETCH", "on", 1);
     for (int t = 0; t < ELEMENTS; t++) {
@@ -93,6 +104,7 @@ int main(void) {
                         matrix);
         declared_outside(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
         left_early(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
+        light(ELEMENTS, (const double(*)[3])place, (const double(*)[3])weight, force);
     }
     case_print("force", force, sizeof force);
     case_print("matrix", matrix, sizeof matrix);

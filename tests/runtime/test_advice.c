@@ -292,7 +292,7 @@ static const struct findings shuffled = {.trip = 50000,
                                          .sequential = 20e-9,
                                          .share = 0.75,
                                          .touches = 2,
-                                         .rows = 2,
+                                         .leading_rows = 2,
                                          .runs = 0.5,
                                          .reusable = true};
 

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* In which manner executions are made: what is tried, what is kept; and how many lanes there are
  * for which settings. */
-#include "execute/lanes.h"
-#include "execute/manner.h"
-
-#include "redcc/runtime.h"
+#include "execute/run.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -102,6 +99,30 @@ static void what_makes_no_difference_is_not_tried(void **unused) {
     assert_int_equal(with_lanes, 1 + 2);
 }
 
+/* Does an execution prefetch, whose first plan comes in runs of `length` iterations? */
+static bool prefetches(unsigned flags, enum prefetch_setting setting, int length) {
+    struct offsets touched[1] = {{0, 1 << 24}};
+    struct schedule schedule[1] = {{.iterations = 100 * length, .run_count = 100}};
+    struct plan plan = {.array_count = 1, .touched = touched, .schedule = schedule, .schedules = 1};
+    const redcc_loop loop = {.flags = flags};
+    const struct call call = {.request = {.loop = &loop}, .prefetch = setting};
+    struct run run = {.call = &call, .plan = &plan};
+    struct manners known = {0};
+    redcc_run_choose_manner(&run, &known);
+    return redcc_run_manner(&run, &plan).prefetches;
+}
+
+static void light_iterations_prefetch_where_they_come_in_no_order(void **unused) {
+    (void)unused;
+    assert_true(prefetches(REDCC_LIGHT, PREFETCH_AUTO, 2));
+    assert_false(prefetches(REDCC_LIGHT, PREFETCH_AUTO, 5));
+    assert_true(prefetches(REDCC_LIGHT, PREFETCH_ON, 5));
+    assert_false(prefetches(REDCC_LIGHT, PREFETCH_OFF, 2));
+    assert_true(prefetches(REDCC_PREFETCHES, PREFETCH_AUTO, 2));
+    assert_true(prefetches(REDCC_PREFETCHES, PREFETCH_AUTO, 5));
+    assert_false(prefetches(0, PREFETCH_ON, 2));
+}
+
 static const unsigned all_widths = REDCC_LANES_UNIT * (2 + 4 + 8);
 
 static void expect(unsigned flags, enum lanes_setting setting, int width, enum lanes_reason why) {
@@ -142,6 +163,7 @@ int main(void) {
         cmocka_unit_test(the_fastest_of_four_is_kept),
         cmocka_unit_test(two_rounds_do_where_the_best_is_evident),
         cmocka_unit_test(what_makes_no_difference_is_not_tried),
+        cmocka_unit_test(light_iterations_prefetch_where_they_come_in_no_order),
         cmocka_unit_test(widths_that_are_asked_for),
         cmocka_unit_test(no_width_that_the_processor_does_not_know),
     };

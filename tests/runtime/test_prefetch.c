@@ -21,28 +21,27 @@ static int list_all(const redcc_run *run, int runs, redcc_int origin, redcc_int 
     return count;
 }
 
-static void try_runs(int runs, int prefetches) {
+static void try_runs(int runs, int distance) {
     redcc_run run[MOST_RUNS];
     redcc_int list[MOST_RUNS * MOST_COUNT], origin = rand() % 1000;
     for (int r = 0; r < runs; r++)
         run[r] = (redcc_run){(redcc_u32)(rand() % 100), (redcc_u32)(rand() % (2 * MOST_COUNT))};
     const int count = list_all(run, runs, origin, list);
-    const redcc_worker worker = {
-        .origin = origin, .run = run, .run_end = run + runs, .manner = {prefetches, 0}};
+    const redcc_worker worker = {.origin = origin, .run = run, .run_end = run + runs};
     redcc_ahead ahead;
-    redcc_ahead_begin(&ahead, &worker, worker.manner.prefetches, REDCC_PREFETCH_DISTANCE);
+    redcc_ahead_begin(&ahead, &worker, distance);
     for (int i = 0; i < count + 2; i++) {
-        const int found = redcc_ahead_step(&ahead), expected = i + REDCC_PREFETCH_DISTANCE;
-        assert_int_equal(found, prefetches && expected < count);
+        const int found = redcc_ahead_step(&ahead), expected = i + distance;
+        assert_int_equal(found, expected < count);
         if (found)
             assert_int_equal(ahead.k, list[expected]);
     }
 }
 
-static void the_iteration_two_ahead_in_the_list(void **unused) {
+static void the_iteration_so_far_ahead_in_the_list(void **unused) {
     (void)unused;
     for (int i = 0; i < 20000; i++)
-        try_runs(rand() % (MOST_RUNS + 1), i % 5 != 0);
+        try_runs(rand() % (MOST_RUNS + 1), 1 + rand() % 16);
 }
 
 /* Nothing is told of it, and addresses need not be valid. */
@@ -113,20 +112,39 @@ static void only_large_arrays_that_are_written_in_place(void **unused) {
     (void)unused;
     struct offsets touched[2] = {{-(1 << 19), 0}, {5, 4}};
     struct plan plan = {.array_count = 2, .touched = touched};
-    assert_false(redcc_prefetch_is_of_use(&plan));
+    assert_false(redcc_prefetch_is_of_use(&plan, false));
     touched[1] = (struct offsets){0, (1 << 19) + 1};
-    assert_true(redcc_prefetch_is_of_use(&plan));
+    assert_true(redcc_prefetch_is_of_use(&plan, false));
     plan.copies.count = 1;
-    assert_false(redcc_prefetch_is_of_use(&plan));
+    assert_false(redcc_prefetch_is_of_use(&plan, false));
     assert_false(redcc_prefetch_is_possible(&plan));
+}
+
+/* Light iterations: where they come in runs of less than four, in the mean, and write to more. */
+static void light_iterations_in_no_order(void **unused) {
+    (void)unused;
+    struct offsets touched[1] = {{0, (8 << 20) + 1}};
+    struct schedule schedule[2] = {{.iterations = 700, .run_count = 300},
+                                   {.iterations = 899, .run_count = 100}};
+    struct plan plan = {
+        .array_count = 1, .touched = touched, .schedule = schedule, .schedules = 2};
+    assert_true(redcc_prefetch_is_of_use(&plan, true));
+    schedule[1].iterations++;
+    assert_false(redcc_prefetch_is_of_use(&plan, true));
+    assert_true(redcc_prefetch_is_of_use(&plan, false));
+    schedule[1].iterations--;
+    touched[0].end--;
+    assert_false(redcc_prefetch_is_of_use(&plan, true));
+    assert_true(redcc_prefetch_is_of_use(&plan, false));
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_iteration_two_ahead_in_the_list),
+        cmocka_unit_test(the_iteration_so_far_ahead_in_the_list),
         cmocka_unit_test(a_slice_without_a_worker_tells_nothing),
         cmocka_unit_test(rows_of_iterations_lie_at_equal_distances),
         cmocka_unit_test(only_large_arrays_that_are_written_in_place),
+        cmocka_unit_test(light_iterations_in_no_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -218,7 +218,8 @@ static const char *flags_text(const loop_text *loop) {
                  {loop->dry_run != DRY_RUN_NONE, "REDCC_DRY_RUN"},
                  {loop->dry_run == DRY_RUN_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
-                 {loop->prefetches, "REDCC_PREFETCHES"},
+                 {loop->prefetch.ahead > 0 && !loop->prefetch.is_light, "REDCC_PREFETCHES"},
+                 {loop->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)

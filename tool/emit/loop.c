@@ -101,8 +101,8 @@ static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
                 key_length(loop));
-    if (loop->prefetches)
-        writer_line(out, "REDCC_PREFETCH;");
+    if (loop->prefetch.ahead > 0)
+        writer_line(out, "REDCC_PREFETCH(%u);", loop->prefetch.ahead);
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);

@@ -55,6 +55,12 @@ typedef enum dry_run {
     DRY_RUN_OF_ALL      /* or it is told as the iterations read it */
 } dry_run;
 
+/* What its executor prefetches (prefetch.c). */
+typedef struct prefetch_text {
+    unsigned ahead; /* iterations; 0: nothing */
+    bool is_light;  /* an iteration; then only where they come in no order */
+} prefetch_text;
+
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* with all that the file holds; */
@@ -74,7 +80,7 @@ typedef struct loop_text {
     outline_text outline;
     struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
     lanes_text lanes;
-    bool prefetches; /* its executor can (prefetch.c) */
+    prefetch_text prefetch;
     dry_run dry_run;
 } loop_text;
 
@@ -216,8 +222,8 @@ const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename nam
                           const ir_node **before);
 
 /** prefetch.c: can the executor prefetch what iterations to come touch, once the loop is outlined?
- *  loop->prefetches says it then. */
-bool can_prefetch(const loop_text *loop);
+ *  loop->prefetch says it then. */
+prefetch_text prefetch_of(const loop_text *loop);
 /** At the end of the slice: rows that an iteration reads and the inspector is not told. Only
  *  variables that the slice mentions are used; sets is_mentioned of the rows' bases. */
 void write_gathers(loop_text *loop, writer *out, bool *is_mentioned);

@@ -326,7 +326,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     const bool is_in_line = place_in_front(loop->unit, facts->function, place);
     buffer_text(&out.out, is_in_line ? "\n" : "");
     loop->outline.done = true;
-    loop->prefetches = can_prefetch(loop);
+    loop->prefetch = prefetch_of(loop);
     begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));
     writer_fill(&out, true);
@@ -340,7 +340,8 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     write_slice(loop, &out);
     write_body(loop, &out);
     loop->outline.done = loop->outline.possible && !loop->obstacle;
-    loop->prefetches &= loop->outline.done;
+    if (!loop->outline.done)
+        loop->prefetch = (prefetch_text){0};
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
     if (!loop->is_unfused) /* else the function's own piece says it */

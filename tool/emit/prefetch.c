@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which executors prefetch what iterations to come touch (redcc/prefetch.h): those whose iterations
- * are long beside the slice, which is evaluated once more for it. A static estimate decides what is
- * compiled; the runtime measures whether it pays.
+ * Which executors prefetch what iterations to come touch (redcc/prefetch.h), and how far ahead. The
+ * slice is evaluated once more for it: little beside a long iteration; beside a light one, little
+ * only where that waits for memory all the time. A static estimate decides what is compiled; the
+ * runtime measures whether it pays.
  */
 #include "analysis/base/counted.h"
 #include "emit/loop.h"
@@ -12,8 +13,14 @@
 #include "support/vector.h"
 
 enum {
-    LEAST_WORK =
-        300,        /* operations an iteration: what is lighter loses by it unless it is shuffled */
+    /* Operations an iteration. In order, loops of 126 and 46 lost up to a half by it, one of 167
+     * gained as much again (script/bench lanes, fabric's drag); in no order all gained. */
+    LEAST_WORK = 12,
+    LIGHT = 150,
+    /* Operations in the time that a row takes to come from memory, some 0.3 microseconds. */
+    AWAITED = 4000,
+    LEAST_AHEAD = 2,
+    MOST_AHEAD = 16, /* more rows take too many entries of the first-level TLB */
     EXPENSIVE = 8,  /* a division, a square root, a call of mathematics */
     SOME = 4,       /* iterations of a loop inside, where the text does not say how many */
     MOST_DEPTH = 8, /* of calls */
@@ -104,10 +111,17 @@ static bool has_source_loop(const loop_facts *facts) {
 
 /** Evaluated once more, a slice with floating-point work might set errno where the loop does not.
  */
-bool can_prefetch(const loop_text *loop) {
+prefetch_text prefetch_of(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
-    return !facts->slice.has_floating_work && !has_open_loop(facts, facts->counted.body) &&
-           !has_source_loop(facts) && work_of_iteration(loop) >= LEAST_WORK;
+    const int64_t work = work_of_iteration(loop);
+    if (facts->slice.has_floating_work || has_open_loop(facts, facts->counted.body) ||
+        has_source_loop(facts) || work < LEAST_WORK)
+        return (prefetch_text){0};
+    const int64_t ahead = AWAITED / work;
+    return (prefetch_text){.ahead = (unsigned)(ahead < LEAST_AHEAD  ? LEAST_AHEAD
+                                            : ahead > MOST_AHEAD ? MOST_AHEAD
+                                                                 : ahead),
+                        .is_light = work < LIGHT};
 }
 
 /* ---- gathers that the inspector need not tell ------------------------------------------------ */
@@ -247,7 +261,7 @@ void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     const loop_facts *facts = loop->facts;
     const frame top = {.call = facts->loop};
     gather_search search = {.arena = loop->arena, .visited = map_new(loop->arena)};
-    if (!loop->prefetches || has_continue(facts, facts->counted.body))
+    if (loop->prefetch.ahead == 0 || has_continue(facts, facts->counted.body))
         return;
     list_gathers(&search, &top, facts->counted.body);
     writer_fill(out, true);

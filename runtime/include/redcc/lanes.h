@@ -304,16 +304,16 @@ REDCC_INLINE int redcc_lanes_of(const redcc_worker *worker) {
         const redcc_run *redcc__run_end = redcc__worker.run_end;                                   \
         const int redcc__width = redcc_lanes_of(&redcc__worker);                                   \
         redcc_run redcc__rest[REDCC_MOST_LANES];                                                   \
-        REDCC_PREFETCH_BEGIN(redcc__width ? redcc__width : REDCC_PREFETCH_DISTANCE)                \
+        REDCC_PREFETCH_BEGIN(redcc__width > redcc__prefetches ? redcc__width : redcc__prefetches)  \
         if (redcc__width) {                                                                        \
             const int redcc__guarded = 0;                                                          \
             int redcc__count, redcc__i;                                                            \
             redcc_block redcc__block;                                                              \
             redcc_ahead redcc__from;                                                               \
-            redcc_ahead_begin(&redcc__from, &redcc__worker, 1, 0);                                 \
+            redcc_ahead_begin(&redcc__from, &redcc__worker, 0);                                    \
             while ((redcc__count = redcc_block_take(&redcc__block, &redcc__from, redcc__width)) == \
                    redcc__width) {                                                                 \
-                if (redcc__prefetches)                                                             \
+                if (redcc__wished)                                                                 \
                     for (redcc__i = 0; redcc__i < redcc__width; redcc__i++)                        \
                         REDCC_PREFETCH_ONE(redcc_call_of_slice)                                    \
                 switch (redcc__width) {                                                            \

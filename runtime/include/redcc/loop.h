@@ -80,7 +80,7 @@
     do {                                                                                           \
         const char *const redcc__row = (const char *)&redcc_row;                                   \
         redcc_known_row(&redcc__known[redcc_i], redcc__row, sizeof(redcc_row));                    \
-        if (redcc__prefetches)                                                                     \
+        if (redcc__prefetches > 0)                                                                 \
             redcc_progression_row(&redcc__progressions[redcc_i], redcc__row, sizeof(redcc_row),    \
                                   redcc__end, redcc__trip);                                        \
     } while (0)
@@ -284,23 +284,24 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #define REDCC_CHUNK_5 REDCC_CHUNK_4 REDCC_CHUNK_OF(4)
 #define REDCC_CHUNK_6 REDCC_CHUNK_5 REDCC_CHUNK_OF(5)
 
-/** The runs from redcc__run to redcc__run_end, guarded or plain. */
+/** The runs from redcc__run to redcc__run_end, guarded or plain; with prefetches in steps of one
+ *  iteration, else each run in one. */
 #define REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     for (; redcc__run != redcc__run_end; redcc__run++) {                                           \
         const redcc_int redcc__end =                                                               \
             redcc__worker.origin + redcc__run->begin + redcc__run->count_and_guard / 2;            \
         redcc__k = redcc__worker.origin + redcc__run->begin;                                       \
-        if (!(redcc__run->count_and_guard & 1)) {                                                  \
-            const int redcc__guarded = 0;                                                          \
-            for (; redcc__k < redcc__end; redcc__k++) {                                            \
-                REDCC_PREFETCH_ONE(redcc_call_of_slice)                                            \
-                redcc_call_of_body;                                                                \
-            }                                                                                      \
-        } else {                                                                                   \
-            const int redcc__guarded = 1;                                                          \
-            for (; redcc__k < redcc__end; redcc__k++) {                                            \
-                REDCC_PREFETCH_ONE(redcc_call_of_slice)                                            \
-                redcc_call_of_body;                                                                \
+        while (redcc__k < redcc__end) {                                                            \
+            const redcc_int redcc__stop = redcc__wished ? redcc__k + 1 : redcc__end;               \
+            REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                \
+            if (!(redcc__run->count_and_guard & 1)) {                                              \
+                const int redcc__guarded = 0;                                                      \
+                for (; redcc__k < redcc__stop; redcc__k++)                                         \
+                    redcc_call_of_body;                                                            \
+            } else {                                                                               \
+                const int redcc__guarded = 1;                                                      \
+                for (; redcc__k < redcc__stop; redcc__k++)                                         \
+                    redcc_call_of_body;                                                            \
             }                                                                                      \
         }                                                                                          \
     }
@@ -310,7 +311,7 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
     while (redcc_next(&redcc__worker)) {                                                           \
         redcc_chunk const redcc_run *redcc__run = redcc__worker.run;                               \
         const redcc_run *const redcc__run_end = redcc__worker.run_end;                             \
-        REDCC_PREFETCH_BEGIN(REDCC_PREFETCH_DISTANCE)                                              \
+        REDCC_PREFETCH_BEGIN(redcc__prefetches)                                                    \
         REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 

@@ -13,16 +13,14 @@
 #ifndef REDCC_PREFETCH_H
 #define REDCC_PREFETCH_H
 
-/** How many iterations ahead. Two are enough for iterations of some hundred operations, which take
- *  as long as a memory access; more of them cost entries of the first-level TLB, and were slower on
- *  shuffled data. */
-#define REDCC_PREFETCH_DISTANCE 2
-
-/* 1 in the block of a loop whose iterations are long enough (REDCC_PREFETCH), a constant. */
+/* How many iterations ahead, in the block of a loop whose iterations are long enough
+ * (REDCC_PREFETCH); a constant. */
 enum { redcc__prefetches = 0 };
 
-/** In the block of a loop: its executor prefetches, where the runtime finds it worthwhile. */
-#define REDCC_PREFETCH enum { redcc__prefetches = 1 }
+/** In the block of a loop: its executor prefetches, where the runtime finds it worthwhile, so many
+ *  iterations ahead that they take as long as a memory access. More of them cost entries of the
+ *  first-level TLB, and were slower on shuffled data. */
+#define REDCC_PREFETCH(redcc_distance) enum { redcc__prefetches = redcc_distance }
 
 /* Lines of a row that are asked for: more than this in a row the processor sees by itself. */
 enum { redcc_prefetch_line = 64, redcc_prefetch_most = 256 };
@@ -122,30 +120,29 @@ REDCC_INLINE int redcc_ahead_turn(redcc_ahead *it) {
     return 0;
 }
 
-/** On to the next iteration. Returns 0: there is none left, or nothing is to be prefetched. */
+/** On to the next iteration. Returns 0: there is none left. */
 REDCC_INLINE int redcc_ahead_step(redcc_ahead *it) {
     return ++it->k < it->end || redcc_ahead_turn(it);
 }
 
-/** Begins in front of iteration number `distance` of the runs; with no wish for it at their end. */
-REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker, int is_wanted,
-                                    int distance) {
+/** Begins in front of iteration number `distance` of the runs. */
+REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker, int distance) {
     it->k = it->end = 0;
     it->origin = worker->origin;
-    it->run = is_wanted ? worker->run : 0;
-    it->run_end = is_wanted ? worker->run_end : 0;
+    it->run = worker->run;
+    it->run_end = worker->run_end;
     for (; distance > 0; distance--)
         redcc_ahead_step(it);
 }
 
 /** Before the runs at hand: what prefetches so many iterations ahead, where it is wished. */
 #define REDCC_PREFETCH_BEGIN(redcc_distance)                                                       \
-    redcc_ahead redcc__ahead, redcc__farther;                                                      \
+    redcc_ahead redcc__ahead = {0, 0, 0, 0, 0}, redcc__farther = {0, 0, 0, 0, 0};                  \
     redcc_progression redcc__rows[REDCC_PROGRESSIONS];                                             \
-    if (redcc__prefetches) {                                                                       \
-        const int redcc__wished = redcc__worker.manner.prefetches;                                 \
-        redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc__wished, redcc_distance);           \
-        redcc_ahead_begin(&redcc__farther, &redcc__worker, redcc__wished, 2 * (redcc_distance));   \
+    const int redcc__wished = redcc__prefetches > 0 && redcc__worker.manner.prefetches;            \
+    if (redcc__wished) {                                                                           \
+        redcc_ahead_begin(&redcc__ahead, &redcc__worker, redcc_distance);                          \
+        redcc_ahead_begin(&redcc__farther, &redcc__worker, 2 * (redcc_distance));                  \
         redcc_progressions_begin(redcc__rows, redcc__progressions, REDCC_PROGRESSIONS);            \
     }
 
@@ -153,9 +150,9 @@ REDCC_INLINE void redcc_ahead_begin(redcc_ahead *it, const redcc_worker *worker,
  *  without a worker it prefetches. */
 #define REDCC_PREFETCH_ONE(redcc_call_of_slice)                                                    \
     {                                                                                              \
-        if (redcc__prefetches && redcc_ahead_step(&redcc__farther))                                \
+        if (redcc__wished && redcc_ahead_step(&redcc__farther))                                    \
             redcc_progressions_prefetch(redcc__rows, REDCC_PROGRESSIONS, redcc__farther.k);        \
-        if (redcc__prefetches && redcc_ahead_step(&redcc__ahead)) {                                \
+        if (redcc__wished && redcc_ahead_step(&redcc__ahead)) {                                    \
             redcc_probe *const redcc__probe = 0;                                                   \
             redcc_worker *const redcc__teller = 0;                                                 \
             const redcc_u32 redcc__told = 0;                                                       \

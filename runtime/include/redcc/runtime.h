@@ -134,7 +134,10 @@ enum {
      *  update what `known` says is read, worker->last becomes 0, and the slice returns at once; */
     REDCC_DRY_RUN = 2048,
     /** the same where redcc_is_over says of what it has told as read. */
-    REDCC_DRY_RUN_OF_READS = 4096
+    REDCC_DRY_RUN_OF_READS = 4096,
+    /** In place of REDCC_PREFETCHES: its iterations are so light that it pays only where they come
+     *  in no order. */
+    REDCC_LIGHT = 8192
 };
 
 /** A loop, as the translator knows it; one static object for each. */

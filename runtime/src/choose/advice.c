@@ -231,8 +231,9 @@ static struct findings begin_findings(const struct chooser *chooser,
         .threads = call->planned,
         .sequential = usual_iteration(chooser, call->request.trip),
         .spent = redcc_seconds() - call->entered,
-        .touches = inspection->touches,
-        .rows = inspection->rows,
+        .touches = inspection->each.touches,
+        .leading_rows = inspection->each.leading_rows,
+        .further_rows = inspection->each.further_rows,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
@@ -272,7 +273,7 @@ static bool is_random(const struct inspection *inspection, double changes) {
 static bool is_fetched(const struct inspection *inspection, double changes) {
     const struct call *call = inspection->call;
     const bool is_said_off = call->prefetch == 0;
-    return !is_said_off && (call->request.loop->flags & REDCC_PREFETCHES) &&
+    return !is_said_off && (call->request.loop->flags & (REDCC_PREFETCHES | REDCC_LIGHT)) &&
            is_random(inspection, changes);
 }
 
@@ -432,7 +433,7 @@ static bool levels_serve_better(struct inspection *inspection) {
     const struct call *call = inspection->call;
     const double share = redcc_largest_share(inspection), all = (double)call->request.trip;
     if (call->method || share * call->threads <= uneven ||
-        redcc_seconds() + inspection->touches * all * redcc_level_touch > inspection->deadline)
+        redcc_seconds() + inspection->each.touches * all * redcc_level_touch > inspection->deadline)
         return false;
     return redcc_partition_levels(inspection) &&
            redcc_levels_length(&inspection->levels, call->threads) < shorter * share * all;

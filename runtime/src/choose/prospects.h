@@ -8,19 +8,20 @@
 struct findings {
     long long trip; /**< iterations */
     int threads;
-    double sequential; /**< seconds of the original loop for an iteration */
-    double spent;      /**< seconds of this inspection so far */
-    double share;      /**< of the iterations, by the thread that would execute most by index */
-    double touches;    /**< of an iteration */
-    double rows;       /**< ... at different addresses */
-    double runs;       /**< of the iterations: those that touch other owners than the one before */
-    bool fetched;      /**< its rows lie in no order beyond the caches, and plans prefetch them */
-    bool copies;       /**< private copies may and can be had */
-    double copied;     /**< bytes of one of them */
-    bool binned;       /**< it has a form for binning, which may be worth a trial */
-    double bin_bytes;  /**< of private copies that binning makes in place of records; 0: none */
-    bool reusable;     /**< the plan can be kept */
-    double checked;    /**< bytes of subscripts that are compared before a plan is used again */
+    double sequential;   /**< seconds of the original loop for an iteration */
+    double spent;        /**< seconds of this inspection so far */
+    double share;        /**< of the iterations, by the thread that would execute most by index */
+    double touches;      /**< of an iteration */
+    double leading_rows; /**< ... at different addresses, of the group that owners are cut in */
+    double further_rows; /**< ... of the others */
+    double runs;      /**< of the iterations: those that touch other owners than the one before */
+    bool fetched;     /**< its rows lie in no order beyond the caches, and plans prefetch them */
+    bool copies;      /**< private copies may and can be had */
+    double copied;    /**< bytes of one of them */
+    bool binned;      /**< it has a form for binning, which may be worth a trial */
+    double bin_bytes; /**< of private copies that binning makes in place of records; 0: none */
+    bool reusable;    /**< the plan can be kept */
+    double checked;   /**< bytes of subscripts that are compared before a plan is used again */
 };
 
 /** Fills prospect [WAY_COUNT]. */

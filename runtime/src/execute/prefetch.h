@@ -17,7 +17,8 @@ enum prefetch_setting {
 /** Can it be done with this plan: are the arrays written where they are? */
 bool redcc_prefetch_is_possible(const struct plan *plan);
 
-/** Can it pay with this plan: is it possible, and do the arrays not fit in a core's caches? */
-bool redcc_prefetch_is_of_use(const struct plan *plan);
+/** Can it pay with this plan: is it possible, and do the arrays not fit in a core's caches? Of
+ *  light iterations, not in the cores' common cache either, and do they come in no order? */
+bool redcc_prefetch_is_of_use(const struct plan *plan, bool is_light);
 
 #endif

@@ -10,7 +10,7 @@ void redcc_run_choose_manner(struct run *run, struct manners *known) {
     const int width = redcc_lanes_width(flags, (enum lanes_setting)call->lanes, &it->why);
     unsigned asked = width > 0 && it->why == LANES_SAID ? WITH_LANES : 0;
     it->open = width > 0 && it->why == LANES_TRYING ? WITH_LANES : 0;
-    if (flags & REDCC_PREFETCHES) {
+    if (flags & (REDCC_PREFETCHES | REDCC_LIGHT)) {
         asked |= call->prefetch == PREFETCH_ON ? WITH_PREFETCH : 0;
         it->open |= call->prefetch == PREFETCH_AUTO ? WITH_PREFETCH : 0;
     }
@@ -18,18 +18,21 @@ void redcc_run_choose_manner(struct run *run, struct manners *known) {
     it->lanes = it->taken & WITH_LANES ? width : 0;
 }
 
+static bool is_of_use(const struct run *run, const struct plan *plan) {
+    return redcc_prefetch_is_of_use(plan, run->call->request.loop->flags & REDCC_LIGHT);
+}
+
 redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan) {
     const bool is_asked = run->call->prefetch == PREFETCH_ON;
-    const bool prefetches =
-        run->manner.taken & WITH_PREFETCH &&
-        (is_asked ? redcc_prefetch_is_possible(plan) : redcc_prefetch_is_of_use(plan));
+    const bool prefetches = run->manner.taken & WITH_PREFETCH &&
+                            (is_asked ? redcc_prefetch_is_possible(plan) : is_of_use(run, plan));
     return (redcc_manner){prefetches, run->manner.lanes};
 }
 
 enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
                                         double seconds_an_iteration) {
     const struct chosen_manner *it = &run->manner;
-    const unsigned of_use = WITH_LANES | (redcc_prefetch_is_of_use(run->plan) ? WITH_PREFETCH : 0);
+    const unsigned of_use = WITH_LANES | (is_of_use(run, run->plan) ? WITH_PREFETCH : 0);
     redcc_manner_note(known, it->open, of_use, it->taken & it->open, seconds_an_iteration);
     if (it->why != LANES_TRYING || known->rest == 0)
         return it->why;

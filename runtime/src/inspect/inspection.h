@@ -73,7 +73,7 @@ struct inspection {
     bool no_copies;         /* by all iterations they cannot be had; */
     bool no_graph;          /* nor can owners be cut from the access graph */
     bool is_exact;          /* units are numbered by what all iterations touched */
-    double touches, rows;   /* of an iteration, by the sample */
+    struct touching each;   /* iteration, by the sample */
     struct overlap overlap; /* REASON_OVERLAP: which */
     struct partition partition;
     const struct sample **samples;    /* [threads] */

@@ -147,8 +147,7 @@ bool redcc_cut(struct inspection *inspection, struct estimate *estimate) {
     if (!redcc_choose_cuts(partition, inspection->samples, threads) ||
         (estimate && !redcc_estimate(partition, inspection->samples, threads, estimate)))
         return false;
-    inspection->touches = estimate ? estimate->touches : 0;
-    inspection->rows = estimate ? estimate->rows : 0;
+    inspection->each = estimate ? estimate->each : (struct touching){0};
     return true;
 }
 

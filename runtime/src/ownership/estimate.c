@@ -64,6 +64,21 @@ static uint32_t count_parts(const struct partition *partition, const struct samp
     return changes;
 }
 
+/* Adds a thread's sample to *all. */
+static void count_touches(const struct partition *partition, const struct sample *sample,
+                          struct touching *all) {
+    const double each = (double)sample->keep_each;
+    for (size_t i = 0; i < sample->count; i++) {
+        all->touches += each;
+        if (!is_new_row(sample, i))
+            continue;
+        if (partition->group_of[sample->item[i].array] == partition->leader)
+            all->leading_rows += each;
+        else
+            all->further_rows += each;
+    }
+}
+
 bool redcc_estimate(const struct partition *partition, const struct sample *const *sample,
                     int threads, struct estimate *estimate) {
     const size_t owners = partition->owners, shares = owners / (1 + partition->stealable);
@@ -72,13 +87,11 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
         return false;
     const struct parts parts = {part, part + owners};
     uint32_t iterations = 1, most = 0, changes = 0, overhead = 0;
-    double touches = 0, rows = 0;
+    struct touching all = {0};
     for (int thread = 0; thread < threads; thread++) {
         changes += count_parts(partition, sample[thread], iterations, parts);
         iterations += sample[thread]->iterations + 1;
-        touches += (double)sample[thread]->count * (double)sample[thread]->keep_each;
-        for (size_t i = 0; i < sample[thread]->count; i++)
-            rows += is_new_row(sample[thread], i) ? (double)sample[thread]->keep_each : 0;
+        count_touches(partition, sample[thread], &all);
     }
     for (size_t owner = 0; owner < owners; owner++)
         overhead += parts.of_owner[owner].iterations;
@@ -89,8 +102,9 @@ bool redcc_estimate(const struct partition *partition, const struct sample *cons
     }
     *estimate = (struct estimate){.share = (double)most / iterations,
                                   .overhead = (double)overhead / iterations,
-                                  .touches = touches / iterations,
-                                  .rows = rows / iterations,
+                                  .each = {.touches = all.touches / iterations,
+                                           .leading_rows = all.leading_rows / iterations,
+                                           .further_rows = all.further_rows / iterations},
                                   .changes = (double)changes / iterations};
     redcc_memory_give(part);
     return true;

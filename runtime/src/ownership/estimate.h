@@ -5,12 +5,18 @@
 #include "ownership/partition.h"
 #include "ownership/sample.h"
 
+/* What an iteration touches, in the mean of the sample. */
+struct touching {
+    double touches;
+    double leading_rows; /* of the leading group, at different addresses */
+    double further_rows; /* of the others */
+};
+
 struct estimate {
     double share;    /* of the iterations: what the owner that takes part in most of them has, the
                         stealable ones behind it included */
     double overhead; /* of the iterations: what is executed once more because of stealable owners */
-    double touches;  /* of an iteration */
-    double rows;     /* ... at different addresses */
+    struct touching each; /* iteration */
     double changes; /* of the iterations: those that touch other owners than the one sampled before.
                        Those in between may be alike: no more than these begin a run, about */
 };
