@@ -126,8 +126,7 @@ static void light_iterations_in_no_order(void **unused) {
     struct offsets touched[1] = {{0, (8 << 20) + 1}};
     struct schedule schedule[2] = {{.iterations = 700, .run_count = 300},
                                    {.iterations = 899, .run_count = 100}};
-    struct plan plan = {
-        .array_count = 1, .touched = touched, .schedule = schedule, .schedules = 2};
+    struct plan plan = {.array_count = 1, .touched = touched, .schedule = schedule, .schedules = 2};
     assert_true(redcc_prefetch_is_of_use(&plan, true));
     schedule[1].iterations++;
     assert_false(redcc_prefetch_is_of_use(&plan, true));

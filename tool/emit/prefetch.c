@@ -20,10 +20,10 @@ enum {
     /* Operations in the time that a row takes to come from memory, some 0.3 microseconds. */
     AWAITED = 4000,
     LEAST_AHEAD = 2,
-    MOST_AHEAD = 16, /* more rows take too many entries of the first-level TLB */
-    EXPENSIVE = 8,  /* a division, a square root, a call of mathematics */
-    SOME = 4,       /* iterations of a loop inside, where the text does not say how many */
-    MOST_DEPTH = 8, /* of calls */
+    MOST_AHEAD = 16,  /* more rows take too many entries of the first-level TLB */
+    EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
+    SOME = 4,         /* iterations of a loop inside, where the text does not say how many */
+    MOST_DEPTH = 8,   /* of calls */
     MOST_WORK = 10000 /* more need not be told apart */
 };
 
@@ -119,9 +119,9 @@ prefetch_text prefetch_of(const loop_text *loop) {
         return (prefetch_text){0};
     const int64_t ahead = AWAITED / work;
     return (prefetch_text){.ahead = (unsigned)(ahead < LEAST_AHEAD  ? LEAST_AHEAD
-                                            : ahead > MOST_AHEAD ? MOST_AHEAD
-                                                                 : ahead),
-                        .is_light = work < LIGHT};
+                                               : ahead > MOST_AHEAD ? MOST_AHEAD
+                                                                    : ahead),
+                           .is_light = work < LIGHT};
 }
 
 /* ---- gathers that the inspector need not tell ------------------------------------------------ */
