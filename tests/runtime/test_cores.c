@@ -238,10 +238,10 @@ static void threads_that_would_wait_are_foreseen(void **unused) {
     for (int i = 0; i < count; i++)
         assert_int_equal(pthread_create(&thread[i], NULL, compute, NULL), 0);
     const double until = redcc_seconds() + 10;
-    while (!redcc_cores_are_wanted(0) && redcc_seconds() < until)
-        ;
+    int running = 0; /* all of them, once each has begun */
+    while ((running <= count || !redcc_cores_are_wanted(0)) && redcc_seconds() < until)
+        running = redcc_system_running();
     const bool wanted = redcc_cores_are_wanted(0), with_fewer = redcc_cores_are_wanted(-10000);
-    const int running = redcc_system_running();
     atomic_store(&over, true);
     for (int i = 0; i < count; i++)
         pthread_join(thread[i], NULL);
