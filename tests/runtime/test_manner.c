@@ -105,7 +105,7 @@ static bool prefetches(unsigned flags, enum prefetch_setting setting, int length
     struct schedule schedule[1] = {{.iterations = 100 * length, .run_count = 100}};
     struct plan plan = {.array_count = 1, .touched = touched, .schedule = schedule, .schedules = 1};
     const redcc_loop loop = {.flags = flags};
-    const struct call call = {.request = {.loop = &loop}, .prefetch = setting};
+    const struct call call = {.request = {.loop = &loop}, .prefetch = (int)setting};
     struct run run = {.call = &call, .plan = &plan};
     struct manners known = {0};
     redcc_run_choose_manner(&run, &known);
