@@ -8,8 +8,9 @@ static const double iteration_apart = 45e-9; /* one that has other owners than t
 static const double touch_kept = 7e-9;       /* told and kept, of a thread; */
 static const double graph_row = 32e-9; /* cutting owners from what is kept, a row: of a thread, */
 static const double graph_row_alone = 25e-9; /* and while the others wait; */
-/* the owner of a row of a further group, by the votes of its iterations, of a thread: 13 to 20. */
-static const double row_voted = 20e-9;
+/* to assign a row of a further group to an owner, by majority vote of the iterations: of a thread,
+ * 13 to 20. */
+static const double further_row = 20e-9;
 static const double touch_range = 1e-9; /* to tell a touch for its extent alone */
 static const double frequent = 0.25;    /* runs, of the iterations: all touches are told apart */
 static const double run_begun = 3e-9;
@@ -50,7 +51,7 @@ static void by_index(const struct findings *it, struct prospect *prospect) {
 
 static void by_graph(const struct findings *it, struct prospect *prospect) {
     const double each =
-        (it->touches * touch_kept + it->leading_rows * graph_row + it->further_rows * row_voted) /
+        (it->touches * touch_kept + it->leading_rows * graph_row + it->further_rows * further_row) /
         it->threads;
     prospect->possible = it->reusable && it->share * it->threads > even;
     prospect->set_up = it->spent + (each + it->leading_rows * graph_row_alone) * (double)it->trip;
