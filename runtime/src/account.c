@@ -193,6 +193,14 @@ static void tell_team(struct execution *execution) {
                         woken > 0 ? woken - call->entered : 0, call->started);
 }
 
+static void note_manner(const struct execution *execution, struct statistics *statistics) {
+    double seconds[MANNER_PARTS] = {0}, iterations[MANNER_PARTS] = {0};
+    for (int t = 0; t < execution->call.threads; t++)
+        redcc_parts_add(&execution->state->thread[t]->runner.parts, seconds, iterations);
+    statistics->last.lanes_reason = redcc_run_note_manner(
+        &execution->run, &execution->state->manners, seconds, iterations, &statistics->last.lanes);
+}
+
 static void account_execution(struct execution *execution, double now) {
     struct statistics *statistics = &execution->state->reported.statistics;
     const struct run *run = &execution->run;
@@ -216,9 +224,7 @@ static void account_execution(struct execution *execution, double now) {
     statistics->last.length = plan->length;
     statistics->last.compensated = redcc_lost_bytes(plan) > 0;
     count_nodes(execution, statistics);
-    statistics->last.lanes = run->manner.lanes;
-    statistics->last.lanes_reason = redcc_run_note_manner(run, &execution->state->manners,
-                                                          (now - run->ready) / (double)plan->trip);
+    note_manner(execution, statistics);
     trace_execution(execution, now);
     if (!execution->call.method)
         tell_auto(execution, now);

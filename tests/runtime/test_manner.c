@@ -13,41 +13,54 @@
 
 enum { ALL = WITH_PREFETCH | WITH_LANES };
 
-/* Of `executions` how many were made in each manner, where they take seconds[manner]. */
-static void execute(struct manners *it, unsigned open, int executions,
+/* Of `executions`, of so many iterations a thread each, how many parts were executed in each
+ * manner, where an iteration takes seconds[manner]; every third part takes half as long again. */
+static void execute(struct manners *it, unsigned open, int executions, redcc_int iterations,
                     const double seconds[MANNERS], int made[MANNERS]) {
     memset(made, 0, MANNERS * sizeof *made);
     for (int i = 0; i < executions; i++) {
-        const unsigned manner = redcc_manner_begins(it, open);
-        made[manner]++;
-        redcc_manner_note(it, open, ALL, manner, seconds[manner] * (1 + 0.5 * (i % 3 == 0)));
+        const unsigned parts = redcc_manner_parts(it, open, iterations);
+        double each[MANNER_PARTS];
+        assert_in_range(parts, 0, MANNER_PARTS);
+        for (unsigned part = 0; part < parts; part++) {
+            const unsigned manner = redcc_manner_of(it, open, part);
+            made[manner]++;
+            each[part] = seconds[manner] * (1 + 0.5 * (((unsigned)i + part) % 3 == 0));
+        }
+        if (parts == 0)
+            made[redcc_manner_of(it, open, 0)]++;
+        redcc_manner_note(it, open, parts, each);
     }
 }
+
+enum { SHORT = 100, LONG = 1 << 20 };
 
 static void nothing_is_tried_where_nothing_is_open(void **unused) {
     (void)unused;
     struct manners it = {0};
     int made[MANNERS];
-    execute(&it, 0, 50, (const double[]){1, 1, 1, 1}, made);
+    assert_int_equal(redcc_manner_parts(&it, 0, LONG), 0);
+    execute(&it, 0, 50, LONG, (const double[]){1, 1, 1, 1}, made);
     assert_int_equal(made[0], 50);
 }
 
+/* Of short executions each is a part. */
 static void the_faster_of_two_is_kept(void **unused) {
     (void)unused;
     const double gains[] = {1.0, 0.9, 0, 0}, loses[] = {0.9, 1.0, 0, 0};
     struct manners it = {0}, other = {0};
     int made[MANNERS];
-    assert_int_equal(redcc_manner_begins(&it, WITH_PREFETCH), WITH_PREFETCH);
-    execute(&it, WITH_PREFETCH, 6, gains, made);
-    assert_int_equal(made[WITH_PREFETCH], 3);
-    execute(&it, WITH_PREFETCH, 64, gains, made);
+    assert_int_equal(redcc_manner_of(&it, WITH_PREFETCH, 0), WITH_PREFETCH);
+    execute(&it, WITH_PREFETCH, 8, SHORT, gains, made);
+    assert_int_equal(made[WITH_PREFETCH], 4);
+    execute(&it, WITH_PREFETCH, 64, SHORT, gains, made);
     assert_int_equal(made[WITH_PREFETCH], 64);
-    execute(&it, WITH_PREFETCH, 6, loses, made); /* the data changed */
-    assert_int_equal(made[WITH_PREFETCH], 3);
-    execute(&it, WITH_PREFETCH, 128, loses, made);
+    execute(&it, WITH_PREFETCH, 8, SHORT, loses, made); /* the data changed */
+    assert_int_equal(made[WITH_PREFETCH], 4);
+    execute(&it, WITH_PREFETCH, 128, SHORT, loses, made);
     assert_int_equal(made[WITH_PREFETCH], 0);
-    execute(&other, WITH_PREFETCH, 6 + 64 + 6 + 128 + 6, loses, made);
-    assert_int_equal(made[WITH_PREFETCH], 9);
+    execute(&other, WITH_PREFETCH, 8 + 64 + 8 + 128 + 8, SHORT, loses, made);
+    assert_int_equal(made[WITH_PREFETCH], 12);
 }
 
 static void the_fastest_of_four_is_kept(void **unused) {
@@ -57,12 +70,69 @@ static void the_fastest_of_four_is_kept(void **unused) {
         double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
         struct manners it = {0};
         seconds[best] = 0.9;
-        assert_int_equal(redcc_manner_begins(&it, ALL), ALL);
-        execute(&it, ALL, 12, seconds, made);
+        assert_int_equal(redcc_manner_of(&it, ALL, 0), ALL);
+        execute(&it, ALL, 16, SHORT, seconds, made);
         for (unsigned manner = 0; manner < MANNERS; manner++)
-            assert_int_equal(made[manner], 3);
-        execute(&it, ALL, 64, seconds, made);
+            assert_int_equal(made[manner], 4);
+        execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
+    }
+}
+
+static void one_long_execution_does_for_a_trial(void **unused) {
+    (void)unused;
+    const unsigned open[] = {WITH_PREFETCH, WITH_LANES, ALL};
+    int made[MANNERS];
+    for (int o = 0; o < 3; o++)
+        for (unsigned best = 0; best < MANNERS; best++) {
+            double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
+            struct manners it = {0};
+            if ((best & open[o]) != best)
+                continue;
+            seconds[best] = 0.9;
+            execute(&it, open[o], 1, LONG, seconds, made);
+            for (unsigned manner = 0; manner < MANNERS; manner++)
+                assert_int_equal(made[manner], (manner & open[o]) == manner ? MANNER_ROUNDS : 0);
+            execute(&it, open[o], 64, LONG, seconds, made);
+            assert_int_equal(made[best], 64);
+            execute(&it, open[o], 1, LONG, seconds, made);
+            assert_int_equal(made[best], MANNER_ROUNDS);
+        }
+}
+
+/* Five parts an execution: two rounds of four manners take two, and the last one has what lacks. */
+static void executions_in_between_have_some_parts(void **unused) {
+    (void)unused;
+    const double close[MANNERS] = {1.0, 1.1, 1.2, 1.3}, clear[MANNERS] = {3.0, 3.0, 3.0, 1.0};
+    struct manners it = {0}, other = {0};
+    int made[MANNERS];
+    assert_int_equal(redcc_manner_parts(&it, ALL, 5 * 512 + 511), 5);
+    execute(&it, ALL, 4, 5 * 512, close, made);
+    assert_int_equal(made[0] + made[1] + made[2] + made[3], 20);
+    assert_int_equal(redcc_manner_parts(&it, ALL, 5 * 512), 0);
+    execute(&other, ALL, 2, 5 * 512, clear, made);
+    assert_int_equal(redcc_manner_parts(&other, ALL, 5 * 512), 0);
+    assert_int_equal(redcc_manner_of(&other, ALL, 0), ALL);
+}
+
+/* One execution, whose parts take longer from one to the next, or of which one is interrupted. */
+static unsigned best_where(unsigned best, double drift, unsigned interrupted) {
+    struct manners it = {0};
+    double each[MANNER_PARTS];
+    assert_int_equal(redcc_manner_parts(&it, ALL, LONG), MANNER_PARTS);
+    for (unsigned part = 0; part < MANNER_PARTS; part++)
+        each[part] = (redcc_manner_of(&it, ALL, part) == best ? 0.9 : 1.0) + drift * part +
+                     10 * (part == interrupted);
+    redcc_manner_note(&it, ALL, MANNER_PARTS, each);
+    return redcc_manner_of(&it, ALL, 0);
+}
+
+static void neither_order_nor_one_part_decides(void **unused) {
+    (void)unused;
+    for (unsigned best = 0; best < MANNERS; best++) {
+        assert_int_equal(best_where(best, 0.1, MANNER_PARTS), best);
+        for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
+            assert_int_equal(best_where(best, 0, interrupted), best);
     }
 }
 
@@ -72,44 +142,138 @@ static void two_rounds_do_where_the_best_is_evident(void **unused) {
     for (unsigned best = 0; best < MANNERS; best++) {
         double seconds[MANNERS] = {1.0, 1.0, 1.0, 1.0};
         struct manners it = {0}, close = {0};
-        seconds[best] = 0.4;
-        execute(&it, ALL, 8, seconds, made);
+        seconds[best] = 0.3;
+        execute(&it, ALL, 8, SHORT, seconds, made);
         for (unsigned manner = 0; manner < MANNERS; manner++)
             assert_int_equal(made[manner], 2);
-        execute(&it, ALL, 64, seconds, made);
+        execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
-        seconds[best] = 0.7;
-        execute(&close, ALL, 12, seconds, made);
-        assert_int_equal(made[best], 3);
+        seconds[best] = 0.8;
+        execute(&close, ALL, 16, SHORT, seconds, made);
+        assert_int_equal(made[best], 4);
     }
 }
 
-/* Prefetches of small arrays are none: what was timed with and without is one. */
-static void what_makes_no_difference_is_not_tried(void **unused) {
+/* A plan with which prefetches make no difference comes: what is known was of another question. */
+static void another_question_is_asked_anew(void **unused) {
     (void)unused;
+    const double seconds[MANNERS] = {1.0, 0.5, 0.4, 0.3},
+                 lanes_lose[MANNERS] = {1.0, 1.0, 2.0, 2.0};
     struct manners it = {0};
-    int with_prefetch = 0, with_lanes = 0;
-    for (int i = 0; i < 1 + 4 + 64; i++) {
-        const unsigned manner = redcc_manner_begins(&it, ALL);
-        with_prefetch += (manner & WITH_PREFETCH) != 0;
-        with_lanes += (manner & WITH_LANES) != 0;
-        redcc_manner_note(&it, ALL, WITH_LANES, manner, manner & WITH_LANES ? 2.0 : 1.0);
+    int made[MANNERS];
+    execute(&it, ALL, 1, LONG, seconds, made);
+    assert_int_equal(redcc_manner_parts(&it, ALL, LONG), 0);
+    assert_int_equal(redcc_manner_parts(&it, WITH_LANES, LONG), 2 * MANNER_ROUNDS);
+    execute(&it, WITH_LANES, 1, LONG, lanes_lose, made);
+    assert_int_equal(made[0], MANNER_ROUNDS);
+    assert_int_equal(made[WITH_LANES], MANNER_ROUNDS);
+    execute(&it, WITH_LANES, 64, LONG, lanes_lose, made);
+    assert_int_equal(made[0], 64);
+    assert_int_equal(redcc_manner_of(&it, 0, 0), 0);
+}
+
+/* Parts of 10 iterations of which 33 are executed in four: what is handed out is cut there. */
+static void iterations_are_cut_into_parts(void **unused) {
+    (void)unused;
+    struct parts it;
+    double seconds[MANNER_PARTS] = {0}, iterations[MANNER_PARTS] = {0};
+    redcc_parts_begin(&it, 4, 39);
+    for (int i = 0; i < 33; i++) {
+        assert_int_equal(redcc_parts_turn(&it), i > 0 && i % 10 == 0);
+        it.left--;
     }
-    assert_int_equal(with_prefetch, 1);
-    assert_int_equal(with_lanes, 1 + 2);
+    redcc_parts_end(&it);
+    redcc_parts_add(&it, seconds, iterations);
+    redcc_parts_add(&it, seconds, iterations);
+    const double expected[] = {20, 20, 20, 6, 0};
+    for (int part = 0; part < 5; part++) {
+        assert_true(iterations[part] == expected[part]); /* NOLINT: whole numbers */
+        assert_true(seconds[part] >= 0);
+    }
+    /* more than were expected are the last part's; of fewer some parts have none */
+    redcc_parts_begin(&it, 2, 9);
+    for (int i = 0; i < 33; i++) {
+        redcc_parts_turn(&it);
+        it.left--;
+    }
+    redcc_parts_end(&it);
+    assert_int_equal(it.part[0].iterations, 5);
+    assert_int_equal(it.part[1].iterations, 28);
+    redcc_parts_begin(&it, 24, 0);
+    redcc_parts_end(&it);
+    memset(iterations, 0, sizeof iterations);
+    redcc_parts_add(&it, seconds, iterations);
+    for (int part = 0; part < 24; part++)
+        assert_true(iterations[part] == 0); /* NOLINT */
+    redcc_parts_begin(&it, 0, 10);
+    redcc_parts_end(&it);
+    redcc_parts_add(&it, seconds, iterations);
+    assert_true(iterations[0] == 0); /* NOLINT */
+}
+
+/* The runs of a chunk, read in parts of each length, have the same iterations, guarded as before.
+ */
+static void expect_all_in_parts(const struct schedule *schedule, const char *guarded,
+                                redcc_int trip, redcc_int length) {
+    struct run_reader reader = redcc_runs_of(schedule, &schedule->chunk[0]);
+    redcc_run run[3];
+    redcc_int at = 0;
+    for (redcc_int left = length; at < trip; left = left == 0 ? length : left) {
+        const redcc_int before = left;
+        const size_t count = redcc_runs_read_part(&reader, run, 3, &left);
+        assert_in_range(count, 1, 3);
+        redcc_int read = 0;
+        for (size_t r = 0; r < count; r++)
+            for (redcc_u32 i = 0; i < run[r].count_and_guard / 2; i++, read++) {
+                assert_int_equal(schedule->chunk[0].origin + run[r].begin + i, at);
+                assert_int_equal(run[r].count_and_guard & 1, guarded[at++]);
+            }
+        assert_int_equal(before - left, read);
+        assert_true(left >= 0);
+    }
+    redcc_int more = 1;
+    assert_int_equal(redcc_runs_read_part(&reader, run, 3, &more), 0);
+    assert_int_equal(more, 1);
+}
+
+static void runs_are_read_in_parts(void **unused) {
+    (void)unused;
+    enum { TRIP = 6000 };
+    static char guarded[TRIP];
+    for (int longest = 2; longest <= 200; longest *= 10) { /* packed runs, and long ones */
+        struct schedule schedule = {0};
+        redcc_int at = 0;
+        for (int r = 0; at < TRIP; r++) {
+            redcc_int count = 1 + r * 7 % longest;
+            count = count < TRIP - at ? count : TRIP - at;
+            assert_true(redcc_schedule_add(&schedule, 0, at, count, r % 2));
+            memset(guarded + at, r % 2, (size_t)count);
+            at += count;
+        }
+        redcc_schedule_finish(&schedule);
+        assert_int_equal(schedule.packed != NULL, longest < 200);
+        for (redcc_int length = 1; length <= TRIP; length += 1 + length / 3)
+            expect_all_in_parts(&schedule, guarded, TRIP, length);
+        redcc_schedule_end(&schedule);
+    }
 }
 
 /* Does an execution prefetch, whose first plan comes in runs of `length` iterations? */
 static bool prefetches(unsigned flags, enum prefetch_setting setting, int length) {
     struct offsets touched[1] = {{0, 1 << 24}};
     struct schedule schedule[1] = {{.iterations = 100 * length, .run_count = 100}};
-    struct plan plan = {.array_count = 1, .touched = touched, .schedule = schedule, .schedules = 1};
+    struct plan plan = {.array_count = 1,
+                        .touched = touched,
+                        .schedule = schedule,
+                        .schedules = 1,
+                        .threads = 1,
+                        .executed = schedule->iterations};
     const redcc_loop loop = {.flags = flags};
     const struct call call = {.request = {.loop = &loop}, .prefetch = (int)setting};
     struct run run = {.call = &call, .plan = &plan};
     struct manners known = {0};
     redcc_run_choose_manner(&run, &known);
-    return redcc_run_manner(&run, &plan).prefetches;
+    return redcc_run_manner(&run, &plan, 0).prefetches;
 }
 
 static void light_iterations_prefetch_where_they_come_in_no_order(void **unused) {
@@ -161,8 +325,13 @@ int main(void) {
         cmocka_unit_test(nothing_is_tried_where_nothing_is_open),
         cmocka_unit_test(the_faster_of_two_is_kept),
         cmocka_unit_test(the_fastest_of_four_is_kept),
+        cmocka_unit_test(one_long_execution_does_for_a_trial),
+        cmocka_unit_test(executions_in_between_have_some_parts),
+        cmocka_unit_test(neither_order_nor_one_part_decides),
         cmocka_unit_test(two_rounds_do_where_the_best_is_evident),
-        cmocka_unit_test(what_makes_no_difference_is_not_tried),
+        cmocka_unit_test(another_question_is_asked_anew),
+        cmocka_unit_test(iterations_are_cut_into_parts),
+        cmocka_unit_test(runs_are_read_in_parts),
         cmocka_unit_test(light_iterations_prefetch_where_they_come_in_no_order),
         cmocka_unit_test(widths_that_are_asked_for),
         cmocka_unit_test(no_width_that_the_processor_does_not_know),

@@ -113,6 +113,13 @@ static void begin_hooks(struct runner *runner) {
     install_hooks(runner);
 }
 
+/* That a thread executes; of stolen ones, in the mean. */
+static redcc_int iterations_of(const struct runner *runner) {
+    const struct plan *plan = runner->plan;
+    return plan->method->steals ? plan->executed / plan->threads
+                                : plan->schedule[runner->schedule].iterations;
+}
+
 static void begin_running(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
@@ -125,7 +132,6 @@ static void begin_running(redcc_worker *worker) {
     worker->position = 0;
     worker->base = runner->base;
     worker->owner = runner->owner;
-    worker->manner = redcc_run_manner(run, plan);
     assert(plan && plan->threads == runner->threads && plan->trip == run->call->request.trip);
     runner->step = STEP_EXECUTE;
     runner->schedule = redcc_own_schedule(plan, runner->thread);
@@ -140,6 +146,8 @@ static void begin_running(redcc_worker *worker) {
         const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
         redcc_barrier_wait(team_barrier(plan, team), team_size(plan, team));
     }
+    redcc_parts_begin(&runner->parts, redcc_run_parts(run, plan), iterations_of(runner));
+    worker->manner = redcc_run_manner(run, plan, 0);
 }
 
 /* Hands out iterations [begin, end) in order and in place. */
@@ -212,6 +220,7 @@ static void finish(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     const struct plan *plan = runner->plan;
     struct run *run = runner->run;
+    redcc_parts_end(&runner->parts);
     const int team = redcc_team_of(plan->threads, plan->teams.count, runner->thread);
     if (plan->teams.stages[team] > 0)
         reach_stage(runner, plan->teams.stages[team] - 1);
@@ -248,18 +257,29 @@ static void get_ready(struct runner *runner, const struct chunk *chunk) {
         place_bases(runner, (int)chunk->copy);
 }
 
+/* Reads some runs, of one part. Returns how many. */
+static size_t read_runs(redcc_worker *worker) {
+    struct runner *runner = worker->execution;
+    struct parts *parts = &runner->parts;
+    if (parts->count == 0)
+        return redcc_runs_read(&runner->runs, runner->piece, REDCC_RUNS);
+    if (redcc_parts_turn(parts))
+        worker->manner = redcc_run_manner(runner->run, runner->plan, parts->number);
+    return redcc_runs_read_part(&runner->runs, runner->piece, REDCC_RUNS, &parts->left);
+}
+
 /* Runs of the chunk at hand: all that are left where they can be executed as they stand, else some
  * of them. False: there are none left. */
 static bool hand_out_runs(redcc_worker *worker) {
     struct runner *runner = worker->execution;
     struct run_reader *runs = &runner->runs;
     const bool hooked = is_hooked(runner->plan);
-    if (runs->run != runs->run_end && !hooked) {
+    if (runs->run != runs->run_end && !hooked && runner->parts.count == 0) {
         worker->run = runs->run;
         worker->run_end = runs->run = runs->run_end;
         return true;
     }
-    const size_t count = redcc_runs_read(runs, runner->piece, REDCC_RUNS);
+    const size_t count = read_runs(worker);
     for (size_t r = 0; hooked && r < count; r++)
         runner->piece[r].count_and_guard |= 1;
     worker->run = runner->piece;

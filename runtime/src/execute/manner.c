@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "execute/manner.h"
 
+#include <assert.h>
 #include <stdbool.h>
+#include <string.h>
 
-/* Each manner so often, there and back: what changes slowly favours none. */
-enum { ROUNDS = 3, FIRST_REST = 64, LONGEST_REST = 4096 };
-/* After two rounds all others have taken so many times as long, at the least: no third is needed.
- */
-enum { EVIDENT_ROUNDS = 2 };
+/* Iterations of a part: less than 12 floating-point operations each are not timed, so that it takes
+ * some microseconds at the least. */
+enum { LEAST_PART = 512 };
+
+/* Rounds of a trial that takes several executions. After two of them the best manner may be
+ * evident: all others have taken so many times as long, at the least. */
+enum { SOME_ROUNDS = 4, EVIDENT_ROUNDS = 2, FIRST_REST = 64, LONGEST_REST = 4096 };
 static const double evident = 1.7;
 
 static unsigned count_of(unsigned open) {
@@ -22,62 +26,85 @@ static unsigned manner_of(unsigned open, unsigned number) {
     return manner;
 }
 
+/* There and back: what changes slowly favours none. */
 static unsigned tried_at(unsigned open, unsigned timed) {
     const unsigned count = count_of(open), number = timed % count;
     return manner_of(open, timed / count % 2 ? count - 1 - number : number);
 }
 
-unsigned redcc_manner_begins(struct manners *it, unsigned open) {
-    open &= ~it->idle;
-    if (open != it->open) {
-        *it = (struct manners){.open = open, .idle = it->idle};
-    }
-    return it->rest > 0 ? it->best : tried_at(open, it->timed);
+static bool is_trial(const struct manners *it, unsigned open) {
+    return open != 0 && (it->open != open || it->rest == 0);
 }
 
-static unsigned best_of(const struct manners *it) {
+static unsigned timed_before(const struct manners *it, unsigned open) {
+    return it->open == open ? it->timed : 0;
+}
+
+unsigned redcc_manner_parts(const struct manners *it, unsigned open, redcc_int iterations) {
+    if (!is_trial(it, open))
+        return 0;
+    const unsigned lacking = MANNER_ROUNDS * count_of(open) - timed_before(it, open);
+    const redcc_int possible = iterations / LEAST_PART;
+    return possible < 1 ? 1 : possible < lacking ? (unsigned)possible : lacking;
+}
+
+unsigned redcc_manner_of(const struct manners *it, unsigned open, unsigned part) {
+    return is_trial(it, open) ? tried_at(open, timed_before(it, open) + part) : it->best & open;
+}
+
+/* By manner: the least of its parts there, and the least of those back. */
+static void least_of(const struct manners *it, double least[2][MANNERS]) {
+    const unsigned count = count_of(it->open);
+    memset(least, 0, 2 * sizeof *least);
+    for (unsigned part = 0; part < it->timed / count * count; part++) {
+        double *of = &least[part / count % 2][tried_at(it->open, part)];
+        if (*of <= 0 || it->seconds[part] < *of)
+            *of = it->seconds[part];
+    }
+}
+
+/* The fastest manner, of at least two rounds; *lead: how many times as long the next one takes. */
+static unsigned best_of(const struct manners *it, double *lead) {
+    double least[2][MANNERS], both[MANNERS], next = 0;
     unsigned best = it->open;
+    least_of(it, least);
+    for (unsigned manner = 0; manner < MANNERS; manner++)
+        both[manner] = least[0][manner] + least[1][manner];
     for (unsigned number = 1; number < count_of(it->open); number++) {
         const unsigned manner = manner_of(it->open, number);
-        if (it->least[manner] < it->least[best])
-            best = manner;
+        const unsigned other = both[manner] < both[best] ? best : manner;
+        best = other == best ? manner : best;
+        next = next <= 0 || both[other] < next ? both[other] : next;
     }
+    *lead = next / both[best];
     return best;
 }
 
-static bool is_evident(const struct manners *it) {
-    const unsigned best = best_of(it);
-    for (unsigned number = 0; number < count_of(it->open); number++) {
-        const unsigned manner = manner_of(it->open, number);
-        if (manner != best && it->least[manner] < evident * it->least[best])
-            return false;
-    }
-    return true;
-}
-
-static void end_trial(struct manners *it) {
-    it->best = best_of(it);
+static void end_trial(struct manners *it, unsigned best) {
+    it->best = best;
     it->interval = it->interval ? it->interval * 2 : FIRST_REST;
     it->interval = it->interval > LONGEST_REST ? LONGEST_REST : it->interval;
     it->rest = it->interval;
     it->timed = 0;
-    for (unsigned manner = 0; manner < MANNERS; manner++)
-        it->least[manner] = 0;
 }
 
-void redcc_manner_note(struct manners *it, unsigned open, unsigned of_use, unsigned manner,
-                       double seconds_an_iteration) {
-    it->idle = open & ~of_use;
-    if ((open & of_use) != it->open || it->open == 0)
-        return; /* the next one begins anew */
-    if (it->rest > 0) {
+void redcc_manner_note(struct manners *it, unsigned open, unsigned parts, const double *seconds) {
+    if (open == 0)
+        return;
+    if (!is_trial(it, open)) {
         it->rest--;
         return;
     }
-    double *least = &it->least[manner];
-    *least = *least > 0 && *least < seconds_an_iteration ? *least : seconds_an_iteration;
-    it->timed++;
-    if (it->timed == ROUNDS * count_of(it->open) ||
-        (it->timed == EVIDENT_ROUNDS * count_of(it->open) && is_evident(it)))
-        end_trial(it);
+    if (it->open != open)
+        *it = (struct manners){.open = open};
+    assert(it->timed + parts <= MANNER_PARTS);
+    memcpy(it->seconds + it->timed, seconds, parts * sizeof *seconds);
+    it->timed += parts;
+    const unsigned rounds = it->timed / count_of(open);
+    if (rounds < EVIDENT_ROUNDS)
+        return;
+    double lead;
+    const unsigned best = best_of(it, &lead);
+    if (rounds >= SOME_ROUNDS || lead >= evident)
+        end_trial(it, best);
 }

@@ -1,33 +1,39 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * In which manner are executions of a loop made: with prefetches, by lanes, both or neither? All
- * give the same bits, so that the first executions are timed in each manner in turn, and the best
- * one is kept for a while.
+ * In which manner are iterations of a loop executed: with prefetches, by lanes, both or neither?
+ * All give the same bits, so that a trial times parts of executions in each manner in turn, and the
+ * best one is kept for a while. Long executions are cut: one of them does for a trial.
  */
 #ifndef REDCC_EXECUTE_MANNER_H
 #define REDCC_EXECUTE_MANNER_H
 
+#include "redcc/runtime.h"
+
 /** A manner is a set of these. */
 enum { WITH_PREFETCH = 1, WITH_LANES = 2, MANNERS = 4 };
 
+/** In a round each manner has one part; rounds go there and back by turns. */
+enum { MANNER_ROUNDS = 6, MANNER_PARTS = MANNER_ROUNDS * MANNERS };
+
 /** What is known of a loop over its executions. All zero: nothing. */
 struct manners {
-    unsigned open;         /* what is being found out: each may be in a manner or not */
-    unsigned idle;         /* what made no difference to the last execution */
-    unsigned timed;        /* executions of the trial under way */
-    double least[MANNERS]; /* seconds an iteration, of the trial; 0: none yet */
-    unsigned best;         /* by the last trial */
-    unsigned rest;         /* executions until the next trial */
-    unsigned interval;     /* between the last two trials */
+    unsigned open;                /* what is being found out: each may be in a manner or not */
+    unsigned timed;               /* parts of the trial under way */
+    double seconds[MANNER_PARTS]; /* an iteration, of each of them */
+    unsigned best;                /* by the last trial */
+    unsigned rest;                /* executions until the next trial */
+    unsigned interval;            /* between the last two trials */
 };
 
-/** The manner of the execution that begins, a part of `open`; all of it at first. One thread at a
- *  time. */
-unsigned redcc_manner_begins(struct manners *it, unsigned open);
+/** Into how many parts an execution is cut, of which each thread executes so many iterations in the
+ *  mean: what the trial lacks, or what the iterations allow; 0: there is no trial. `open` is what
+ *  makes a difference to it. */
+unsigned redcc_manner_parts(const struct manners *it, unsigned open, redcc_int iterations);
 
-/** An execution is over in a manner that redcc_manner_begins gave for `open`; of that only
- *  `of_use` made a difference. One thread at a time. */
-void redcc_manner_note(struct manners *it, unsigned open, unsigned of_use, unsigned manner,
-                       double seconds_an_iteration);
+/** The manner of its part number `part`, a subset of `open`; all of it at first. */
+unsigned redcc_manner_of(const struct manners *it, unsigned open, unsigned part);
+
+/** The execution is over: `seconds` an iteration of each of its parts. One thread at a time. */
+void redcc_manner_note(struct manners *it, unsigned open, unsigned parts, const double *seconds);
 
 #endif

@@ -7,17 +7,19 @@
 #include "execute/hook.h"
 #include "execute/lanes.h"
 #include "execute/manner.h"
+#include "execute/parts.h"
 #include "execute/prefetch.h"
 #include "execute/validate.h"
 #include "plan/plan.h"
 
 enum { REDCC_RUNS = 128 };
 
-/** The manner of an execution. */
-struct chosen_manner {
-    unsigned open;  /* what was to be found out */
-    unsigned taken; /* WITH_..., where it is of use */
-    int lanes;      /* iterations at once; 0: one by one */
+/** What manners an execution may have, and what is known of them. */
+struct manner_choice {
+    const struct manners *known;
+    unsigned open;  /* what is to be found out, WITH_... */
+    unsigned asked; /* what is asked for */
+    int lanes;      /* iterations at once, where there are lanes */
     enum lanes_reason why;
 };
 
@@ -25,7 +27,7 @@ struct chosen_manner {
 struct run {
     const struct call *call;
     struct plan *plan; /* NULL: none (yet) */
-    struct chosen_manner manner;
+    struct manner_choice manner;
     struct barrier *barrier;
     struct validated *validated; /* NULL: nothing is to be validated */
     struct validation validation;
@@ -58,7 +60,8 @@ struct runner {
     uint32_t stage;    /* of execution */
     struct hooks hooks;
     struct run_reader runs;      /* of the chunk at hand, still to be handed out */
-    redcc_run piece[REDCC_RUNS]; /* handed out, of runs that are packed or to be guarded */
+    redcc_run piece[REDCC_RUNS]; /* handed out, of runs that are packed, to be guarded or cut */
+    struct parts parts;          /* of a trial of manners */
     redcc_run whole;             /* handed out, in order, without a plan, */
     redcc_int in_order_end;      /* up to here */
     void **base;                 /* [array_count] where it writes */
@@ -68,15 +71,20 @@ struct runner {
 /** Before the threads begin. */
 void redcc_run_begin(struct run *run);
 
-/** Chooses the manner of the execution that begins, by run->call. */
-void redcc_run_choose_manner(struct run *run, struct manners *known);
+/** What manners the execution that begins may have, by run->call. `known` must last as long. */
+void redcc_run_choose_manner(struct run *run, const struct manners *known);
 
-/** What the chosen manner is with a plan. */
-redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan);
+/** Into how many parts an execution with the plan is cut; 0: it is no trial of manners. */
+unsigned redcc_run_parts(const struct run *run, const struct plan *plan);
 
-/** The execution took so long. Returns why it had lanes or none, by what is known now. */
+/** The manner of such a part, by its number; without a trial of number 0, which is all of it. */
+redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part);
+
+/** The execution is over: what its threads took for each part, the seconds and the iterations of
+ * all added up. *lanes: iterations at once, as far as is known now. Returns why so many. */
 enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
-                                        double seconds_an_iteration);
+                                        const double *seconds, const double *iterations,
+                                        int *lanes);
 
 /** Has the thread's redcc_next hand out what is left of the loop from iteration `from` on, in order
  *  and in place; from == trip: nothing. */

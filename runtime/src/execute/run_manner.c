@@ -3,38 +3,51 @@
  */
 #include "execute/run.h"
 
-void redcc_run_choose_manner(struct run *run, struct manners *known) {
+void redcc_run_choose_manner(struct run *run, const struct manners *known) {
     const struct call *call = run->call;
     const unsigned flags = call->request.loop->flags;
-    struct chosen_manner *it = &run->manner;
-    const int width = redcc_lanes_width(flags, (enum lanes_setting)call->lanes, &it->why);
-    unsigned asked = width > 0 && it->why == LANES_SAID ? WITH_LANES : 0;
-    it->open = width > 0 && it->why == LANES_TRYING ? WITH_LANES : 0;
+    struct manner_choice *it = &run->manner;
+    it->known = known;
+    it->lanes = redcc_lanes_width(flags, (enum lanes_setting)call->lanes, &it->why);
+    it->asked = it->lanes > 0 && it->why == LANES_SAID ? WITH_LANES : 0;
+    it->open = it->lanes > 0 && it->why == LANES_TRYING ? WITH_LANES : 0;
     if (flags & (REDCC_PREFETCHES | REDCC_LIGHT)) {
-        asked |= call->prefetch == PREFETCH_ON ? WITH_PREFETCH : 0;
+        it->asked |= call->prefetch == PREFETCH_ON ? WITH_PREFETCH : 0;
         it->open |= call->prefetch == PREFETCH_AUTO ? WITH_PREFETCH : 0;
     }
-    it->taken = asked | redcc_manner_begins(known, it->open);
-    it->lanes = it->taken & WITH_LANES ? width : 0;
 }
 
-static bool is_of_use(const struct run *run, const struct plan *plan) {
-    return redcc_prefetch_is_of_use(plan, run->call->request.loop->flags & REDCC_LIGHT);
+/* What makes a difference to an execution with the plan, of what is to be found out. */
+static unsigned open_with(const struct run *run, const struct plan *plan) {
+    const unsigned flags = run->call->request.loop->flags, open = run->manner.open;
+    return redcc_prefetch_is_of_use(plan, flags & REDCC_LIGHT) ? open
+                                                               : open & ~(unsigned)WITH_PREFETCH;
 }
 
-redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan) {
-    const bool is_asked = run->call->prefetch == PREFETCH_ON;
-    const bool prefetches = run->manner.taken & WITH_PREFETCH &&
-                            (is_asked ? redcc_prefetch_is_possible(plan) : is_of_use(run, plan));
-    return (redcc_manner){prefetches, run->manner.lanes};
+unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
+    return redcc_manner_parts(run->manner.known, open_with(run, plan),
+                              plan->executed / plan->threads);
+}
+
+redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part) {
+    const struct manner_choice *it = &run->manner;
+    const unsigned asked =
+        redcc_prefetch_is_possible(plan) ? it->asked : it->asked & ~(unsigned)WITH_PREFETCH;
+    const unsigned manner = asked | redcc_manner_of(it->known, open_with(run, plan), part);
+    return (redcc_manner){manner & WITH_PREFETCH, manner & WITH_LANES ? it->lanes : 0};
 }
 
 enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
-                                        double seconds_an_iteration) {
-    const struct chosen_manner *it = &run->manner;
-    const unsigned of_use = WITH_LANES | (is_of_use(run, run->plan) ? WITH_PREFETCH : 0);
-    redcc_manner_note(known, it->open, of_use, it->taken & it->open, seconds_an_iteration);
-    if (it->why != LANES_TRYING || known->rest == 0)
-        return it->why;
-    return known->best & WITH_LANES ? LANES_FASTER : LANES_SLOWER;
+                                        const double *seconds, const double *iterations,
+                                        int *lanes) {
+    const struct manner_choice *it = &run->manner;
+    const unsigned parts = redcc_run_parts(run, run->plan);
+    double each[MANNER_PARTS];
+    for (unsigned part = 0; part < parts; part++)
+        each[part] = iterations[part] > 0 ? seconds[part] / iterations[part] : 0;
+    redcc_manner_note(known, open_with(run, run->plan), parts, each);
+    const bool is_tried = it->why == LANES_TRYING && known->rest > 0;
+    const bool is_faster = known->best & WITH_LANES;
+    *lanes = is_tried && !is_faster ? 0 : it->lanes;
+    return !is_tried ? it->why : is_faster ? LANES_FASTER : LANES_SLOWER;
 }

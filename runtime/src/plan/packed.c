@@ -165,3 +165,39 @@ size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room) {
     }
     return count;
 }
+
+static redcc_u32 length_of(redcc_run run) {
+    return run.count_and_guard / 2;
+}
+
+/* The next run, or what is left of one. False: there is none. */
+static bool read_next(struct run_reader *reader, redcc_run *to) {
+    *to = reader->rest;
+    reader->rest = (redcc_run){0, 0};
+    if (length_of(*to) > 0)
+        return true;
+    if (reader->word == reader->word_end && reader->run == reader->run_end)
+        return false;
+    *to = reader->word ? read_run(reader) : *reader->run++;
+    return true;
+}
+
+/* Leaves all but the first `count` iterations to the reader. */
+static redcc_run split(struct run_reader *reader, redcc_run run, redcc_u32 count) {
+    const redcc_u32 guard = run.count_and_guard & 1;
+    reader->rest = (redcc_run){run.begin + count, run.count_and_guard - 2 * count};
+    return (redcc_run){run.begin, 2 * count + guard};
+}
+
+size_t redcc_runs_read_part(struct run_reader *reader, redcc_run *to, size_t room,
+                            redcc_int *iterations) {
+    size_t count = 0;
+    redcc_run run;
+    while (count<room && * iterations> 0 && read_next(reader, &run)) {
+        if ((redcc_int)length_of(run) > *iterations)
+            run = split(reader, run, (redcc_u32)*iterations);
+        *iterations -= (redcc_int)length_of(run);
+        to[count++] = run;
+    }
+    return count;
+}

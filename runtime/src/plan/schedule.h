@@ -77,7 +77,8 @@ struct run_reader {
     const redcc_run *run_end;
     const uint16_t *word; /* packed */
     const uint16_t *word_end;
-    redcc_u32 at; /* where the run before ends */
+    redcc_u32 at;   /* where the run before ends */
+    redcc_run rest; /* of a run that was read in part */
 };
 
 /** To the first run of a chunk of the schedule. */
@@ -85,6 +86,10 @@ struct run_reader redcc_runs_of(const struct schedule *schedule, const struct ch
 
 /** The next runs, `room` >= 1 at most, into `to`; returns how many: 0 at the end. */
 size_t redcc_runs_read(struct run_reader *reader, redcc_run *to, size_t room);
+
+/** As redcc_runs_read, runs of *iterations > 0 in all at most; takes from it what they have. */
+size_t redcc_runs_read_part(struct run_reader *reader, redcc_run *to, size_t room,
+                            redcc_int *iterations);
 
 /** Gives back its memory. */
 void redcc_schedule_end(struct schedule *schedule);

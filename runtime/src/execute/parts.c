@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "execute/parts.h"
+
+#include "base/clock.h"
+
+#include <assert.h>
+#include <limits.h>
+
+/* The last part has all that remain, of stolen iterations as well. */
+static redcc_int given(const struct parts *it) {
+    return it->number + 1 == it->count ? LLONG_MAX : it->size;
+}
+
+static void begin_part(struct parts *it, unsigned number) {
+    it->number = number;
+    it->left = given(it);
+    it->began = redcc_seconds();
+}
+
+void redcc_parts_begin(struct parts *it, unsigned count, redcc_int iterations) {
+    assert(count <= MANNER_PARTS && iterations >= 0);
+    it->count = count;
+    if (count == 0)
+        return;
+    for (unsigned number = 0; number < count; number++)
+        it->part[number].iterations = 0;
+    it->size = iterations / count + 1;
+    begin_part(it, 0);
+}
+
+bool redcc_parts_turn(struct parts *it) {
+    if (it->left > 0)
+        return false;
+    redcc_parts_end(it);
+    begin_part(it, it->number + 1);
+    return true;
+}
+
+void redcc_parts_end(struct parts *it) {
+    if (it->count == 0)
+        return;
+    it->part[it->number].seconds = redcc_seconds() - it->began;
+    it->part[it->number].iterations = given(it) - it->left;
+}
+
+void redcc_parts_add(const struct parts *it, double *seconds, double *iterations) {
+    for (unsigned number = 0; number < it->count; number++) {
+        if (it->part[number].iterations == 0)
+            continue;
+        seconds[number] += it->part[number].seconds;
+        iterations[number] += (double)it->part[number].iterations;
+    }
+}
