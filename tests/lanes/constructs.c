@@ -111,6 +111,35 @@ static void lifted_comparisons_kept(int n, const struct element *restrict e,
     }
 }
 
+static void lifted_integer_choices(int n, const struct element *restrict e,
+                                   const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1];
+        const double u = p[i][1], v = p[j][2];
+        const double usable = u > v ? 1 : 0, sign = v < 0.0 ? -1 : u < -0.5 ? i : j;
+        b[i] += usable * u - sign;
+        b[j] += (v > 1 ? 3u : 4000000000u) * v;
+    }
+}
+
+static void lifted_elements_of_a_lane(int n, const struct element *restrict e,
+                                      const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0], j = e[t].node[1], role = e[t].kind % 3;
+        double g[3], h[2][3], sum = 0;
+        for (int c = 0; c < 3; c++) {
+            g[c] = p[i][c] * e[t].weight[c];
+            h[0][c] = p[j][c];
+            h[1][c] = -g[c];
+        }
+        const double mine = g[role], other = h[role > 1][2 - role];
+        if (mine < other)
+            sum = h[1][role] + 1;
+        b[i] += mine + sum;
+        b[j] -= h[role & 1][role] * other;
+    }
+}
+
 /* ---- control ---- */
 
 static void lifted_uniform_conditions(int n, int flags, const struct element *restrict e,
@@ -321,7 +350,45 @@ static void lifted_functions(int n, const struct element *restrict e, const doub
     }
 }
 
+static void lifted_read_again_below(int n, const struct element *restrict e,
+                                    const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        const double d = p[i][0], f[2] = {p[i][1], d};
+        b[i] += d * f[1];
+        const int k = e[t].node[i % 3];
+        const double h = d * p[i][2];
+        b[k] -= h;
+    }
+}
+
 /* ---- what is left alone ---- */
+
+/* C converts one to the other's type before to a double: of 3u and -1 that would matter. */
+static void plain_choice_of_two_types(int n, const struct element *restrict e,
+                                      const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        const double u = p[i][0], d = u > 0.0 ? 3L : i;
+        b[e[t].node[1]] += d;
+    }
+}
+
+static void halve(double f[2]) {
+    f[0] *= 0.5;
+    f[1] *= 0.5;
+}
+
+static void plain_handed_on_below(int n, const struct element *restrict e,
+                                  const double (*restrict p)[3], double *restrict b) {
+    for (int t = 0; t < n; t++) {
+        const int i = e[t].node[0];
+        double f[2] = {p[i][1], p[i][0]};
+        b[i] += f[0];
+        halve(f);
+        b[e[t].node[1]] -= f[1];
+    }
+}
 
 static void plain_used_below(int n, const struct element *restrict e, const double (*restrict p)[3],
                              double *restrict b) {
@@ -396,7 +463,7 @@ int main(void) {
     begin(single, NODES);                                                                          \
     call;                                                                                          \
     print(#call, (const double *)array, sizeof array / sizeof(double))
-        for (int n = COUNT - round * 500; n >= 0; n -= 503) {
+        for (int n = COUNT - round * 500; n >= 0; n -= 1201) {
             EACH(lifted_arithmetic(n, element, P, force), force);
             EACH(lifted_accumulation(n, element, P, single), single);
             EACH(lifted_declared_outside(n, element, P, force), force);
@@ -405,6 +472,8 @@ int main(void) {
             EACH(lifted_roots(n, element, P, single), single);
             EACH(lifted_selection(n, element, P, single), single);
             EACH(lifted_comparisons_kept(n, element, P, single), single);
+            EACH(lifted_integer_choices(n, element, P, single), single);
+            EACH(lifted_elements_of_a_lane(n, element, P, single), single);
             EACH(lifted_uniform_conditions(n, round, element, P, block), block);
             EACH(lifted_condition_around_updates(n, element, P, single), single);
             EACH(lifted_varying_condition(n, element, P, single), single);
@@ -416,6 +485,9 @@ int main(void) {
             EACH(lifted_functions_of_some(n, element, P, force), force);
             EACH(lifted_functions(n, element, P, force, block), block);
             print("force", &force[0][0], sizeof force / sizeof(double));
+            EACH(lifted_read_again_below(n, element, P, single), single);
+            EACH(plain_choice_of_two_types(n, element, P, single), single);
+            EACH(plain_handed_on_below(n, element, P, single), single);
             EACH(plain_used_below(n, element, P, single), single);
             EACH(plain_subscript_from_double(n, element, P, single), single);
             EACH(plain_effects_in_operands(n, element, P, single), single);

@@ -306,7 +306,7 @@ int main(void) {
     print("single", single, NODES);                                                                \
     print_floats("forces", &forces[0][0], sizeof forces / sizeof(float));                          \
     print_floats("singles", singles, NODES)
-        for (int n = COUNT - round * 500; n >= 0; n -= 503) {
+        for (int n = COUNT - round * 500; n >= 0; n -= 1201) {
             EACH(lifted_of_floats(n, element, P, forces));
             EACH(lifted_floats_read(n, element, small, 0.7f, O, single));
             EACH(lifted_roundings(n, element, P, O, singles));

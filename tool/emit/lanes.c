@@ -109,7 +109,7 @@ static bool check_update_node(ir_node *node, void *context) {
         check_update(l, node);
         return false;
     }
-    if (lane_is_real(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_lifted_element(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
@@ -125,6 +125,24 @@ static bool check_update_node(ir_node *node, void *context) {
     return true;
 }
 
+/** May what the node does change the variable: assign to it, declare it anew, or hand it on? */
+static bool may_change(const ir_node *node, const ir_variable *variable) {
+    const bool is_changed_here = node->kind == IR_ASSIGN || ir_is_increment(node) ||
+                                 (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
+    if (is_changed_here && ir_root_variable(node->children[0]) == variable)
+        return true;
+    if (node->kind == IR_DECLARATOR && node->variable == variable)
+        return true;
+    if (node->kind == IR_OPAQUE && mentions(node, variable))
+        return true;
+    if (variable->type->kind == IR_ARRAY)
+        return mentions(node, variable);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (may_change(node->children[i], variable))
+            return true;
+    return false;
+}
+
 /** What comes below an update must not change what it reads: it is made later. */
 static void check_order(lifter *l, const ir_node *body) {
     for (unsigned i = 0; i < l->loop->unit->variable_count; i++) {
@@ -136,7 +154,7 @@ static void check_order(lifter *l, const ir_node *body) {
             const ir_node *statement = body->children[k];
             if (has_update(l->loop->facts, statement))
                 is_read |= mentions(statement, variable);
-            else if (is_read && mentions(statement, variable))
+            else if (is_read && may_change(statement, variable))
                 lane_problem(l, NO_LANES_USED_BELOW, statement);
         }
     }

@@ -68,8 +68,10 @@ bool lane_is_plain(const ir_node *node);
 /** Is a lifted variable mentioned other than for one of its elements? */
 bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
 bool lane_mentions_lifted(const lifter *l, const ir_node *node);
-/** The lifted variable whose element or value this is, or NULL. */
+/** The lifted variable whose element or value this is, the same one in all lanes, or NULL. */
 const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);
+/** The same where each lane may have another element: its subscripts are integers of the lane. */
+const ir_variable *lane_lifted_element(const lifter *l, const ir_node *node);
 /** A double or a float: what has vectors. */
 bool lane_is_real(const ir_type *type);
 

@@ -46,20 +46,6 @@ bool lane_mentions_lifted(const lifter *l, const ir_node *node) {
     return false;
 }
 
-const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node) {
-    for (;;) {
-        if (node->kind == IR_VARIABLE)
-            return l->class_of[node->variable->id] == LANE_LIFTED ? node->variable : NULL;
-        if (node->kind == IR_INDEX && lane_is_uniform(l, node->children[1]))
-            node = node->children[0];
-        else if (node->kind == IR_UNARY &&
-                 (node->op == IR_OP_DEREFERENCE || node->op == IR_OP_ADDRESS))
-            node = node->children[0];
-        else
-            return NULL;
-    }
-}
-
 bool lane_is_plain(const ir_node *node) {
     if (node->kind == IR_CALL || node->kind == IR_ASSIGN || node->kind == IR_OPAQUE ||
         node->kind == IR_STRING || node->kind == IR_INITIALIZERS ||
@@ -71,8 +57,36 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
+/** The lifted variable whose element or value this is, by subscripts that are allowed, or NULL. */
+static const ir_variable *lifted_root(const lifter *l, const ir_node *node,
+                                      bool (*allows)(const lifter *l, const ir_node *subscript)) {
+    for (;;) {
+        if (node->kind == IR_VARIABLE)
+            return l->class_of[node->variable->id] == LANE_LIFTED ? node->variable : NULL;
+        if (node->kind == IR_INDEX && allows(l, node->children[1]))
+            node = node->children[0];
+        else if (node->kind == IR_UNARY &&
+                 (node->op == IR_OP_DEREFERENCE || node->op == IR_OP_ADDRESS))
+            node = node->children[0];
+        else
+            return NULL;
+    }
+}
+
+const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node) {
+    return lifted_root(l, node, lane_is_uniform);
+}
+
+static bool is_of_a_lane(const lifter *l, const ir_node *subscript) {
+    return lane_is_plain(subscript) && !lane_mentions_lifted(l, subscript);
+}
+
+const ir_variable *lane_lifted_element(const lifter *l, const ir_node *node) {
+    return lifted_root(l, node, is_of_a_lane);
+}
+
 bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
-    if (lane_is_real(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_lifted_element(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
         return true;

@@ -26,7 +26,8 @@ static const char *lifted_place(lifter *l, const ir_node *node) {
     return text ? text : "0";
 }
 
-const char *lane_rename(const ir_node *node, void *context) {
+/** Arrays that are updated, and integers and pointers of lane redcc__l. */
+static const char *rename_integer(const ir_node *node, void *context) {
     lifter *l = context;
     arena *a = l->loop->arena;
     const int array = loop_array_of_base(l->loop, node);
@@ -36,9 +37,18 @@ const char *lane_rename(const ir_node *node, void *context) {
         return arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable));
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
         return arena_format(a, "((int)-%s[redcc__l])", origin_variable(a, node->variable));
-    if (!lane_is_real(node->type) || !lane_lifted_root(l, node))
-        return NULL;
-    return arena_format(a, "%s[redcc__l]", lifted_place(l, node));
+    return NULL;
+}
+
+const char *lane_rename(const ir_node *node, void *context) {
+    lifter *l = context;
+    arena *a = l->loop->arena;
+    if (!lane_is_real(node->type) || !lane_lifted_element(l, node))
+        return rename_integer(node, l);
+    const char *element = text_operand(a, node, rename_integer, l);
+    if (!element)
+        lane_problem(l, NO_LANES_SPELLING, node);
+    return arena_format(a, "%s[redcc__l]", element ? element : "0");
 }
 
 const char *lane_scalar(lifter *l, const ir_node *node) {
@@ -71,7 +81,7 @@ static lifted leaf(lifter *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
         return refuse(l, lane_effect_of(node), node);
-    if (lane_mentions_lifted(l, node))
+    if (lane_mentions_lifted(l, node) && !lane_lifted_element(l, node))
         return refuse(l, NO_LANES_FROM_DOUBLE, node);
     const char *text = lane_scalar(l, node);
     if (!lane_is_real(node->type))
@@ -113,8 +123,9 @@ bool lane_is_safe(const lifter *l, const ir_node *node) {
     /* the value may be outside of the integer's range */
     if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
         return false;
-    const bool is_arithmetic = (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
-                               (node->kind == IR_UNARY && node->op == IR_OP_MINUS);
+    const bool is_arithmetic =
+        (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
+        (node->kind == IR_UNARY && node->op == IR_OP_MINUS && node->children[0]->kind != IR_NUMBER);
     if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
         return false; /* of integers: it may overflow, or divide by 0 */
     for (unsigned i = 0; i < node->child_count; i++)
@@ -123,30 +134,29 @@ bool lane_is_safe(const lifter *l, const ir_node *node) {
     return true;
 }
 
-static lifted conditional(lifter *l, const ir_node *node) {
+/** Its operands converted to `type`. */
+static lifted conditional(lifter *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
     if (l->may_be_none && !lane_is_safe(l, node))
         return refuse(l, NO_LANES_CHOICE, node);
     if (lane_is_uniform(l, condition)) {
-        const lifted yes = lane_expression(l, node->children[1], node->type);
-        const lifted no = lane_expression(l, node->children[2], node->type);
+        const lifted yes = lane_expression(l, node->children[1], type);
+        const lifted no = lane_expression(l, node->children[2], type);
         if (!yes.is_vector && !no.is_vector)
             return (lifted){
                 arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition), yes.text, no.text),
                 false};
         return (lifted){arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition),
-                                     lane_spread(l, yes, node->type),
-                                     lane_spread(l, no, node->type)),
+                                     lane_spread(l, yes, type), lane_spread(l, no, type)),
                         true};
     }
     if (!lane_is_safe(l, condition) || !lane_is_safe(l, node->children[1]) ||
         !lane_is_safe(l, node->children[2]))
         return refuse(l, NO_LANES_CHOICE, node);
-    return (lifted){arena_format(a, "%s(%s, %s, %s)", lane_words_of(node->type)->select,
-                                 lane_mask(l, condition),
-                                 lane_vector(l, node->children[1], node->type),
-                                 lane_vector(l, node->children[2], node->type)),
+    return (lifted){arena_format(a, "%s(%s, %s, %s)", lane_words_of(type)->select,
+                                 lane_mask(l, condition), lane_vector(l, node->children[1], type),
+                                 lane_vector(l, node->children[2], type)),
                     true};
 }
 
@@ -188,7 +198,7 @@ static lifted real_expression(lifter *l, const ir_node *node) {
     case IR_BINARY:
         return arithmetic(l, node);
     case IR_CONDITIONAL:
-        return conditional(l, node);
+        return conditional(l, node, node->type);
     case IR_CALL:
         return call(l, node);
     case IR_CAST:
@@ -206,10 +216,24 @@ static lifted real_expression(lifter *l, const ir_node *node) {
     }
 }
 
+static bool is_of_type(const ir_node *node, const ir_type *type) {
+    return node->type && node->type->kind == type->kind && node->type->size == type->size &&
+           node->type->is_signed == type->is_signed;
+}
+
+/** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
+ *  converted to an integer of another type. */
+static bool is_integer_choice(const lifter *l, const ir_node *node) {
+    return node->kind == IR_CONDITIONAL && lane_mentions_lifted(l, node->children[0]) &&
+           is_of_type(node->children[1], node->type) && is_of_type(node->children[2], node->type);
+}
+
 lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to) {
     const ir_type *type = node->type;
     if (lane_is_real(type))
         return lane_convert(l, real_expression(l, node), type, to);
+    if (type && type->kind == IR_INTEGER && is_integer_choice(l, node))
+        return conditional(l, node, to);
     if (!type || (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN))
         return refuse(l, NO_LANES_OPERAND_TYPE, node);
     return leaf(l, node, to);
