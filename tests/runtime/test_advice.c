@@ -233,6 +233,35 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
+static bool has_state_from_the_first_call_on(unsigned flags, redcc_int trip) {
+    static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
+    static double b[8];
+    redcc_loop loop = {.file = "test_advice.c",
+                       .line = 1,
+                       .function = "f",
+                       .flags = REDCC_VERIFIABLE | flags,
+                       .array_count = 1,
+                       .arrays = arrays};
+    void *const bases[] = {b};
+    const redcc_extent known[] = {{0, 0}};
+    redcc_call call;
+    assert_int_equal(redcc_enter(&call, &loop, trip, bases, known, NULL, THREADS, 0), 0);
+    const bool made = !redcc_is_unmade(loop.state);
+    redcc_leave(&call);
+    redcc_sequential_done(&loop);
+    redcc_loop_forget(&loop);
+    return made;
+}
+
+static void loops_that_certainly_take_long_have_one_at_once(void **unused) {
+    (void)unused;
+    assert_true(has_state_from_the_first_call_on(REDCC_PREFETCHES, 1 << 16));
+    assert_false(has_state_from_the_first_call_on(REDCC_PREFETCHES, (1 << 16) - 1));
+    assert_true(has_state_from_the_first_call_on(REDCC_LIGHT, 1 << 19));
+    assert_false(has_state_from_the_first_call_on(REDCC_LIGHT, (1 << 19) - 1));
+    assert_false(has_state_from_the_first_call_on(0, 1 << 30));
+}
+
 /* The first of them are executed before the runtime is asked at all. */
 static void the_first_short_iterations_are_not_asked_about(void **unused) {
     (void)unused;
@@ -357,6 +386,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
+        cmocka_unit_test(loops_that_certainly_take_long_have_one_at_once),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
         cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),
