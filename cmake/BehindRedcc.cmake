@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# build_behind_redcc(TARGET): compiles the C sources of TARGET through this build's redcc-cc and links
-# the runtime. Without the translator (a partial checkout) TARGET stays as it is.
+# build_behind_redcc(TARGET [OPTION...]): compiles the C sources of TARGET through this build's redcc-cc,
+# with these options of redcc, and links the runtime. Without the translator (a partial checkout) TARGET stays as it is.
 function(build_behind_redcc target)
   if(NOT (TARGET redcc-cc AND TARGET redcc AND TARGET redcc_rt_static))
     return()
@@ -15,8 +15,13 @@ function(build_behind_redcc target)
   endforeach()
   # A sanitizer build of the tools works as a compiler all the same, but has no reason to look for
   # its own leaks while it does.
+  set(environment ASAN_OPTIONS=detect_leaks=0)
+  if(ARGN)
+    string(REPLACE ";" " " options "${ARGN}")
+    list(APPEND environment "REDCC_OPTS=${options}")
+  endif()
   set_target_properties(${target} PROPERTIES C_COMPILER_LAUNCHER
-                        "${CMAKE_COMMAND};-E;env;ASAN_OPTIONS=detect_leaks=0;${redcc-cc_path}")
+                        "${CMAKE_COMMAND};-E;env;${environment};${redcc-cc_path}")
   target_link_libraries(${target} PRIVATE redcc_rt_static)
   add_dependencies(${target} redcc redcc-cc redcc_rt_static)
   get_target_property(sources ${target} SOURCES)
