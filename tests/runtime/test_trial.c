@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* A trial of manners within one execution: it is cut into parts, each in a manner of its own, and
- * every iteration is executed once, in the loop's order for each element. The loop:
+/* A trial of manners within one execution. The execution is cut into parts, and the manner changes
+ * from part to part. Every iteration is executed once, in the loop's order for each element:
  *
  *     for (t = 0; t < trip; t++) { b[row[t]] = b[row[t]] * 0.5 + t; b[other[t]] += t; }
  */

@@ -127,11 +127,11 @@ static bool check_update_node(ir_node *node, void *context) {
 
 /** May what the node does change the variable: assign to it, declare it anew, or hand it on? */
 static bool may_change(const ir_node *node, const ir_variable *variable) {
-    const bool is_changed_here = node->kind == IR_ASSIGN || ir_is_increment(node) ||
-                                 (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS);
-    if (is_changed_here && ir_root_variable(node->children[0]) == variable)
+    bool other = false;
+    if (assigned_by(node, &other) == variable)
         return true;
-    if (node->kind == IR_DECLARATOR && node->variable == variable)
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        ir_root_variable(node->children[0]) == variable)
         return true;
     if (node->kind == IR_OPAQUE && mentions(node, variable))
         return true;

@@ -19,8 +19,8 @@ static lifted refuse(const lifter *l, lane_reason why, const ir_node *node) {
 
 /* ---- the text of one lane ------------------------------------------------------------------- */
 
-static const char *lifted_place(lifter *l, const ir_node *node) {
-    const char *text = text_operand(l->loop->arena, node, NULL, NULL);
+static const char *operand(lifter *l, const ir_node *node, ir_c_rename rename) {
+    const char *text = text_operand(l->loop->arena, node, rename, l);
     if (!text)
         lane_problem(l, NO_LANES_SPELLING, node);
     return text ? text : "0";
@@ -42,22 +42,15 @@ static const char *rename_integer(const ir_node *node, void *context) {
 
 const char *lane_rename(const ir_node *node, void *context) {
     lifter *l = context;
-    arena *a = l->loop->arena;
     if (!lane_is_real(node->type) || !lane_lifted_element(l, node))
         return rename_integer(node, l);
-    const char *element = text_operand(a, node, rename_integer, l);
-    if (!element)
-        lane_problem(l, NO_LANES_SPELLING, node);
-    return arena_format(a, "%s[redcc__l]", element ? element : "0");
+    return arena_format(l->loop->arena, "%s[redcc__l]", operand(l, node, rename_integer));
 }
 
 const char *lane_scalar(lifter *l, const ir_node *node) {
     if (lane_has_whole_lifted(l, node))
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
-    const char *text = text_operand(l->loop->arena, node, lane_rename, l);
-    if (!text)
-        lane_problem(l, NO_LANES_SPELLING, node);
-    return text ? text : "0";
+    return operand(l, node, lane_rename);
 }
 
 const char *lane_condition(lifter *l, const ir_node *node) {
@@ -193,7 +186,7 @@ static lifted call(lifter *l, const ir_node *node) {
 /** In the expression's own type, which is real. */
 static lifted real_expression(lifter *l, const ir_node *node) {
     if (lane_lifted_root(l, node))
-        return (lifted){lifted_place(l, node), true};
+        return (lifted){operand(l, node, NULL), true};
     switch (node->kind) {
     case IR_BINARY:
         return arithmetic(l, node);
@@ -216,16 +209,12 @@ static lifted real_expression(lifter *l, const ir_node *node) {
     }
 }
 
-static bool is_of_type(const ir_node *node, const ir_type *type) {
-    return node->type && node->type->kind == type->kind && node->type->size == type->size &&
-           node->type->is_signed == type->is_signed;
-}
-
 /** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
  *  converted to an integer of another type. */
 static bool is_integer_choice(const lifter *l, const ir_node *node) {
     return node->kind == IR_CONDITIONAL && lane_mentions_lifted(l, node->children[0]) &&
-           is_of_type(node->children[1], node->type) && is_of_type(node->children[2], node->type);
+           ir_type_equal(node->children[1]->type, node->type) &&
+           ir_type_equal(node->children[2]->type, node->type);
 }
 
 lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to) {

@@ -251,7 +251,7 @@ REDCC_INLINE void redcc_push(const redcc_bins *bins, const redcc_stream *stream,
 
 /** Flags of a loop with a form for bins: where contributions are rounded to their types when they
  *  are kept, as they are everywhere. */
-#if (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16) ||     \
+#if (defined(__FLT_EVAL_METHOD__) && !REDCC_EVALUATES_IN_TYPE) ||                                  \
     (defined(__i386__) && !defined(__SSE2_MATH__))
 #define REDCC_BINS_FLAG 0
 #else

@@ -29,10 +29,13 @@
                                                                                            : -1]   \
         __attribute__((__unused__))
 
+/** In #if: are float and double evaluated in their own types? gcc says 16 instead of 0 where there
+ *  are registers for _Float16 as well. */
+#define REDCC_EVALUATES_IN_TYPE (__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16)
+
 /** In #if: is each floating-point operation rounded by itself, to its own type, wherever it stands?
  *  Then two copies of one expression give the same bits. Where subscripts are computed so, a loop
- *  runs in parallel only then. gcc tells all that matters by macros, also after pragmas (an
- *  evaluation method of 16 is that of 0 where there are registers for _Float16 as well); clang
+ *  runs in parallel only then. gcc tells all that matters by macros, also after pragmas; clang
  * tells -ffast-math, and heeds pragmas against its parts from version 18 on, but not against
  * contraction where -ffp-contract=fast is given and the processor has fused multiply-adds. */
 #if !defined(__FLT_EVAL_METHOD__) && !defined(__clang__)
@@ -45,9 +48,8 @@
 #pragma clang fp reassociate(off) reciprocal(off)
 #endif
 #define REDCC_ROUNDS_ALIKE                                                                         \
-    ((__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16) && !__FAST_MATH__ &&                  \
-     !__ASSOCIATIVE_MATH__ && !__RECIPROCAL_MATH__ && !__NO_SIGNED_ZEROS__ &&                      \
-     !__FINITE_MATH_ONLY__)
+    (REDCC_EVALUATES_IN_TYPE && !__FAST_MATH__ && !__ASSOCIATIVE_MATH__ && !__RECIPROCAL_MATH__ && \
+     !__NO_SIGNED_ZEROS__ && !__FINITE_MATH_ONLY__)
 #endif
 
 __extension__ typedef long long redcc_int;           /**< counts of iterations */

@@ -52,7 +52,7 @@ unsigned redcc_manner_of(const struct manners *it, unsigned open, unsigned part)
     return is_trial(it, open) ? tried_at(open, timed_before(it, open) + part) : it->best & open;
 }
 
-/* By manner: the least of its parts there, and the least of those back. */
+/* The shortest time of each manner in the rounds that go there, and in those that go back. */
 static void least_of(const struct manners *it, double least[2][MANNERS]) {
     const unsigned count = count_of(it->open);
     memset(least, 0, 2 * sizeof *least);

@@ -30,10 +30,12 @@ struct manners {
  *  makes a difference to it. */
 unsigned redcc_manner_parts(const struct manners *it, unsigned open, redcc_int iterations);
 
-/** The manner of its part number `part`, a subset of `open`; all of it at first. */
+/** The manner of part number `part` of that execution: a subset of `open`. Part 0 of a loop that
+ * was never executed has all of `open`. */
 unsigned redcc_manner_of(const struct manners *it, unsigned open, unsigned part);
 
-/** The execution is over: `seconds` an iteration of each of its parts. One thread at a time. */
+/** Notes an execution that is over: the seconds an iteration took in each part. One thread at a
+ *  time. */
 void redcc_manner_note(struct manners *it, unsigned open, unsigned parts, const double *seconds);
 
 #endif

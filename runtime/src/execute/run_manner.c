@@ -20,8 +20,9 @@ void redcc_run_choose_manner(struct run *run, const struct manners *known) {
 /* What makes a difference to an execution with the plan, of what is to be found out. */
 static unsigned open_with(const struct run *run, const struct plan *plan) {
     const unsigned flags = run->call->request.loop->flags, open = run->manner.open;
-    return redcc_prefetch_is_of_use(plan, flags & REDCC_LIGHT) ? open
-                                                               : open & ~(unsigned)WITH_PREFETCH;
+    if (!(open & WITH_PREFETCH) || redcc_prefetch_is_of_use(plan, flags & REDCC_LIGHT))
+        return open;
+    return open & ~(unsigned)WITH_PREFETCH;
 }
 
 unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
