@@ -306,6 +306,14 @@ static void ask_for_turns(body_copy *copy, const ir_node *node) {
         ask_for_turns(copy, node->children[i]);
 }
 
+static void unroll_loops(body_copy *copy, const ir_node *node) {
+    const char *unrolled = unrolled_in_body(node);
+    if (*unrolled && !is_printed(copy, node) && takes_pragma(copy->loop, node))
+        edit_insert(copy->loop->arena, &copy->edits, node->range.begin, unrolled);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        unroll_loops(copy, node->children[i]);
+}
+
 static void guard_updates(body_copy *copy) {
     loop_text *loop = copy->loop;
     for (unsigned i = 0; i < loop->facts->update_count; i++) {
@@ -383,6 +391,7 @@ static const char *copied_text(body_copy *copy) {
         ask_for_turns(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
+    unroll_loops(copy, body);
     if (is_printed(copy, body))
         return printed_text(copy, body);
 
@@ -453,7 +462,8 @@ void write_iteration(loop_text *loop, writer *out) {
     body_copy copy = {.printer = {.arena = loop->arena,
                                   .rename = local_name,
                                   .context = loop,
-                                  .before = print_guard},
+                                  .before = print_guard,
+                                  .in_front_of_for = unrolled_in_body},
                       .loop = loop};
     check_updates(loop);
     if (loop->outline.done)

@@ -189,6 +189,7 @@ static void write_update(lifter *l, const ir_node *statement, writer *out) {
                            .l = l};
     self.printer.rename = lane_rename;
     self.printer.context = l;
+    self.printer.in_front_of_for = unrolled_lane_updates;
     print_statement(&self.printer, statement);
     if (self.printer.problem)
         lane_problem(l, NO_LANES_SPELLING, statement);
@@ -353,7 +354,8 @@ static void write_copies(const loop_text *loop, writer *out, const char *text) {
     }
 }
 
-void write_lanes(loop_text *loop, writer *out) {
+/** The function, behind those that it calls; NULL: it cannot be written. */
+static const char *function_text(loop_text *loop, const char *name, bool *is_kept) {
     const loop_facts *facts = loop->facts;
     arena *a = loop->arena;
     lane_clone_list clones = {0};
@@ -365,25 +367,37 @@ void write_lanes(loop_text *loop, writer *out) {
                 .clones = &clones,
                 .front = &front,
                 .out = &text,
+                .is_kept = is_kept,
                 .mask_count = &mask_count,
                 .place = facts->loop->range};
-    if (!loop->lanes.is_wanted || !loop->outline.possible)
-        return;
     lane_classify(&l);
     declare_outer(&l);
     write_block(&l, l.scope);
-    if (loop->lanes.outcome->why != LANES_WRITTEN)
-        return;
-    loop->lanes.name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
-    loop->lanes.arguments =
-        arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",
-                     facts->array_count, loop->outline.body_arguments);
     writer_line(
         &front,
         "REDCC_LANES_BODY REDCC_WIDE(%s)(REDCC_BODY_PARAMETERS_%u, const redcc_block *const "
         "redcc__block, const redcc_int redcc__lower%s) {",
-        loop->lanes.name, facts->array_count, loop->outline.body_parameters);
+        name, facts->array_count, loop->outline.body_parameters);
     buffer_text(&front.out, writer_text(a, &text));
     writer_line(&front, "}");
-    write_copies(loop, out, writer_text(a, &front));
+    const char *whole = writer_text(a, &front);
+    return loop->lanes.outcome->why == LANES_WRITTEN ? whole : NULL;
+}
+
+void write_lanes(loop_text *loop, writer *out) {
+    arena *a = loop->arena;
+    if (!loop->lanes.is_wanted || !loop->outline.possible)
+        return;
+    const char *name = arena_format(a, "redcc__%s", loop_lanes_name(loop));
+    bool *is_kept = ARENA_ARRAY(a, bool, loop->unit->variable_count + 1);
+    const char *text = function_text(loop, name, is_kept);
+    if (text) /* now it is known which variables need a first value */
+        text = function_text(loop, name, is_kept);
+    if (!text)
+        return;
+    loop->lanes.name = name;
+    loop->lanes.arguments =
+        arena_format(a, "REDCC_BODY_ARGUMENTS_%u, &redcc__block, redcc__lower%s",
+                     loop->facts->array_count, loop->outline.body_arguments);
+    write_copies(loop, out, text);
 }

@@ -38,6 +38,7 @@ typedef struct lifter {
     writer *front; /* functions that must stand in front */
     writer *out;
     unsigned depth;        /* of calls */
+    bool *is_kept;         /* by variable: in some lanes it keeps what it held */
     const char *mask;      /* of the lanes that do what is being written; NULL: all do */
     const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
     bool may_be_none;      /* perhaps there is no such lane */
@@ -137,5 +138,8 @@ const char *lane_type(lifter *l, const ir_type *type);
 void lane_part(lifter *l, const ir_node *part);
 /** Writes what the statement computes, for all lanes. */
 void lane_statement(lifter *l, const ir_node *statement);
+
+/** lanes_loop.c: writes a `for`, in a block of its own with what its header declares. */
+void lane_for(lifter *l, const ir_node *loop);
 
 #endif

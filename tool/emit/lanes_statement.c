@@ -83,9 +83,13 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
 static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node *value) {
     const char *name = origin_declarator(l->loop->arena, variable);
     const ir_type *type = variable->type;
+    const char *vector = lane_words_of(ir_type_innermost(type))->vector;
+    if (!value && !l->is_kept[variable->id]) {
+        writer_line(l->out, "%s %s%s;", vector, name, extents(l, type));
+        return;
+    }
     /* without a value: what a selection keeps of it is not used, but read */
-    writer_line(l->out, "%s %s%s = %s;", lane_words_of(ir_type_innermost(type))->vector, name,
-                extents(l, type),
+    writer_line(l->out, "%s %s%s = %s;", vector, name, extents(l, type),
                 !value                   ? zeros(l, type)
                 : type->kind == IR_ARRAY ? array_initialiser(l, type, value)
                                          : lane_vector(l, value, type));
@@ -286,7 +290,13 @@ const char *lane_call(lifter *l, const ir_node *call) {
         arguments = arena_format(a, "%s%s%s", arguments, *arguments ? ", " : "",
                                  argument_text(l, parameter, classes[i], value));
     }
-    return arena_format(a, "%s(%s)", clone_of(l, function, classes), arguments);
+    const char *name = clone_of(l, function, classes);
+    for (unsigned i = 0; i < function->parameter_count; i++) {
+        const ir_variable *root = lane_lifted_root(l, call->children[i + 1]);
+        if (root && function->parameters[i]->type->kind == IR_POINTER)
+            l->is_kept[root->id] |= l->is_kept[function->parameters[i]->id];
+    }
+    return arena_format(a, "%s(%s)", name, arguments);
 }
 
 /* ---- statements ----------------------------------------------------------------------------- */
@@ -314,7 +324,9 @@ static const char *assigned_value(lifter *l, const ir_node *node, const char *ta
 static void assign_lifted(lifter *l, const ir_node *node) {
     const ir_type *type = node->children[0]->type;
     const char *target = lane_expression(l, node->children[0], type).text;
-    const bool is_of_some = lane_needs_select(l, lane_lifted_root(l, node->children[0]));
+    const ir_variable *root = lane_lifted_root(l, node->children[0]);
+    const bool is_of_some = lane_needs_select(l, root);
+    l->is_kept[root->id] |= is_of_some;
     const ir_type *computed = lane_common(type, node->children[1]->type);
     if (!is_of_some && lane_has_operator(node->op) && computed && computed->size == type->size) {
         writer_line(l->out, "%s %s= %s;", target, ir_operator_spelling(node->op),
@@ -376,46 +388,6 @@ void lane_part(lifter *l, const ir_node *part) {
     writer_line(l->out, "}");
 }
 
-static bool is_uniform_step(lifter *l, const ir_node *node) {
-    if (node->kind == IR_EMPTY)
-        return true;
-    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA)
-        return is_uniform_step(l, node->children[0]) && is_uniform_step(l, node->children[1]);
-    return (ir_is_increment(node) || node->kind == IR_ASSIGN) &&
-           node->children[0]->kind == IR_VARIABLE && lane_is_own(l, node->children[0]->variable) &&
-           l->class_of[node->children[0]->variable->id] == LANE_UNIFORM &&
-           (ir_is_increment(node) || lane_is_uniform(l, node->children[1]));
-}
-
-/** In a block of its own, with what its header declares. */
-static void write_for(lifter *l, const ir_node *node) {
-    arena *a = l->loop->arena;
-    const ir_node *first = node->children[0], *condition = node->children[1],
-                  *step = node->children[2];
-    const bool declares = first->kind == IR_DECLARATION;
-    bool is_uniform = (condition->kind == IR_EMPTY || lane_is_uniform(l, condition)) &&
-                      is_uniform_step(l, step) && (declares || is_uniform_step(l, first));
-    for (unsigned i = 0; declares && i < first->child_count; i++)
-        is_uniform &= l->class_of[first->children[i]->variable->id] == LANE_UNIFORM;
-    if (!is_uniform || condition->kind == IR_EMPTY) {
-        lane_problem(l, NO_LANES_LOOP_INSIDE, node);
-        return;
-    }
-    writer_line(l->out, "{");
-    l->out->depth++;
-    if (declares)
-        lane_statement(l, first);
-    const char *begin = declares || first->kind == IR_EMPTY ? "" : lane_scalar(l, first);
-    const char *next = step->kind == IR_EMPTY ? "" : text_expression(a, step, lane_rename, l);
-    if (!next)
-        lane_problem(l, NO_LANES_SPELLING, node);
-    writer_line(l->out, "for (%s; %s; %s) {", begin, lane_condition(l, condition),
-                next ? next : "");
-    lane_part(l, node->children[3]);
-    l->out->depth--;
-    writer_line(l->out, "}");
-}
-
 static void write_if(lifter *l, const ir_node *node) {
     if (!lane_is_uniform(l, node->children[0])) {
         lane_masked_if(l, node);
@@ -451,7 +423,7 @@ void lane_statement(lifter *l, const ir_node *statement) {
         write_expression(l, statement->children[0]);
         break;
     case IR_FOR:
-        write_for(l, statement);
+        lane_for(l, statement);
         break;
     case IR_IF:
         write_if(l, statement);

@@ -142,6 +142,16 @@ void write_forward(loop_text *loop, writer *out, const forwarded_store *store, i
 void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,
                            ir_c_rename rename, void *context);
 
+/** unroll.c: what stands in front of a `for` of few iterations, which the compiler is to unroll, in
+ * text that computes; of others "". */
+const char *unrolled_computation(const ir_node *loop);
+/** The same around updates of lanes, which their text for guarded iterations leaves rolled. */
+const char *unrolled_lane_updates(const ir_node *loop);
+/** The same in the body for one iteration. */
+const char *unrolled_in_body(const ir_node *loop);
+/** May that stand in front of a `for` of the user's text? Not beside a pragma, attribute or label.
+ */
+bool takes_pragma(const loop_text *loop, const ir_node *node);
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
  * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
 const char *write_trip_count(loop_text *loop, writer *out);

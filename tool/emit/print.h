@@ -20,6 +20,8 @@ struct printer {
      * initialisation, with what `print_at_once` prints for its body. */
     bool (*is_at_once)(const printer *p, const ir_node *loop);
     void (*print_at_once)(printer *p, const ir_node *loop);
+    /** What stands in front of a `for`, with a blank behind it; may be NULL. */
+    const char *(*in_front_of_for)(const ir_node *loop);
     void (*at_end)(printer *p); /* before print_body closes the block; may be NULL */
     const char *problem;        /* the first thing that cannot be printed, or NULL */
     bool continues;             /* a `continue` of the loop around the whole was printed */

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Short loops inside a body, which the compiler is to unroll (REDCC_UNROLLED): gcc leaves them
+ * rolled by -O2. Subscripts and signs that follow from their counters are constants then, and
+ * elements of arrays of vectors stand in registers. Force assemblies took half the time.
+ */
+#include <string.h>
+
+#include "analysis/base/counted.h"
+#include "analysis/base/expression.h"
+#include "analysis/base/loop_text.h"
+#include "emit/loop.h"
+#include "emit/syntax.h"
+
+enum {
+    MOST_ITERATIONS = 16,
+    /* nodes of the IR, once unrolled: */
+    MOST_COMPUTED = 12000,   /* 11,700: blocks of 3 x 3 of forces' derivatives, 3 x 3 corners */
+    MOST_LANE_UPDATES = 600, /* such a block. More is slow to compile, and hardly faster */
+    MOST_BODY = 300          /* where it is compiled for guarded iterations as well */
+};
+
+/** How often a loop iterates at the most, by its text and those of the loops around it; 0: they do
+ * not say, or more than MOST_ITERATIONS. */
+static int64_t few_iterations(const ir_node *loop) {
+    const ir_variable *counter;
+    int64_t first, last, other;
+    if (loop->kind != IR_FOR)
+        return 0;
+    if (!counted_constant(loop, &counter, &first, &last)) {
+        const counted_result r = counted_recognise((ir_node *)loop);
+        if (!r.is_counted || !r.loop.lower)
+            return 0;
+        const ir_node *low = r.loop.step > 0 ? r.loop.lower : r.loop.bound;
+        const ir_node *high = r.loop.step > 0 ? r.loop.bound : r.loop.lower;
+        if (!counted_range(low, &first, &other) || !counted_range(high, &other, &last))
+            return 0;
+        last -= r.loop.comparison == IR_OP_LESS || r.loop.comparison == IR_OP_GREATER;
+    }
+    const int64_t iterations = last - first + 1;
+    return iterations > 0 && iterations <= MOST_ITERATIONS ? iterations : 0;
+}
+
+/** The node with all loops of few iterations below it unrolled, and functions inlined: in nodes,
+ * each of which is looked at; more than `most` are not counted. */
+static int64_t unrolled_size(const ir_node *node, int64_t most) {
+    int64_t size = 1;
+    const bool is_call = node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION;
+    if (is_call && node->children[0]->function->body)
+        size += unrolled_size(node->children[0]->function->body, most - size);
+    for (unsigned i = 0; i < node->child_count && size <= most; i++)
+        size += unrolled_size(node->children[i], most - size);
+    const int64_t iterations = few_iterations(node);
+    return iterations > 0 && size <= most ? iterations * size : size;
+}
+
+static bool header_mentions(const ir_node *loop, const ir_variable *variable) {
+    for (unsigned i = 0; i < 3; i++)
+        if (expression_mentions(loop->children[i], variable))
+            return true;
+    return false;
+}
+
+static bool has_at_most(const ir_node *loop, int64_t most) {
+    const int64_t iterations = few_iterations(loop);
+    if (iterations == 0 || iterations * unrolled_size(loop->children[3], most) > most)
+        return false;
+    /* how often it iterates must be a constant in each copy of the loops around it */
+    for (const ir_node *around = loop->parent; around; around = around->parent) {
+        const ir_variable *counter;
+        int64_t first, last;
+        if (around->kind == IR_FOR && counted_constant(around, &counter, &first, &last) &&
+            header_mentions(loop, counter) && !has_at_most(around, most))
+            return false;
+    }
+    return true;
+}
+
+const char *unrolled_computation(const ir_node *loop) {
+    return has_at_most(loop, MOST_COMPUTED) ? "REDCC_UNROLLED " : "";
+}
+
+const char *unrolled_lane_updates(const ir_node *loop) {
+    return has_at_most(loop, MOST_LANE_UPDATES) ? "REDCC_UNROLLED_PLAIN " : "";
+}
+
+const char *unrolled_in_body(const ir_node *loop) {
+    return has_at_most(loop, MOST_BODY) ? "REDCC_UNROLLED " : "";
+}
+
+bool takes_pragma(const loop_text *loop, const ir_node *node) {
+    const ir_node *parent = node->parent;
+    return (parent->kind == IR_BLOCK || parent->kind == IR_FOR || parent->kind == IR_IF) &&
+           loop_text_begin(loop->whole, node) == node->range.begin &&
+           strncmp(loop->unit->source->text + node->range.begin, "for", strlen("for")) == 0 &&
+           syntax_editable_statement(node, loop->facts->counted.body) == node;
+}
