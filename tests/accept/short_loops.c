@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // Short loops inside a body are unrolled by a pragma in front of them, which must not stand beside
-// another one, an attribute or a label, nor within a macro.
+// another one, an attribute or a label.
 // CFLAGS: -Wno-unknown-pragmas -Wno-attributes
 #include "case.h"
 
@@ -28,6 +28,13 @@ static void beside_pragmas(int n) {
 #endif
         for (int c = 0; c < 4; c++)
             force[corner[t][1]][c] -= value[t][c];
+    }
+}
+
+static void with_attribute(int n) {
+    for (int t = 0; t < n; t++) { // EXPECT: transformed
+        [[clang::nomerge]] for (int c = 0; c < 4; c++)
+            force[corner[t][c % CORNERS]][c] += value[t][c];
     }
 }
 
@@ -86,6 +93,7 @@ int main(void) {
     case_values(&value[0][0], 4 * N);
     for (int call = 0; call < 3; call++) {
         beside_pragmas(N);
+        with_attribute(N);
         in_macros(N);
         without_braces(N);
         left_early(N);

@@ -88,10 +88,20 @@ const char *unrolled_in_body(const ir_node *loop) {
     return has_at_most(loop, MOST_BODY) ? "REDCC_UNROLLED " : "";
 }
 
+/** Does an attribute end in front of it, [[...]] or __attribute__((...))? Or perhaps a comment. */
+static bool has_attribute(const char *text, const ir_node *node) {
+    uint32_t at = node->range.begin;
+    while (at > 0 && strchr(" \t\r\n", text[at - 1]))
+        at--;
+    return at > 0 &&
+           (text[at - 1] == ']' || (text[at - 1] == ')' && node->parent->kind == IR_BLOCK));
+}
+
 bool takes_pragma(const loop_text *loop, const ir_node *node) {
-    const ir_node *parent = node->parent;
-    return (parent->kind == IR_BLOCK || parent->kind == IR_FOR || parent->kind == IR_IF) &&
-           loop_text_begin(loop->whole, node) == node->range.begin &&
-           strncmp(loop->unit->source->text + node->range.begin, "for", strlen("for")) == 0 &&
+    const char *const text = loop->unit->source->text;
+    const ir_kind parent = node->parent->kind;
+    return (parent == IR_BLOCK || parent == IR_FOR || parent == IR_IF) &&
+           strncmp(text + node->range.begin, "for", strlen("for")) == 0 &&
+           loop_text_begin(loop->whole, node) == node->range.begin && !has_attribute(text, node) &&
            syntax_editable_statement(node, loop->facts->counted.body) == node;
 }
