@@ -250,7 +250,7 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
 static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
                                const redcc_extent *known, bool parallel) {
     if (redcc_made_state_of(loop) || settings->method || settings->compensated ||
-        settings->validate || settings->report || redcc_traced || redcc_is_long(loop, trip))
+        settings->validate || settings->report || redcc_traced)
         return false;
     if (parallel && !redcc_within && redcc_unmade_call(&loop->state, trip))
         time_original(loop, trip, known);

@@ -14,14 +14,6 @@ enum {
     NUMBER_BITS = 12, /* calls that are left until it is timed again, and all of these */
 };
 
-/* Iterations of more than 150 operations, and of more than 12: two milliseconds. */
-enum { MANY_HEAVY = 1 << 16, MANY_LIGHT = 1 << 19 };
-
-bool redcc_is_long(const redcc_loop *loop, redcc_int trip) {
-    return (loop->flags & REDCC_PREFETCHES && trip >= MANY_HEAVY) ||
-           (loop->flags & REDCC_LIGHT && trip >= MANY_LIGHT);
-}
-
 struct word {
     unsigned size; /* the logarithm of the trip count */
     unsigned left;

@@ -17,11 +17,6 @@ static inline bool redcc_is_unmade(const void *state) {
     return !state || ((__UINTPTR_TYPE__)state & 1);
 }
 
-/** Does an execution of so many iterations certainly take long enough for a state, by what the loop
- *  says of the work of one? With a state the first execution tells already which subscripts there
- *  are. */
-bool redcc_is_long(const redcc_loop *loop, redcc_int trip);
-
 /** A call of `trip` iterations, which is left to the original loop: counts it, and says whether it
  * is to be timed. */
 bool redcc_unmade_call(void **state, redcc_int trip);

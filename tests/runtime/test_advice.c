@@ -233,35 +233,6 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-static bool has_state_from_the_first_call_on(unsigned flags, redcc_int trip) {
-    static const redcc_array arrays[] = {{"b", REDCC_SUM, REDCC_DOUBLE, 8, 8}};
-    static double b[8];
-    redcc_loop loop = {.file = "test_advice.c",
-                       .line = 1,
-                       .function = "f",
-                       .flags = REDCC_VERIFIABLE | flags,
-                       .array_count = 1,
-                       .arrays = arrays};
-    void *const bases[] = {b};
-    const redcc_extent known[] = {{0, 0}};
-    redcc_call call;
-    assert_int_equal(redcc_enter(&call, &loop, trip, bases, known, NULL, THREADS, 0), 0);
-    const bool made = !redcc_is_unmade(loop.state);
-    redcc_leave(&call);
-    redcc_sequential_done(&loop);
-    redcc_loop_forget(&loop);
-    return made;
-}
-
-static void loops_that_certainly_take_long_have_one_at_once(void **unused) {
-    (void)unused;
-    assert_true(has_state_from_the_first_call_on(REDCC_PREFETCHES, 1 << 16));
-    assert_false(has_state_from_the_first_call_on(REDCC_PREFETCHES, (1 << 16) - 1));
-    assert_true(has_state_from_the_first_call_on(REDCC_LIGHT, 1 << 19));
-    assert_false(has_state_from_the_first_call_on(REDCC_LIGHT, (1 << 19) - 1));
-    assert_false(has_state_from_the_first_call_on(0, 1 << 30));
-}
-
 /* The first of them are executed before the runtime is asked at all. */
 static void the_first_short_iterations_are_not_asked_about(void **unused) {
     (void)unused;
@@ -277,6 +248,26 @@ static void the_first_short_iterations_are_not_asked_about(void **unused) {
     assert_true(redcc_is_worth_entering(INT64_MAX));
     assert_true(redcc_is_worth_entering(1000));
     redcc_least_trip = redcc_unasked_iterations = 0;
+}
+
+/* A loop's first execution is timed before it has a state; what the next call finds is compared
+ * with the subscripts of that one. */
+static void subscripts_are_known_after_the_first_timing(void **fixture) {
+    struct called *called = *fixture;
+    const redcc_loop *loop = &called->described.loop;
+    redcc_extent known[] = {
+        {(const char *)called->problem.start, (const char *)(called->problem.start + TRIP + 1)},
+        {(const char *)called->problem.row, (const char *)(called->problem.row + TRIP)},
+        {0, 0},
+        {0, 0}};
+    struct chooser fresh = {0};
+    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6);
+    const uint64_t first = fresh.sampled[0];
+    assert_true(first != 0 && first == redcc_reuse_sample(loop, known));
+    called->problem.row[0]++;
+    assert_true(redcc_reuse_sample(loop, known) != first);
+    redcc_advise_timed(&fresh, loop, known, TRIP, 1e-6); /* at entry they were looked at already */
+    assert_true(fresh.sampled[0] == first && fresh.sampled[1] == 0);
 }
 
 /* All subscripts are compared where that costs little, once. */
@@ -386,7 +377,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
-        cmocka_unit_test(loops_that_certainly_take_long_have_one_at_once),
+        cmocka_unit_test_setup_teardown(subscripts_are_known_after_the_first_timing, begin_sorted,
+                                        end),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
         cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),

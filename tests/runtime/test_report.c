@@ -170,7 +170,7 @@ static void no_plan_is_lost_twice(void **unused) {
         fixture.problem.start[t] = fixture.problem.start[t - 1];
     for (int call = 0; call < 3; call++) {
         reuse->changed_source = -1;
-        redcc_reuse_sample(reuse);
+        reuse->sampled = redcc_reuse_sample(reuse->call->request.loop, reuse->call->request.known);
         redcc_reuse_survey(reuse, THREADS, &fits, &changed);
         assert_int_equal(fits, 0);
         assert_int_not_equal(changed, 0);

@@ -151,6 +151,8 @@ static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) 
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds) {
     const double most = compared_most * seconds;
+    if (!chooser->sampled[0]) /* the loop had no state when this execution began */
+        note_sampled(chooser, redcc_reuse_sample(loop, known));
     chooser->remembered = redcc_timings_of(&chooser->state, trip) == 1 &&
                           bytes_to_check(loop, known) * byte_compared < most &&
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
@@ -164,7 +166,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .start = start_seconds(threads),
                             .dry_run = reuse->call->request.loop->flags & REDCC_DRY_RUN};
     unsigned fits, changed;
-    redcc_reuse_sample(reuse);
+    reuse->sampled = redcc_reuse_sample(reuse->call->request.loop, reuse->call->request.known);
     redcc_reuse_survey(reuse, came, &fits, &changed);
     note_subscripts(chooser, reuse);
     now.steady = chooser->steady;

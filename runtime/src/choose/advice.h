@@ -54,8 +54,9 @@ bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, str
 /** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
-/** The original loop was timed, and redcc_tell knows. Where it was the first time, and comparing
- * all subscripts costs next to nothing, keeps their fingerprint for the next call. */
+/** The original loop was timed, and redcc_tell knows. Where it was the first time, samples the
+ * subscripts, unless that was done at entry; and where comparing all of them costs next to nothing,
+ * keeps their fingerprint for the next call. */
 void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                         redcc_int trip, double seconds);
 

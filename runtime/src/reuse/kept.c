@@ -96,12 +96,10 @@ static uint64_t mixed(uint64_t hash, uint64_t word) {
 }
 
 /* A hash of a few words of a subscript that is where the call says; 0: it is not. */
-static uint64_t sample_source(const struct request *request, uint32_t source) {
+static uint64_t sample_source(redcc_source source, redcc_extent known) {
     enum { WORDS = 32 }; /* some 3 microseconds where none is in the caches */
-    const redcc_extent known = request->known[source];
     uint64_t hash = 0;
-    if (!request->loop->sources[source].is_subscript || !known.end ||
-        known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
+    if (!source.is_subscript || !known.end || known.end - known.first < (ptrdiff_t)sizeof(uint64_t))
         return 0;
     const size_t last = (size_t)(known.end - known.first) - sizeof(uint64_t);
     for (size_t word = 0; word < WORDS; word++) {
@@ -112,21 +110,20 @@ static uint64_t sample_source(const struct request *request, uint32_t source) {
     return hash;
 }
 
-void redcc_reuse_sample(struct reuse *reuse) {
-    const struct request *request = &reuse->call->request;
+uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known) {
     uint64_t hash = 0;
-    for (uint32_t s = 0; s < request->loop->source_count; s++) {
-        const uint64_t sampled = sample_source(request, s);
+    for (uint32_t s = 0; s < loop->source_count; s++) {
+        const uint64_t sampled = sample_source(loop->sources[s], known[s]);
         hash = sampled ? mixed(hash, sampled) : hash;
     }
-    reuse->sampled = hash;
+    return hash;
 }
 
 /* The first source whose sample is not what it was when the plan was made; -1: none. */
 static int changed_source(const struct reuse *reuse, const struct kept_plan *kept) {
     const struct request *request = &reuse->call->request;
     for (uint32_t s = 0; s < request->loop->source_count; s++)
-        if (kept->source[s].sampled != sample_source(request, s))
+        if (kept->source[s].sampled != sample_source(request->loop->sources[s], request->known[s]))
             return (int)s;
     return -1;
 }
@@ -312,7 +309,7 @@ static void record_sources(struct source_record *records, const struct reuse *re
         if (!request->loop->sources[s].is_subscript)
             continue;
         const struct reading reading = reading_of(reuse, s);
-        record->sampled = sample_source(request, s);
+        record->sampled = sample_source(request->loop->sources[s], request->known[s]);
         record->fingerprint =
             redcc_is_small(reading)
                 ? reuse->hasher[0]->fingerprint[s]

@@ -58,9 +58,9 @@ struct reuse {
     int changed_source;      /* that a plan was lost by, in this call; -1: none was */
 };
 
-/** Samples the subscripts that are where the call says, some words of each, into reuse->sampled;
- *  0: there are none such. */
-void redcc_reuse_sample(struct reuse *reuse);
+/** A hash of some words of each of the subscripts that are where the call says, reuse->sampled; 0:
+ * there are none such. */
+uint64_t redcc_reuse_sample(const redcc_loop *loop, const redcc_extent *known);
 
 /** Of all subscripts, as far as it is known where they lie; false: of some array nothing is, or it
  *  takes longer than so many seconds. */
