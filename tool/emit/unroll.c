@@ -98,10 +98,10 @@ static bool has_attribute(const char *text, const ir_node *node) {
 }
 
 bool takes_pragma(const loop_text *loop, const ir_node *node) {
-    const char *const text = loop->unit->source->text;
+    const char *const text = loop->unit->source->text, *const at = text + node->range.begin;
     const ir_kind parent = node->parent->kind;
     return (parent == IR_BLOCK || parent == IR_FOR || parent == IR_IF) &&
-           strncmp(text + node->range.begin, "for", strlen("for")) == 0 &&
+           strncmp(at, "for", 3) == 0 && !source_is_name_byte(at[3]) &&
            loop_text_begin(loop->whole, node) == node->range.begin && !has_attribute(text, node) &&
            syntax_editable_statement(node, loop->facts->counted.body) == node;
 }
