@@ -139,7 +139,7 @@ void lane_part(lifter *l, const ir_node *part);
 /** Writes what the statement computes, for all lanes. */
 void lane_statement(lifter *l, const ir_node *statement);
 
-/** lanes_loop.c: writes a `for`, in a block of its own with what its header declares. */
+/** lanes_loop.c: writes a `for` in a block, which begins with what the `for` declares. */
 void lane_for(lifter *l, const ir_node *loop);
 
 #endif

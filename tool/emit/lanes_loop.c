@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Loops inside what is written for vectors: they have the same iterations for all lanes.
+ * Loops inside what is written for vectors: their iterations are the same for all lanes.
  */
 #include "emit/lanes.h"
 

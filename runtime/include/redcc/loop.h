@@ -328,9 +328,9 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
         REDCC_EXECUTE_RUNS(redcc_call_of_slice, redcc_call_of_body)                                \
     }
 
-/** In front of a loop of few iterations: the compiler is to unroll it. _PLAIN: not in the text for
- *  guarded iterations, where redcc__guarded is a constant of 1: it takes long to compile, and is
- *  seldom executed. */
+/** In front of a loop of few iterations: the compiler is to unroll it. redcc writes it where there
+ *  are 16 at the most. _PLAIN: not in the text for guarded iterations, where redcc__guarded is a
+ *  constant of 1: that takes long to compile, and is seldom executed. */
 #ifdef __clang__
 #define REDCC_UNROLLED                                                                             \
     _Pragma("clang diagnostic ignored \"-Wpass-failed\"") _Pragma("clang loop unroll(full)")
@@ -341,8 +341,8 @@ REDCC_INLINE void redcc_slice_touch_span(redcc_probe *probe, redcc_worker *worke
 #endif
 
 /** In front of the loop over a run where the body stands in the block, once: with redcc__guarded as
- *  the run has it. Unrolled, it has a copy of the body for each of its values; a variable in its
- *  place was measured at up to twice the instructions. */
+ *  the run has it. Unrolling compiles the body for both values; a variable in place of the constant
+ *  was measured at up to twice the instructions. */
 #define REDCC_PLAIN_OR_GUARDED                                                                     \
     REDCC_UNROLLED for (redcc__guarded = 0; redcc__guarded < 2;                                    \
                         redcc__guarded++) if (redcc__guarded ==                                    \
