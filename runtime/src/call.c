@@ -176,6 +176,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->asked = call->threads = threads;
     if (threads > 1)
         redcc_cores_begin(&execution->cores);
+    if (call->started > 0 && threads > 1)
+        redcc_room_begin(&execution->room, &execution->cores);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;
@@ -357,6 +359,8 @@ static void note_node(struct thread_state *thread) {
 void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads) {
     struct execution *execution = call->execution;
     *worker = (redcc_worker){.call = call, .thread = number};
+    if (number == 0)
+        redcc_room_end(&execution->room);
     if (threads > execution->call.asked) {
         if (number == 0)
             execution->reason = REASON_TEAM;

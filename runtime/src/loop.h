@@ -10,6 +10,7 @@
 #define REDCC_LOOP_H
 
 #include "base/cores.h"
+#include "base/room.h"
 #include "base/within.h"
 #include "bins/binning.h"
 #include "choose/advice.h"
@@ -26,6 +27,7 @@ struct execution {
     struct loop_state *state;
     struct call call;
     struct within within; /* of the thread that entered */
+    struct room room;
     struct cores cores;
     struct advice advice; /* auto's, at entry */
     struct reuse reuse;

@@ -124,9 +124,12 @@ static enum stage begin_log(struct execution *execution, bool is_exact) {
  * the sample, to nothing. */
 static enum stage cut(struct execution *execution) {
     struct inspection *inspection = &execution->inspection;
+    const struct call *call = &execution->call;
     struct estimate estimate = {0};
     if (!redcc_cut(inspection, redcc_wants_estimate(inspection) ? &estimate : NULL))
         return refuse(execution, REASON_NO_MEMORY);
+    if (call->started > 0 && execution->woken > 0)
+        execution->advice.awaited = execution->woken - call->entered;
     inspection->route =
         redcc_advise_sampled(&execution->state->chooser, &execution->advice, inspection, &estimate);
     if (inspection->route == ROUTE_SERIAL)

@@ -133,6 +133,7 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
                       double spent, double deadline) {
     const struct trace *trace = it->trace;
     const double rest = trace->set_up[way] * (double)call->trip;
+    const double set_up = spent + rest + trace->overrun;
     it->so_far.set_ups++;
     if (rest > deadline) {
         it->so_far.stopped++;
@@ -143,8 +144,7 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
     }
     it->so_far.parallel++;
     keep_plan(it, (struct kept_plan){way, call->subscripts, call->trip, 0});
-    tell(it,
-         (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], spent + rest, 0});
+    tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], set_up, 0});
 }
 
 static void note_loan(struct simulation *it, const struct simulated_call *call) {
@@ -166,6 +166,7 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
     const double spent = dry_run + trace->look + team;
     struct situation there = *now;
     there.dried = dry_run;
+    there.awaited = team;
     if (!entry.alone) {
         it->started = true;
         there.start = 0;

@@ -32,6 +32,7 @@ struct trace {
     double wake;              /**< seconds */
     double start;             /**< seconds that starting the threads takes, once, */
     double late;              /**< and by which it takes longer than that */
+    double overrun;           /**< by which a set-up takes longer, with no look at the clock */
     double block;             /**< seconds by which a deadline is passed */
     bool hidden;              /**< a sample of the subscripts does not show that they changed */
     bool compared;            /**< all of them are compared with those of the call before */

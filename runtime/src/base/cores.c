@@ -68,6 +68,11 @@ void redcc_cores_take(struct cores *cores) {
     take(cores, redcc_system_core());
 }
 
+void redcc_cores_change(struct cores *cores, int from, int to) {
+    leave(cores, from); /* who comes to it may stay */
+    take(cores, to);
+}
+
 /* Threads that the system starts on processors of their own come after 0.1 ms. */
 static const double longest_start = 0.15e-3;
 
@@ -76,7 +81,7 @@ void redcc_cores_give_way(struct cores *cores, int others) {
     while (atomic_load_explicit(&cores->come, memory_order_relaxed) < others)
         if (redcc_seconds() > until) {
             const int core = redcc_system_core();
-            leave(cores, core); /* who comes to it may stay */
+            leave(cores, core);
             move(cores, core);
             take(cores, redcc_system_core());
             return;

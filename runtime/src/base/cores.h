@@ -25,6 +25,9 @@ void redcc_cores_take(struct cores *cores);
  * a new thread may be kept waiting on this one. */
 void redcc_cores_give_way(struct cores *cores, int others);
 
+/** By any thread: the one that began the region has been moved. */
+void redcc_cores_change(struct cores *cores, int from, int to);
+
 /** Would so many threads more have to share processors with other programs, as far as one look
  *  says, which is up to a millisecond old? False where it is not known, or where the calling thread
  *  may not run on all processors. Any thread. */

@@ -25,6 +25,9 @@ void redcc_team_bind(void);
  *  one in a handler, which may find locks held. */
 extern _Thread_local int redcc_within __attribute__((__tls_model__("initial-exec")));
 
+/** May the system refuse the process a thread, or memory for one? */
+bool redcc_team_is_limited(void);
+
 /** Will a region of `threads` threads have OpenMP make some? */
 bool redcc_team_grows(int threads);
 

@@ -308,7 +308,7 @@ static void trace_prospects(const struct findings *findings, const struct prospe
 }
 
 static struct decision pick_way(struct chooser *chooser, const struct inspection *inspection,
-                                const struct estimate *estimate, bool alone) {
+                                const struct estimate *estimate, const struct advice *entry) {
     const struct call *call = inspection->call;
     struct prospect prospect[WAY_COUNT];
     struct findings findings = begin_findings(chooser, inspection);
@@ -319,7 +319,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     find_bins(inspection, estimate, &findings);
     redcc_estimate_prospects(&findings, prospect);
     trace_prospects(&findings, prospect, call->request.loop);
-    if (alone) { /* whatever is worth a set-up is set up at another call */
+    if (entry->alone) { /* whatever is worth a set-up is set up at another call */
         redcc_note_prospects(&chooser->state, findings.trip, prospect, findings.spent);
         return (struct decision){.action = ACTION_SEQUENTIAL};
     }
@@ -328,6 +328,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
                                   .threads = call->planned,
                                   .wake = wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
+                                  .awaited = entry->awaited,
                                   .steady = chooser->steady,
                                   .verified = chooser->verified};
     return redcc_pick_way(&chooser->state, &now, prospect, findings.spent);
@@ -342,7 +343,7 @@ enum route redcc_advise_sampled(struct chooser *chooser, struct advice *entry,
                : call->method->by_graph ? ROUTE_GRAPH
                                         : ROUTE_OWNERS;
     const bool steals = partition->stealable > 0 && stealing_pays(chooser, call, estimate);
-    const struct decision decision = pick_way(chooser, inspection, estimate, entry->alone);
+    const struct decision decision = pick_way(chooser, inspection, estimate, entry);
     if (partition->stealable > 0 && (!steals || decision.way != WAY_INDEX))
         redcc_partition_join_stealable(partition);
     entry->way = decision.way;

@@ -41,6 +41,7 @@ struct advice {
     bool timed;         /* SEQUENTIAL */
     bool alone;         /* INSPECT: a look, by one thread; a set-up is another call's */
     double deadline;    /* INSPECT: seconds that a dry run may take */
+    double awaited;     /* INSPECT: seconds that passed until threads came which were not there */
     struct trial trial; /* REUSE */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
     enum reason reason; /* for SEQUENTIAL */

@@ -15,7 +15,7 @@ static const double reserve = 0.25;
  * two sequential executions and a look. */
 static const double tried = 1.0 / 24;
 /* Before any sample was taken: 256 iterations of some touches, by one thread. */
-static const double first_look = 0.4e-3;
+static const double first_look = 0.25e-3;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
 static const double unknown = 4;
 
@@ -76,7 +76,7 @@ static struct decision reuse(struct size_state *size, const struct situation *no
     return decision;
 }
 
-/* Seconds that a set-up of this way may take now, or, if not negative: may a plan be executed? */
+/* Seconds that may be lost by this way now. */
 static double room_for(const struct choice_state *state, const struct size_state *size,
                        long long trip, enum way way) {
     const double usual = redcc_usual(&size->sequential);
@@ -84,6 +84,15 @@ static double room_for(const struct choice_state *state, const struct size_state
     const double risk = is_trial(size, way) ? tried : is_clear ? 0 : reserve;
     const double lent = way == WAY_BINS ? state->ledger.loan : 0; /* for a set-up */
     return redcc_credit(state) - lent - risk * usual * (double)trip;
+}
+
+/* May a plan be executed? One that was measured and is clearly the faster way repays what is owed,
+ * as long as it does. */
+static bool may_execute(const struct choice_state *state, const struct size_state *size,
+                        long long trip, enum way way) {
+    const bool gains = size->gained && size->prospect[way].measured && !is_trial(size, way) &&
+                       redcc_expected(size, way) < redcc_clear * redcc_usual(&size->sequential);
+    return gains || room_for(state, size, trip, way) >= 0;
 }
 
 static bool keeps_changing(const struct size_state *size, const struct situation *now) {
@@ -99,13 +108,15 @@ static bool are_new(const struct situation *now) {
     return !now->verified && now->steady < STEADY;
 }
 
-/* Seconds of a set-up from now on, and of starting threads where they are not there. A plan for
- * subscripts that are new each time must not count on a slice that is cheaper than the body, as
- * estimates do. */
+/* Seconds of a set-up from now on, and of starting threads where they are not there. What was spent
+ * so far may show that less is left than is likely: no less than half of what the inspection itself
+ * takes. A plan for subscripts that are new each time must not count on a slice that is cheaper
+ * than the body, as estimates do. */
 static double cost_of(const struct size_state *size, const struct situation *now, enum way way) {
     const struct prospect *it = &size->prospect[way];
     const double body = redcc_usual(&size->sequential) * (double)now->trip / now->threads;
-    const double all = set_up_of(it), left = all - now->spent, half = (all - now->dried) / 2;
+    const double all = set_up_of(it), left = all - now->spent;
+    const double half = (all - now->dried - now->awaited) / 2;
     return (left > half ? left : half) + now->start + (are_new(now) && it->learned == 0 ? body : 0);
 }
 
@@ -161,8 +172,16 @@ static bool is_sure(const struct situation *now) {
     return now->verified || now->steady >= SURE;
 }
 
+/* Where samples have missed a change, the plan serves once: that may lose a share of the time so
+ * far. Threads that were started for it stay. */
+static bool may_be_misled(const struct choice_state *state, const struct situation *now,
+                          double set_up, double gained) {
+    return now->verified || set_up - now->start - gained <= share * state->ledger.sequential;
+}
+
 /* The best way that is worth a loan; SEQUENTIAL: none. */
-static enum way borrowing_way(const struct size_state *size, const struct situation *now) {
+static enum way borrowing_way(const struct choice_state *state, const struct size_state *size,
+                              const struct situation *now) {
     const double usual = redcc_usual(&size->sequential), trip = (double)now->trip;
     const double awaited = now->steady > 2 * repaid_within ? now->steady / 2.0 : repaid_within;
     const double repaid = is_sure(now) ? least_of(awaited, horizon_of(size, now)) : repaid_at_once;
@@ -172,8 +191,10 @@ static enum way borrowing_way(const struct size_state *size, const struct situat
         const struct prospect *it = &size->prospect[way];
         const double set_up = cost_of(size, now, way), each = redcc_expected(size, way);
         const double cost = set_up + each * soon * trip;
+        const double gained = (usual - each) * trip; /* by an execution */
         if (!it->possible || each >= redcc_clear * usual || cost >= least_cost ||
-            set_up > loan_most * usual * trip || set_up > repaid * (usual - each) * trip)
+            set_up > loan_most * usual * trip || set_up > repaid * gained ||
+            !may_be_misled(state, now, set_up, gained))
             continue;
         best = way;
         least_cost = cost;
@@ -207,11 +228,12 @@ static enum way kept_way(const struct choice_state *state, const struct size_sta
  * if there is one. */
 static struct decision set_up(struct choice_state *state, struct size_state *size,
                               const struct situation *now, double current) {
-    enum way way = may_borrow(state, size) ? borrowing_way(size, now) : WAY_SEQUENTIAL;
+    enum way way = may_borrow(state, size) ? borrowing_way(state, size, now) : WAY_SEQUENTIAL;
     const double usual = redcc_usual(&size->sequential) * (double)now->trip;
     const double slack = way != WAY_SEQUENTIAL ? waited * usual : 0;
     if (way != WAY_SEQUENTIAL)
-        lend(state, least_of(now->spent + 2 * cost_of(size, now, way) + slack, loan_most * usual));
+        lend(state, least_of(now->spent + 2 * cost_of(size, now, way) + slack,
+                             now->awaited + loan_most * usual));
     else
         way = best_way(state, size, now, current);
     if (way == WAY_SEQUENTIAL)
@@ -258,7 +280,7 @@ static void leave_plan(struct choice_state *state, struct size_state *size) {
 static struct decision decide_saving(struct choice_state *state, struct size_state *size,
                                      const struct situation *now) {
     const enum way kept = kept_way(state, size, now, redcc_better * redcc_usual(&size->sequential));
-    if (kept != WAY_SEQUENTIAL && room_for(state, size, now->trip, kept) >= 0) {
+    if (kept != WAY_SEQUENTIAL && may_execute(state, size, now->trip, kept)) {
         if (size->prospect[kept].measured) {
             size->way = kept;
             size->stand = STAND_PARALLEL;
@@ -288,8 +310,8 @@ static struct decision decide_comparing(struct choice_state *state, struct size_
     const enum way turn = it->incumbents_turn ? it->incumbent : it->contender;
     if (turn == WAY_SEQUENTIAL)
         return sequentially(size, RULE_COMPARING);
-    return room_for(state, size, now->trip, turn) < 0 ? sequentially(size, RULE_SAVING)
-                                                      : reuse(size, now, turn, RULE_COMPARING);
+    return may_execute(state, size, now->trip, turn) ? reuse(size, now, turn, RULE_COMPARING)
+                                                     : sequentially(size, RULE_SAVING);
 }
 
 /* Was the sequential loop not timed for so long that timing it costs little? Where the plan was as
@@ -312,7 +334,7 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
         leave_plan(state, size);
         return decide_saving(state, size, now);
     }
-    if (room_for(state, size, now->trip, size->way) < 0)
+    if (!may_execute(state, size, now->trip, size->way))
         return sequentially(size, RULE_SAVING);
     const double current = size->prospect[size->way].execution;
     if (is_check_due(size, now->trip)) {

@@ -45,7 +45,8 @@ struct situation {
     double wake;    /**< seconds that waking those takes, as measured */
     double start;   /**< seconds that starting those that are not there takes; 0: all are */
     double spent;   /**< seconds of the inspection that this is asked in, so far */
-    double dried;   /**< seconds of `spent` that its dry run took */
+    double dried;   /**< seconds of `spent` that its dry run took, */
+    double awaited; /**< and that passed until threads came which were not there */
     enum kept_match kept[WAY_COUNT];
     int steady;    /**< calls in a row whose sampled subscripts were those of one of the last calls;
                         -1: not known */
@@ -142,6 +143,7 @@ struct size_state {
     int threads;
     int steady;       /* of the last call (situation.steady), not below 0 */
     bool looked;      /* the prospects are known */
+    bool gained;      /* the last execution by a plan took less than the sequential loop */
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */

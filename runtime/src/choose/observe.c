@@ -149,6 +149,7 @@ static void observe_parallel(struct choice_state *state, struct size_state *size
     size->set_ups.uses++;
     size->set_ups.since += sequential;
     size->set_ups.earned += sequential - outcome->seconds;
+    size->gained = outcome->seconds < sequential;
     if (outcome->set_up > 0) {
         begin_trial(size, outcome->way, each);
         return;
