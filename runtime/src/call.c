@@ -177,7 +177,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     if (threads > 1)
         redcc_cores_begin(&execution->cores);
     if (call->started > 0 && threads > 1)
-        redcc_room_begin(&execution->room, &execution->cores);
+        redcc_room_begin(&execution->room, &execution->cores, call->started);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;

@@ -23,7 +23,7 @@ struct simulation {
     int steady;
     int met[PLANS]; /* subscripts, last met first; -1: none */
     bool started;   /* the threads */
-    double excess;  /* the largest that one execution may have over the sequential one */
+    double excess;  /* twice the largest of an execution over the sequential one, and a block's */
     double lent;    /* the largest loan, seconds */
     double longest; /* sequential execution, seconds */
     struct simulated so_far;
@@ -225,8 +225,8 @@ static void widen_allowance(struct simulation *it, const struct simulated_call *
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         if (it->trace->possible[way] && call->execution[way] - call->sequential > most)
             most = call->execution[way] - call->sequential;
-    most += fmax(it->trace->block, it->trace->look) + it->trace->late;
-    it->excess = fmax(it->excess, most);
+    const double late = fmax(it->trace->block, it->trace->look) + it->trace->late;
+    it->excess = fmax(it->excess, 2 * most + late);
 }
 
 static double best_in_hindsight(const struct trace *trace, double sequential) {

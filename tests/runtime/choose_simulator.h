@@ -44,14 +44,14 @@ struct simulated {
     double best;         /**< of the best single way in hindsight, its set-ups included */
     double worst_prefix; /**< largest of (total - allowance) / sequential over all prefixes */
     double slowest;      /**< largest of total / sequential, nothing allowed for */
-    double allowance;    /**< the bound's additive constant: the largest excess of one execution
-                              over the sequential one, a block or a sample, and the largest loan */
-    double owed;         /**< what is lent at the end, seconds */
-    double loan;         /**< the largest, over the longest sequential execution */
-    int looks;           /**< by one thread */
-    int set_ups;         /**< begun; */
-    int stopped;         /**< of them, at their deadline */
-    int parallel;        /**< executions by a plan */
+    double allowance; /**< the bound's additive constant: twice the largest excess of an execution
+                           over the sequential one, a block or a sample, and the largest loan */
+    double owed;      /**< what is lent at the end, seconds */
+    double loan;      /**< the largest, over the longest sequential execution */
+    int looks;        /**< by one thread */
+    int set_ups;      /**< begun; */
+    int stopped;      /**< of them, at their deadline */
+    int parallel;     /**< executions by a plan */
 };
 
 /** Carries out the trace, from a state of zeroes. */

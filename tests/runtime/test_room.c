@@ -76,7 +76,7 @@ static void wait_for(double seconds) {
 /* Only where OpenMP's library has the one that asks wait, and there is another processor. */
 static void begin_or_skip(struct room *room, struct cores *cores) {
     redcc_cores_begin(cores);
-    redcc_room_begin(room, cores);
+    redcc_room_begin(room, cores, 1);
     if (!room->is_helped)
         skip();
 }
@@ -125,7 +125,7 @@ static void there_may_be_no_thread_for_it(void **state) {
     created = 0;
     refused = 1;
     redcc_cores_begin(&cores);
-    redcc_room_begin(&room, &cores);
+    redcc_room_begin(&room, &cores, 1);
     refused = 0;
     assert_false(room.is_helped);
     wait_for(1e-3);
@@ -145,7 +145,7 @@ static void where_threads_are_few_none_is_taken(void **state) {
     assert_int_equal(setrlimit(RLIMIT_NPROC, &limit), 0);
     created = 0;
     redcc_cores_begin(&cores);
-    redcc_room_begin(&room, &cores);
+    redcc_room_begin(&room, &cores, 1);
     assert_int_equal(setrlimit(RLIMIT_NPROC, &before), 0);
     assert_false(room.is_helped);
     assert_int_equal(created, 0);
@@ -162,7 +162,7 @@ static void where_there_is_one_processor_nothing_is_done(void **state) {
     CPU_SET((size_t)sched_getcpu(), &one);
     assert_int_equal(sched_setaffinity(0, sizeof one, &one), 0);
     redcc_cores_begin(&cores);
-    redcc_room_begin(&room, &cores);
+    redcc_room_begin(&room, &cores, 1);
     assert_int_equal(sched_setaffinity(0, sizeof all, &all), 0);
     assert_false(room.is_helped);
     redcc_room_end(&room);
@@ -175,7 +175,7 @@ static void a_region_begins(void **state) {
     struct room room;
     int came = 0;
     redcc_cores_begin(&cores);
-    redcc_room_begin(&room, &cores);
+    redcc_room_begin(&room, &cores, 1);
 #pragma omp parallel num_threads(3) reduction(+ : came)
     {
         if (omp_get_thread_num() == 0)

@@ -17,12 +17,15 @@ extern __typeof__(pthread_create) pthread_create WEAK;
 extern __typeof__(pthread_join) pthread_join WEAK;
 extern __typeof__(pthread_attr_init) pthread_attr_init WEAK;
 extern __typeof__(pthread_attr_destroy) pthread_attr_destroy WEAK;
-extern __typeof__(pthread_attr_setaffinity_np) pthread_attr_setaffinity_np WEAK;
+extern int pthread_attr_setaffinity_np(pthread_attr_t *, size_t, const cpu_set_t *) WEAK;
 extern __typeof__(pthread_attr_setstacksize) pthread_attr_setstacksize WEAK;
 
-enum { STACK = 64 * 1024, LONGEST_START = 150 * 1000 /* ns; who has room comes in 0.1 ms */ };
-
-enum { WORD_BITS = 8 * sizeof(unsigned long) };
+enum {
+    STACK = 64 * 1024,
+    LONGEST_START = 130 * 1000, /* ns: who has room comes in 0.1 ms, */
+    EACH = 20 * 1000,           /* and is started in 10 to 15 microseconds */
+    WORD_BITS = 8 * sizeof(unsigned long)
+};
 
 struct processors {
     unsigned long word[REDCC_CORE_WORDS];
@@ -65,7 +68,7 @@ static void move_starter(const struct room *room) {
 
 static void *help(void *given) {
     struct room *room = given;
-    const struct timespec longest = {0, LONGEST_START};
+    const struct timespec longest = {0, room->longest};
     redcc_system(SYS_futex, &room->entered, FUTEX_WAIT_PRIVATE, 0, &longest);
     if (!atomic_load(&room->entered))
         move_starter(room);
@@ -80,19 +83,21 @@ static bool is_wanted(void) {
            pthread_attr_setaffinity_np && pthread_attr_setstacksize;
 }
 
-void redcc_room_begin(struct room *room, struct cores *cores) {
+void redcc_room_begin(struct room *room, struct cores *cores, int others) {
     pthread_attr_t attributes;
-    *room = (struct room){.cores = cores, .core = redcc_system_core()};
+    *room = (struct room){.cores = cores,
+                          .core = redcc_system_core(),
+                          .longest = LONGEST_START + (long)others * EACH};
     if (!is_wanted() || room->core < 0)
         return;
     room->starter = redcc_system(SYS_gettid);
-    const struct processors others = without(allowed_to(0), room->core);
-    if (others.bytes == 0 || pthread_attr_init(&attributes) != 0)
+    const struct processors where = without(allowed_to(0), room->core);
+    if (where.bytes == 0 || pthread_attr_init(&attributes) != 0)
         return;
     pthread_t helper;
     room->is_helped = pthread_attr_setstacksize(&attributes, STACK) == 0 &&
-                      pthread_attr_setaffinity_np(&attributes, (size_t)others.bytes,
-                                                  (const cpu_set_t *)others.word) == 0 &&
+                      pthread_attr_setaffinity_np(&attributes, (size_t)where.bytes,
+                                                  (const cpu_set_t *)where.word) == 0 &&
                       pthread_create(&helper, &attributes, help, room) == 0;
     if (room->is_helped)
         room->helper = (unsigned long)helper;
@@ -110,8 +115,9 @@ void redcc_room_end(struct room *room) {
 
 #else
 
-void redcc_room_begin(struct room *room, struct cores *cores) {
+void redcc_room_begin(struct room *room, struct cores *cores, int others) {
     (void)cores;
+    (void)others;
     *room = (struct room){0};
 }
 

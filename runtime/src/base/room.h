@@ -17,14 +17,15 @@ struct room {
     struct cores *cores;
     atomic_uint entered;  /* the region: by the one that asked */
     long starter;         /* the thread that did */
+    long longest;         /* nanoseconds that the others take to come, if they have room */
     int core;             /* where it was */
     unsigned long helper; /* a pthread_t */
     bool is_helped;
 };
 
-/** Before the region, by the thread that has just begun `cores`, and whose signals are held: others
- *  must be started for it. Where nothing can be done nothing happens. */
-void redcc_room_begin(struct room *room, struct cores *cores);
+/** Before the region, by the thread that has just begun `cores`, and whose signals are held:
+ *  `others` must be started for it. Where nothing can be done nothing happens. */
+void redcc_room_begin(struct room *room, struct cores *cores, int others);
 
 /** By the same thread, in the region. */
 void redcc_room_end(struct room *room);

@@ -15,7 +15,7 @@ static const double reserve = 0.25;
  * two sequential executions and a look. */
 static const double tried = 1.0 / 24;
 /* Before any sample was taken: 256 iterations of some touches, by one thread. */
-static const double first_look = 0.25e-3;
+static const double first_look = 0.4e-3;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
 static const double unknown = 4;
 
