@@ -176,8 +176,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->asked = call->threads = threads;
     if (threads > 1)
         redcc_cores_begin(&execution->cores);
-    if (call->started > 0 && threads > 1)
-        redcc_room_begin(&execution->room, &execution->cores, call->started);
+    redcc_room_begin(&execution->room, &execution->cores, threads > 1 ? call->started : 0);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;

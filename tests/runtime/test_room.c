@@ -22,13 +22,21 @@
 
 #include <cmocka.h>
 
-/* room.o is linked with this in the place of pthread_create (CMakeLists.txt). */
+/* room.o is linked with these in the place of pthread_create, and of what says that the processors
+ * are wanted (CMakeLists.txt). */
 int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
                           void *given);
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
                           void *given);
 
+bool __wrap_redcc_cores_are_wanted(int more);
+
 static int created, refused;
+static bool wanted;
+
+bool __wrap_redcc_cores_are_wanted(int more) {
+    return wanted && more > 0;
+}
 
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
                           void *given) {
@@ -152,6 +160,31 @@ static void where_threads_are_few_none_is_taken(void **state) {
     redcc_room_end(&room);
 }
 
+/* The region would have to wait for the helper's turn. */
+static void where_processors_are_wanted_none_is_taken(void **state) {
+    (void)state;
+    struct cores cores;
+    struct room room;
+    created = 0;
+    wanted = true;
+    redcc_cores_begin(&cores);
+    redcc_room_begin(&room, &cores, 1);
+    wanted = false;
+    assert_false(room.is_helped);
+    assert_int_equal(created, 0);
+}
+
+static void where_none_is_started_nothing_is_done(void **state) {
+    (void)state;
+    struct cores cores;
+    struct room room = {.is_helped = true};
+    created = 0;
+    redcc_cores_begin(&cores);
+    redcc_room_begin(&room, &cores, 0);
+    assert_false(room.is_helped);
+    assert_int_equal(created, 0);
+}
+
 static void where_there_is_one_processor_nothing_is_done(void **state) {
     (void)state;
     const cpu_set_t all = allowed();
@@ -191,6 +224,8 @@ int main(void) {
         cmocka_unit_test(who_need_not_wait_stays),
         cmocka_unit_test(there_may_be_no_thread_for_it),
         cmocka_unit_test(where_threads_are_few_none_is_taken),
+        cmocka_unit_test(where_processors_are_wanted_none_is_taken),
+        cmocka_unit_test(where_none_is_started_nothing_is_done),
         cmocka_unit_test(where_there_is_one_processor_nothing_is_done),
         cmocka_unit_test(a_region_begins),
     };

@@ -75,20 +75,25 @@ static void *help(void *given) {
     return NULL;
 }
 
-/* LLVM's library does not have the one that asks wait. A thread too many may be one too few for
- * OpenMP, which ends the program then. */
-static bool is_wanted(void) {
-    return !redcc_team_is_limited() && GOMP_parallel && !__kmpc_fork_call && pthread_create &&
-           pthread_join && pthread_attr_init && pthread_attr_destroy &&
-           pthread_attr_setaffinity_np && pthread_attr_setstacksize;
+/* LLVM's library does not have the one that asks wait. */
+static bool is_known(void) {
+    return GOMP_parallel && !__kmpc_fork_call && pthread_create && pthread_join &&
+           pthread_attr_init && pthread_attr_destroy && pthread_attr_setaffinity_np &&
+           pthread_attr_setstacksize;
+}
+
+/* Where the helper would have to wait for a processor, its end would have to be waited for. A
+ * thread too many may be one too few for OpenMP, which ends the program then. */
+static bool is_free(int others) {
+    return !redcc_cores_are_wanted(others) && !redcc_team_is_limited();
 }
 
 void redcc_room_begin(struct room *room, struct cores *cores, int others) {
     pthread_attr_t attributes;
     *room = (struct room){.cores = cores,
-                          .core = redcc_system_core(),
+                          .core = others > 0 ? redcc_system_core() : -1,
                           .longest = LONGEST_START + (long)others * EACH};
-    if (!is_wanted() || room->core < 0)
+    if (others < 1 || room->core < 0 || !is_known() || !is_free(others))
         return;
     room->starter = redcc_system(SYS_gettid);
     const struct processors where = without(allowed_to(0), room->core);

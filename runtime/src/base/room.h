@@ -23,8 +23,9 @@ struct room {
     bool is_helped;
 };
 
-/** Before the region, by the thread that has just begun `cores`, and whose signals are held:
- *  `others` must be started for it. Where nothing can be done nothing happens. */
+/** Before the region, by the thread that has just begun `cores`: `others` must be started for it;
+ * if any, its signals are held. Where nothing can be done, or other programs want the processors,
+ *  nothing happens. */
 void redcc_room_begin(struct room *room, struct cores *cores, int others);
 
 /** By the same thread, in the region. */
