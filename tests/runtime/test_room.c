@@ -22,8 +22,8 @@
 
 #include <cmocka.h>
 
-/* room.o is linked with these in the place of pthread_create, and of what says that the processors
- * are wanted (CMakeLists.txt). */
+/* room.o is linked with these in the place of pthread_create and pthread_join, and of what says
+ * that the processors are wanted (CMakeLists.txt). */
 int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
                           void *given);
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *),
@@ -31,7 +31,10 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
 
 bool __wrap_redcc_cores_are_wanted(int more);
 
-static int created, refused;
+int __real_pthread_join(pthread_t thread, void **result);
+int __wrap_pthread_join(pthread_t thread, void **result);
+
+static int created, joined, refused;
 static bool wanted;
 
 bool __wrap_redcc_cores_are_wanted(int more) {
@@ -42,6 +45,11 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
                           void *given) {
     created++;
     return refused ? EAGAIN : __real_pthread_create(thread, attributes, run, given);
+}
+
+int __wrap_pthread_join(pthread_t thread, void **result) {
+    joined++;
+    return __real_pthread_join(thread, result);
 }
 
 static int count_threads(void) {
@@ -58,6 +66,7 @@ static int threads; /* at first: a sanitizer has its own */
 
 /* A thread that has ended counts until the system has cleared it away. */
 static void assert_none_is_left(void) {
+    assert_int_equal(joined, created);
     const double until = redcc_seconds() + 5;
     while (count_threads() > threads && redcc_seconds() < until)
         sched_yield();
@@ -91,6 +100,7 @@ static void begin_or_skip(struct room *room, struct cores *cores) {
 
 static void who_waits_is_moved(void **state) {
     (void)state;
+    created = joined = 0;
     const cpu_set_t all = allowed();
     struct cores cores;
     struct room room;
@@ -113,6 +123,7 @@ static void who_waits_is_moved(void **state) {
 /* The system may keep the helper back, but not always. */
 static void who_need_not_wait_stays(void **state) {
     (void)state;
+    created = joined = 0;
     int stays = 0;
     for (int i = 0; i < 50 && stays == 0; i++) {
         struct cores cores;
