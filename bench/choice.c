@@ -15,6 +15,8 @@
  *   columns           y += A x by columns, random pattern of 1 M entries; a new one each call
  *   force-sorted      triangles of a mesh: forces and a matrix; -shuffled: nodes at random
  *   springs-sorted    edges of that mesh; -shuffled
+ *   force-short       the first 4,000 triangles of force-sorted; springs-short: its first 120,000 edges
+ *   columns-short     the first 8,000 columns of columns
  *   gaxpy-sorted      columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
  */
 #include <math.h>
@@ -39,7 +41,10 @@ enum {
     NODES = SIDE * SIDE,
     AROUND = 9,
     TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1),
-    EDGES = 3 * TRIANGLES / 2
+    EDGES = 3 * TRIANGLES / 2,
+    SHORT_TRIANGLES = 4000,
+    SHORT_EDGES = 120000,
+    SHORT_COLUMNS = 8000
 };
 
 static int below(int limit) {
@@ -285,6 +290,10 @@ static void run_columns(void) {
     columns(COLUMNS, start, key, q, x, result);
 }
 
+static void run_short_columns(void) {
+    columns(SHORT_COLUMNS, start, key, q, x, result);
+}
+
 static void make_sorted(void) {
     make_mesh(0);
 }
@@ -335,6 +344,13 @@ static void run_springs(void) {
     springs(edges, edge, at, force);
 }
 
+static void run_short_forces(void) {
+    forces(SHORT_TRIANGLES, triangle, at, force, matrix);
+}
+static void run_short_springs(void) {
+    springs(SHORT_EDGES, edge, at, force);
+}
+
 static const struct {
     const char *name;
     void (*make)(void), (*change)(void), (*run)(void);
@@ -347,6 +363,9 @@ static const struct {
              {"force-shuffled", make_shuffled, change_nothing, run_forces},
              {"springs-sorted", make_sorted, change_nothing, run_springs},
              {"springs-shuffled", make_shuffled, change_nothing, run_springs},
+             {"force-short", make_sorted, change_nothing, run_short_forces},
+             {"springs-short", make_sorted, change_nothing, run_short_springs},
+             {"columns-short", make_columns, change_columns, run_short_columns},
              {"gaxpy-sorted", make_gaxpy_sorted, change_nothing, run_gaxpy},
              {"gaxpy-shuffled", make_gaxpy_shuffled, change_nothing, run_gaxpy}};
 

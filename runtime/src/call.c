@@ -176,7 +176,8 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     call->asked = call->threads = threads;
     if (threads > 1)
         redcc_cores_begin(&execution->cores);
-    redcc_room_begin(&execution->room, &execution->cores, threads > 1 ? call->started : 0);
+    redcc_room_begin(&execution->room, &execution->cores,
+                     threads > 1 ? redcc_team_to_start(threads) : 0);
     if (!alone)
         call->planned = threads;
     execution->inspection.inspector = state->inspector;
@@ -266,16 +267,19 @@ void redcc_sequential_end(redcc_loop *loop) {
     set_original(NULL);
     struct loop_state *state = NULL;
     redcc_is_forked(); /* the body may have forked, and memory is used */
-    if (redcc_unmade_timed(&loop->state, original.trip, seconds))
+    const int executions = redcc_unmade_timed(&loop->state, original.trip, seconds);
+    if (executions > 0)
         state = redcc_state_of(loop);
     enum reason reason;
     if (state &&
         redcc_loop_acquire(state, loop, false, &reason)) { /* else another thread executes it */
         redcc_note_sequential(&state->reported.statistics, original.trip, seconds);
-        redcc_tell_auto(
-            state, loop,
-            &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, original.trip, seconds, 0, 0},
-            REASON_NONE);
+        redcc_tell_auto(state, loop,
+                        &(struct outcome){.result = RESULT_SEQUENTIAL,
+                                          .trip = original.trip,
+                                          .seconds = seconds,
+                                          .untimed = executions - 1},
+                        REASON_NONE);
         if (loop->source_count <= MOST_SOURCES)
             redcc_advise_timed(&state->chooser, loop, original.known, original.trip, seconds);
         redcc_loop_release(state);

@@ -89,10 +89,14 @@ static void tell(struct simulation *it, struct outcome outcome) {
     redcc_observe(it->state, &outcome);
 }
 
+static struct outcome outcome_of(enum result result, enum way way,
+                                 const struct simulated_call *call, double seconds) {
+    return (struct outcome){.result = result, .way = way, .trip = call->trip, .seconds = seconds};
+}
+
 static void run_sequentially(struct simulation *it, const struct simulated_call *call, bool timed) {
     if (timed)
-        tell(it, (struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, call->trip, call->sequential,
-                                  0, 0});
+        tell(it, outcome_of(RESULT_SEQUENTIAL, WAY_SEQUENTIAL, call, call->sequential));
     else
         it->so_far.total += call->sequential;
 }
@@ -107,7 +111,7 @@ static void try_bins(struct simulation *it, const struct simulated_call *call, d
     const double seconds = call->sequential + fmin(done, 1) * more + start;
     it->started = true;
     it->so_far.parallel += result == RESULT_PARALLEL;
-    tell(it, (struct outcome){result, WAY_BINS, call->trip, seconds, 0, 0});
+    tell(it, outcome_of(result, WAY_BINS, call, seconds));
 }
 
 static void run_by_plan(struct simulation *it, const struct simulated_call *call, enum way way) {
@@ -118,13 +122,12 @@ static void run_by_plan(struct simulation *it, const struct simulated_call *call
         it->so_far.parallel++;
         const double seconds = call->execution[way] + start_left(it);
         it->started = true;
-        tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, seconds, 0, 0});
+        tell(it, outcome_of(RESULT_PARALLEL, way, call, seconds));
         return;
     }
     plan->way = WAY_SEQUENTIAL;
     it->steady = 0;
-    tell(it, (struct outcome){RESULT_CHANGED, way, call->trip, it->trace->check * call->sequential,
-                              0, 0});
+    tell(it, outcome_of(RESULT_CHANGED, way, call, it->trace->check * call->sequential));
     run_sequentially(it, call, true);
 }
 
@@ -137,14 +140,18 @@ static void make_plan(struct simulation *it, const struct simulated_call *call, 
     it->so_far.set_ups++;
     if (rest > deadline) {
         it->so_far.stopped++;
-        tell(it, (struct outcome){RESULT_STOPPED, way, call->trip, spent + deadline + trace->block,
-                                  0, deadline / rest});
+        struct outcome stopped =
+            outcome_of(RESULT_STOPPED, way, call, spent + deadline + trace->block);
+        stopped.done = deadline / rest;
+        tell(it, stopped);
         run_sequentially(it, call, true);
         return;
     }
     it->so_far.parallel++;
     keep_plan(it, (struct kept_plan){way, call->subscripts, call->trip, 0});
-    tell(it, (struct outcome){RESULT_PARALLEL, way, call->trip, call->execution[way], set_up, 0});
+    struct outcome made = outcome_of(RESULT_PARALLEL, way, call, call->execution[way]);
+    made.set_up = set_up;
+    tell(it, made);
 }
 
 static void note_loan(struct simulation *it, const struct simulated_call *call) {
@@ -153,7 +160,7 @@ static void note_loan(struct simulation *it, const struct simulated_call *call) 
 }
 
 static void end_look(struct simulation *it, const struct simulated_call *call, double spent) {
-    tell(it, (struct outcome){RESULT_UNATTRACTIVE, WAY_SEQUENTIAL, call->trip, spent, 0, 0});
+    tell(it, outcome_of(RESULT_UNATTRACTIVE, WAY_SEQUENTIAL, call, spent));
     run_sequentially(it, call, true);
 }
 
@@ -173,9 +180,10 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
     }
     if (dry_run > 0 && dry_run > entry.deadline) {
         it->so_far.stopped++;
-        tell(it, (struct outcome){RESULT_STOPPED, entry.way, call->trip,
-                                  team + entry.deadline / 16 + trace->block, 0,
-                                  entry.deadline / 16 / dry_run});
+        struct outcome stopped =
+            outcome_of(RESULT_STOPPED, entry.way, call, team + entry.deadline / 16 + trace->block);
+        stopped.done = entry.deadline / 16 / dry_run;
+        tell(it, stopped);
         run_sequentially(it, call, true);
         return;
     }

@@ -147,7 +147,7 @@ void problem_tell_slow(redcc_loop *loop, long trip, double seconds) {
         &state->chooser.state.size[63 - __builtin_clzll((unsigned long long)trip)];
     for (int call = 0; call < 4000; call++)
         redcc_tell(&state->chooser,
-                   &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, trip, all, 0, 0},
+                   &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = trip, .seconds = all},
                    REASON_NONE);
     for (enum way way = WAY_COPIES; way < WAY_COUNT; way++)
         size->prospect[way].learned = 40 * all;

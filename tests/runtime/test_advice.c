@@ -9,6 +9,7 @@
 #include "problem.h"
 #include "unmade.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -233,6 +234,27 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
+/* A loop that threads are worth waking for gets its state when that is little beside what it has
+ * taken, and 16 of these executions count. */
+static void loops_of_a_fifth_of_a_millisecond_get_a_state_late(void **unused) {
+    (void)unused;
+    static const struct {
+        double seconds;
+        int timings; /* until there is one; 0: after many there is none */
+    } asked[] = {{0.51e-3, 1}, {0.49e-3, 2}, {0.32e-3, 2}, {0.3e-3, 3}, {0.17e-3, 3}, {0.15e-3, 0}};
+    for (size_t a = 0; a < sizeof asked / sizeof *asked; a++) {
+        void *word = NULL;
+        int timings = 0, executions = 0;
+        for (; executions == 0 && timings < 10; timings++)
+            executions = redcc_unmade_timed(&word, 1000, asked[a].seconds);
+        assert_int_equal(executions == 0 ? 0 : timings, asked[a].timings);
+        assert_int_equal(executions, timings == 1 ? 1 : timings == 10 ? 0 : 17);
+    }
+    void *word = NULL;
+    for (int timing = 0; timing < 10; timing++) /* of another size than those that were counted */
+        assert_int_equal(redcc_unmade_timed(&word, timing == 0 ? 1000 : 10, 0.4e-3), 0);
+}
+
 /* The first of them are executed before the runtime is asked at all. */
 static void the_first_short_iterations_are_not_asked_about(void **unused) {
     (void)unused;
@@ -301,9 +323,24 @@ static void an_execution_counts_though_nothing_was_decided(void **unused) {
     (void)unused;
     static struct choice_state state;
     const struct situation now = {.trip = TRIP, .threads = 2, .wake = 1e-5};
-    redcc_observe(&state, &(struct outcome){RESULT_SEQUENTIAL, WAY_SEQUENTIAL, TRIP, 1, 0, 0});
+    redcc_observe(&state,
+                  &(struct outcome){.result = RESULT_SEQUENTIAL, .trip = TRIP, .seconds = 1});
     redcc_decide(&state, &now);
     assert_int_equal(redcc_size_of(&state, TRIP)->rest.calls, 2);
+}
+
+/* Those before the loop had a state are taken to have lasted as long as the one that was timed. */
+static void executions_that_were_not_timed_count(void **unused) {
+    (void)unused;
+    static struct choice_state state;
+    redcc_observe(&state,
+                  &(struct outcome){
+                      .result = RESULT_SEQUENTIAL, .trip = TRIP, .seconds = 0.3e-3, .untimed = 16});
+    const struct size_state *size = redcc_size_of(&state, TRIP);
+    assert_true(fabs(redcc_credit(&state) - 17 * 0.3e-3 / 32) < 1e-9);
+    assert_true(fabs(size->set_ups.since - 17 * 0.3e-3) < 1e-9);
+    assert_int_equal(size->rest.calls, 16);
+    assert_int_equal(redcc_timings_of(&state, TRIP), 1);
 }
 
 /* 50,000 iterations of 2 touches, 20 ns each, on 2 threads. */
@@ -380,6 +417,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(subscripts_are_known_after_the_first_timing, begin_sorted,
                                         end),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
+        cmocka_unit_test(loops_of_a_fifth_of_a_millisecond_get_a_state_late),
+        cmocka_unit_test(executions_that_were_not_timed_count),
         cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),
         cmocka_unit_test(prospects_follow_from_what_was_found),

@@ -332,6 +332,28 @@ static struct trace *light(int count) {
     return trace;
 }
 
+/* A loop of 0.3 ms, of which a look and a set-up take most each: that pays after some hundred
+ * executions, and loses nothing before. One that waking threads takes a sixteenth of is left alone.
+ */
+static void short_loops(void **unused) {
+    (void)unused;
+    for (int again = 0; again < 2; again++) {
+        struct trace *trace = light(1000);
+        trace->set_up[WAY_INDEX] = 0.25e-9;
+        trace->wake = again ? 20e-6 : 10e-6;
+        for (int c = 0; c < trace->count; c++) {
+            trace->call[c].sequential = 0.3e-3;
+            trace->call[c].execution[WAY_INDEX] = 0.17e-3;
+        }
+        const struct simulated it = simulate(trace);
+        assert_true(it.slowest < 1.04);
+        assert_int_equal(it.looks, again ? 0 : 1);
+        assert_int_equal(it.set_ups, again ? 0 : 1);
+        assert_in_range(it.parallel, again ? 0 : 890, again ? 0 : 920);
+        free(trace);
+    }
+}
+
 /* What was waited is no reason to leave the rest undone: the threads are there. */
 static void threads_that_start_late_for_a_light_loop(void **unused) {
     (void)unused;
@@ -540,6 +562,7 @@ int main(void) {
         cmocka_unit_test(a_light_loop_whose_subscripts_stay),
         cmocka_unit_test(threads_that_start_late),
         cmocka_unit_test(threads_that_start_late_for_a_light_loop),
+        cmocka_unit_test(short_loops),
         cmocka_unit_test(a_plan_that_repays),
         cmocka_unit_test(samples_that_mislead),
         cmocka_unit_test(a_gain_that_may_be_none),

@@ -37,7 +37,7 @@ struct call {
     bool always_planned; /* one thread executes by the plan as well */
     bool one_will_do;    /* one thread is enough to execute by a plan */
     int asked;
-    int started;                        /* of them, that were not there before */
+    int started;                        /* of them, more than in any region before */
     int threads;                        /* that came */
     int planned;                        /* that a plan would be for: a look is one thread's */
     struct float_control float_control; /* of the thread that entered */

@@ -168,16 +168,18 @@ static void *be_there(void *argument) {
     return NULL;
 }
 
-static unsigned count_tasks(void) {
+/* Threads of the process; 0: not known. */
+static int count_tasks(void) {
+    enum { LINKS = 2 }; /* that a directory without any has */
     struct statx tasks;
     if (redcc_system(SYS_statx, AT_FDCWD, "/proc/self/task", 0, STATX_NLINK, &tasks) != 0)
         return 0;
-    return tasks.stx_nlink;
+    return (int)tasks.stx_nlink - LINKS;
 }
 
 /* How many of `more` threads can be had at once. They are gone when it returns. */
 static int try_threads(int more) {
-    const unsigned before = count_tasks();
+    const int before = count_tasks();
     struct trial trial = {0};
     int made = 0;
     pthread_t *thread = redcc_memory_take((size_t)more * sizeof *thread);
@@ -246,6 +248,13 @@ int redcc_team_missing(int threads) {
     return threads > there ? threads - there : 0;
 }
 
+int redcc_team_to_start(int threads) {
+    const int missing = redcc_team_missing(threads);
+    const bool is_first = missing > 0 && team.threads < 2;
+    const bool is_main = is_first && redcc_system(SYS_gettid) == redcc_system_process();
+    return is_main && count_tasks() >= threads ? 0 : missing;
+}
+
 void redcc_team_came(int threads) {
     team.threads = threads;
     if (team.stack_before)
@@ -273,6 +282,11 @@ bool redcc_team_grows(int threads) {
 }
 
 int redcc_team_missing(int threads) {
+    (void)threads;
+    return 0;
+}
+
+int redcc_team_to_start(int threads) {
     (void)threads;
     return 0;
 }

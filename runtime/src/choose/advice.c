@@ -53,6 +53,9 @@ static _Atomic double wake;
 static const double first_start = 0.4e-3, turn = 4e-3;
 static _Atomic double start;
 
+/* ... that a loop's first region takes where the program's own have started the threads. */
+static const double first_region = 0.1e-3;
+
 static double wake_seconds(void) {
     const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
     return measured > 0 ? measured : first_wake;
@@ -61,9 +64,11 @@ static double wake_seconds(void) {
 static double start_seconds(int threads) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
     const double usual = measured > 0 ? measured : first_start;
-    const int missing = redcc_team_missing(threads);
-    if (missing == 0)
+    if (redcc_team_missing(threads) == 0)
         return 0;
+    const int missing = redcc_team_to_start(threads);
+    if (missing == 0)
+        return first_region;
     return missing * (usual < turn && redcc_cores_are_wanted(missing) ? turn : usual);
 }
 

@@ -14,8 +14,9 @@ static const double reserve = 0.25;
 /* ... and for a trial in bins, which ends after the first round that has lost as much: paid for by
  * two sequential executions and a look. */
 static const double tried = 1.0 / 24;
-/* Before any sample was taken: 256 iterations of some touches, by one thread. */
-static const double first_look = 0.4e-3;
+/* Before any sample was taken: 256 iterations of some touches, by one thread; of a short loop no
+ * more than that part of an execution. */
+static const double first_look = 0.4e-3, sampled_most = 0.75;
 /* Where nothing tells whether subscripts stay, a set-up waits so many times as long. */
 static const double unknown = 4;
 
@@ -38,7 +39,7 @@ static const double started_most = 1.0 / 8;
  * could not tell a plan that is used ten times from one that is used twice. */
 static const double soon = 8;
 
-static const double wakes = 50;         /* waking the threads costs 2 % of an execution then */
+static const double wakes = 16; /* waking two threads takes an eighth of what each executes then */
 static const double checked_after = 64; /* timing the sequential loop again costs 1/64; */
 /* where only its first execution was timed, which found no page in place, 1/16, or 1/32 where the
  * plan takes so little of it that it is likely to be faster than the next one as well */
@@ -253,7 +254,8 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
 static struct decision look(struct choice_state *state, struct size_state *size,
                             const struct situation *now) {
     const double usual = redcc_usual(&size->sequential) * (double)now->trip;
-    const double first = now->dry_run ? first_look + usual : first_look;
+    const double sample = least_of(first_look, sampled_most * usual);
+    const double first = now->dry_run ? sample + usual : sample;
     const double cost = size->look > 0 ? size->look : first;
     assert(cost > 0);
     if (redcc_credit(state) < cost ||

@@ -92,6 +92,7 @@ struct outcome {
     double seconds; /**< of the execution; of UNATTRACTIVE, STOPPED, CHANGED, REFUSED: lost */
     double set_up;  /**< seconds, of PARALLEL with a new plan */
     double done;    /**< STOPPED: the part of the set-up that was done, 0 to 1 */
+    long untimed;   /**< SEQUENTIAL: executions before it that nobody timed, taken to be alike */
 };
 
 /** Where a loop stands, at trip counts of one size. */

@@ -89,8 +89,10 @@ static bool is_another(double before, double now) {
 static void observe_sequential(struct choice_state *state, struct size_state *size,
                                const struct outcome *outcome) {
     const double each = outcome->seconds / (double)outcome->trip;
-    state->ledger.sequential += outcome->seconds;
-    size->set_ups.since += outcome->seconds;
+    const double all = outcome->seconds * (double)(1 + outcome->untimed);
+    state->ledger.sequential += all;
+    size->set_ups.since += all;
+    size->rest.calls += outcome->untimed;
     const bool comparing = size->stand == STAND_COMPARING;
     const bool checked = comparing && size->comparison.incumbent == WAY_SEQUENTIAL &&
                          size->comparison.incumbents_turn && size->comparison.defended == 0;

@@ -12,7 +12,7 @@
     X(RULE_FIRST, "first",                                                                         \
       "no execution at trip counts of this size (between two powers of two) is timed",             \
       "the original loop, timed")                                                                  \
-    X(RULE_SHORT, "short", "an execution takes less than 50 times as long as waking the threads",  \
+    X(RULE_SHORT, "short", "an execution takes less than 16 times as long as waking the threads",  \
       "the original loop; timed again after 16 calls, then at doubling distances up to 1024")      \
     X(RULE_SAVING, "saving",                                                                       \
       "a trial is worth it, but it may cost more than a 32nd of the time that the loop has "       \

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* How many threads OpenMP has to start: a program may have started them for regions of its own. */
+#include "base/team.h"
+
+#include <omp.h>
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+enum { THREADS = 3 };
+
+static int to_start;
+
+static void *ask(void *unused) {
+    (void)unused;
+    to_start = redcc_team_to_start(THREADS);
+    return NULL;
+}
+
+static int asked_by_another_thread(void) {
+    pthread_t thread;
+    assert_int_equal(pthread_create(&thread, NULL, ask, NULL), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    return to_start;
+}
+
+static int begin_region(int threads) {
+    int came = 0;
+#pragma omp parallel num_threads(threads)
+#pragma omp single
+    came = omp_get_num_threads();
+    return came;
+}
+
+/* In this order: threads that OpenMP has started stay. */
+static void threads_that_are_there_need_not_be_started(void **state) {
+    (void)state;
+    assert_int_equal(redcc_team_to_start(1), 0);
+    assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
+    redcc_team_came(1); /* one thread's look */
+    assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
+    if (begin_region(THREADS) < THREADS)
+        skip();
+    assert_int_equal(redcc_team_missing(THREADS),
+                     THREADS - 1); /* for who asks first, all the same */
+    assert_int_equal(redcc_team_to_start(THREADS), 0);
+    assert_int_equal(redcc_team_to_start(THREADS + 1), THREADS);
+    assert_int_equal(asked_by_another_thread(), THREADS - 1); /* each has its own */
+    redcc_team_came(THREADS);
+    assert_int_equal(redcc_team_missing(THREADS), 0);
+    assert_int_equal(redcc_team_to_start(THREADS + 2), 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(threads_that_are_there_need_not_be_started),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
