@@ -15,7 +15,8 @@
  *   columns           y += A x by columns, random pattern of 1 M entries; a new one each call
  *   force-sorted      triangles of a mesh: forces and a matrix; -shuffled: nodes at random
  *   springs-sorted    edges of that mesh; -shuffled
- *   force-short       the first 4,000 triangles of force-sorted; springs-short: its first 120,000 edges
+ *   force-short       the first 4,000 triangles of force-sorted
+ *   springs-short     the first 120,000 edges of springs-sorted
  *   columns-short     the first 8,000 columns of columns
  *   gaxpy-sorted      columns of a matrix with the pattern of that mesh (cs_gaxpy); -shuffled
  */
