@@ -332,9 +332,8 @@ static struct trace *light(int count) {
     return trace;
 }
 
-/* A loop of 0.3 ms, of which a look takes much: that is covered after some tens of executions, and a
- * loan after it. One that waking threads takes a sixteenth of is left alone.
- */
+/* A loop of 0.3 ms, of which a look takes much: that is covered after some tens of executions, and
+ * a loan after it. One that waking threads takes a sixteenth of is left alone. */
 static void short_loops(void **unused) {
     (void)unused;
     for (int again = 0; again < 2; again++) {
