@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Threads of a region that were put on one processor part; where they may run is as before. */
 #define _GNU_SOURCE
+#include "base/affinity.h"
 #include "base/clock.h"
 #include "base/cores.h"
 #include "base/processor.h"
@@ -53,8 +54,8 @@ static _Thread_local struct machine *machine;
 
 int __real_redcc_system_core(void);
 int __wrap_redcc_system_core(void);
-bool __real_redcc_system_leave_cores(const unsigned long *taken, size_t words);
-bool __wrap_redcc_system_leave_cores(const unsigned long *taken, size_t words);
+bool __real_redcc_processors_leave(const unsigned long *taken, size_t words);
+bool __wrap_redcc_processors_leave(const unsigned long *taken, size_t words);
 
 int __wrap_redcc_system_core(void) {
     return machine ? machine->at : __real_redcc_system_core();
@@ -65,9 +66,9 @@ static bool is_in(const unsigned long *set, size_t words, int core) {
     return (size_t)core / bits < words && (set[(size_t)core / bits] >> (size_t)core % bits & 1);
 }
 
-bool __wrap_redcc_system_leave_cores(const unsigned long *taken, size_t words) {
+bool __wrap_redcc_processors_leave(const unsigned long *taken, size_t words) {
     if (!machine)
-        return __real_redcc_system_leave_cores(taken, words);
+        return __real_redcc_processors_leave(taken, words);
     machine->leaves++;
     for (int core = 0; core < machine->processors; core++)
         if (!is_in(taken, words, core)) {
@@ -232,7 +233,7 @@ static void a_thread_leaves_a_processor(void **state) {
         taken[(size_t)core / bits] = 1ul << (size_t)core % bits;
         stay_on(core);
         sched_setaffinity(0, sizeof *all, all); /* which moves nobody */
-        assert_int_equal(redcc_system_leave_cores(taken, sizeof taken / sizeof *taken),
+        assert_int_equal(redcc_processors_leave(taken, sizeof taken / sizeof *taken),
                          CPU_COUNT(all) > 1);
         moved = sched_getcpu() != core;
         const cpu_set_t after = allowed();
@@ -299,7 +300,7 @@ static void threads_that_would_wait_are_foreseen(void **unused) {
         skip(); /* not known here */
     assert_true(redcc_system_running() > 0);
     assert_int_equal(online, sysconf(_SC_NPROCESSORS_ONLN));
-    if (online != redcc_system_processors() || count > MOST)
+    if (online != redcc_processors_here() || count > MOST)
         skip();
     for (int i = 0; i < count; i++)
         assert_int_equal(pthread_create(&thread[i], NULL, compute, NULL), 0);

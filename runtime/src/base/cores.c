@@ -8,6 +8,7 @@
  */
 #include "base/cores.h"
 
+#include "base/affinity.h"
 #include "base/clock.h"
 #include "base/system.h"
 
@@ -56,7 +57,7 @@ static void move(struct cores *cores, int core) {
     for (int word = 0; word < WORDS; word++)
         taken[word] = atomic_load_explicit(&cores->taken[word], memory_order_relaxed);
     taken[core / WORD] |= bit_of(core);
-    redcc_system_leave_cores(taken, WORDS);
+    redcc_processors_leave(taken, WORDS);
 }
 
 void redcc_cores_take(struct cores *cores) {
@@ -96,7 +97,7 @@ bool redcc_cores_are_wanted(int more) {
     static atomic_int running, online = -1;
     if (atomic_load(&online) < 0) {
         const int all = redcc_system_online();
-        atomic_store(&online, all == redcc_system_processors() ? all : 0);
+        atomic_store(&online, all == redcc_processors_here() ? all : 0);
     }
     if (atomic_load(&online) == 0)
         return false;

@@ -4,6 +4,7 @@
 
 #if defined(__linux__) && defined(__LP64__)
 
+#include "base/affinity.h"
 #include "base/system.h"
 #include "base/team.h"
 
@@ -23,47 +24,18 @@ extern __typeof__(pthread_attr_setstacksize) pthread_attr_setstacksize WEAK;
 enum {
     STACK = 64 * 1024,
     LONGEST_START = 130 * 1000, /* ns: who has room comes in 0.1 ms, */
-    EACH = 20 * 1000,           /* and is started in 10 to 15 microseconds */
-    WORD_BITS = 8 * sizeof(unsigned long)
+    EACH = 20 * 1000            /* and is started in 10 to 15 microseconds */
 };
-
-struct processors {
-    unsigned long word[REDCC_CORE_WORDS];
-    long bytes; /* that the system knows of; 0: none */
-};
-
-/* Those that the thread may run on. */
-static struct processors allowed_to(long thread) {
-    struct processors all;
-    all.bytes = redcc_system(SYS_sched_getaffinity, thread, sizeof all.word, all.word);
-    return all.bytes > 0 ? all : (struct processors){.bytes = 0};
-}
-
-/* ... but for one of them. */
-static struct processors without(struct processors all, int core) {
-    unsigned long any = 0;
-    all.word[core / WORD_BITS] &= ~(1ul << core % WORD_BITS);
-    for (long word = 0; word < all.bytes / (long)sizeof *all.word; word++)
-        any |= all.word[word];
-    all.bytes = any ? all.bytes : 0;
-    return all;
-}
-
-static bool place(long thread, struct processors where) {
-    return redcc_system(SYS_sched_setaffinity, thread, where.bytes, where.word) == 0;
-}
 
 /* To the processor that the helper leaves. */
 static void move_starter(const struct room *room) {
     const int core = redcc_system_core();
-    const struct processors all = allowed_to(room->starter);
-    struct processors one = {.bytes = all.bytes};
-    if (core < 0 || core == room->core || all.bytes == 0)
+    const struct processors all = redcc_processors_of(room->starter);
+    const struct processors one = redcc_processors_only(all, core);
+    if (core == room->core || one.bytes == 0)
         return;
-    one.word[core / WORD_BITS] = 1ul << core % WORD_BITS;
     redcc_cores_change(room->cores, room->core, core);
-    if (place(room->starter, one))
-        place(room->starter, all);
+    redcc_processors_move(room->starter, &one, &all);
 }
 
 static void *help(void *given) {
@@ -93,10 +65,12 @@ void redcc_room_begin(struct room *room, struct cores *cores, int others) {
     *room = (struct room){.cores = cores,
                           .core = others > 0 ? redcc_system_core() : -1,
                           .longest = LONGEST_START + (long)others * EACH};
-    if (others < 1 || room->core < 0 || !is_known() || !is_free(others))
+    if (room->core < 0 || !is_known() || !is_free(others))
         return;
     room->starter = redcc_system(SYS_gettid);
-    const struct processors where = without(allowed_to(0), room->core);
+    const struct processors all = redcc_processors_of(0),
+                            own = redcc_processors_only(all, room->core);
+    const struct processors where = redcc_processors_without(all, own.word, REDCC_CORE_WORDS);
     if (where.bytes == 0 || pthread_attr_init(&attributes) != 0)
         return;
     pthread_t helper;

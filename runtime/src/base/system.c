@@ -115,28 +115,6 @@ int redcc_system_core(void) {
     return -1;
 }
 
-/* The kernel moves a thread at once that may not stay where it is. */
-bool redcc_system_leave_cores(const unsigned long *taken, size_t words) {
-    unsigned long allowed[REDCC_CORE_WORDS], others[REDCC_CORE_WORDS];
-    const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof allowed, allowed);
-    unsigned long any = 0;
-    for (long word = 0; word < bytes / (long)sizeof *allowed; word++) {
-        others[word] = allowed[word] & ~((size_t)word < words ? taken[word] : 0);
-        any |= others[word];
-    }
-    return any && redcc_system(SYS_sched_setaffinity, 0, bytes, others) == 0 &&
-           redcc_system(SYS_sched_setaffinity, 0, bytes, allowed) == 0;
-}
-
-int redcc_system_processors(void) {
-    unsigned long allowed[REDCC_CORE_WORDS];
-    const long bytes = redcc_system(SYS_sched_getaffinity, 0, sizeof allowed, allowed);
-    int count = 0;
-    for (long word = 0; word < bytes / (long)sizeof *allowed; word++)
-        count += __builtin_popcountl(allowed[word]);
-    return count > 0 ? count : 1;
-}
-
 uint64_t redcc_system_memory(void) {
     struct sysinfo info;
     if (redcc_system(SYS_sysinfo, &info) != 0)
@@ -240,17 +218,6 @@ int redcc_system_node(void) {
 
 int redcc_system_core(void) {
     return -1;
-}
-
-bool redcc_system_leave_cores(const unsigned long *taken, size_t words) {
-    (void)taken;
-    (void)words;
-    return false;
-}
-
-int redcc_system_processors(void) {
-    const long count = sysconf(_SC_NPROCESSORS_ONLN);
-    return count > 0 ? (int)count : 1;
 }
 
 uint64_t redcc_system_memory(void) {

@@ -104,17 +104,6 @@ int redcc_system_node(void);
 /** The processor the calling thread is on; -1: not known. */
 int redcc_system_core(void);
 
-/** Words of a set of processors, by their numbers: no system has more. */
-enum { REDCC_CORE_WORDS = 8192 / (8 * sizeof(unsigned long)) };
-
-/** Moves the calling thread to a processor that it may run on and that is not in `taken` (`words`
- *  of them); afterwards it may run where it might before. False: there is none, or it cannot be
- *  done here. */
-bool redcc_system_leave_cores(const unsigned long *taken, size_t words);
-
-/** The processors that the calling thread may run on; at least 1. */
-int redcc_system_processors(void);
-
 /** Bytes of the machine's memory; 0: not known. */
 uint64_t redcc_system_memory(void);
 

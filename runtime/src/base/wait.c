@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "base/wait.h"
 
+#include "base/affinity.h"
 #include "base/system.h"
 
 #include <limits.h>
@@ -18,7 +19,7 @@ static int cores(void) {
     static atomic_int known;
     int count = atomic_load_explicit(&known, memory_order_relaxed);
     if (count == 0) {
-        count = redcc_system_processors();
+        count = redcc_processors_here();
         atomic_store_explicit(&known, count, memory_order_relaxed);
     }
     return count;
