@@ -2,6 +2,7 @@
 /* How many threads OpenMP has to start: a program may have started them for regions of its own. */
 #include "base/team.h"
 
+#include <dirent.h>
 #include <omp.h>
 #include <pthread.h>
 #include <setjmp.h>
@@ -36,19 +37,33 @@ static int begin_region(int threads) {
     return came;
 }
 
+/* Threads beside the main one: ThreadSanitizer has some. */
+static int count_others(void) {
+    int count = -1;
+    DIR *tasks = opendir("/proc/self/task");
+    assert_non_null(tasks);
+    for (const struct dirent *task = readdir(tasks); task; task = readdir(tasks))
+        count += task->d_name[0] != '.';
+    closedir(tasks);
+    return count;
+}
+
 /* In this order: threads that OpenMP has started stay. */
 static void threads_that_are_there_need_not_be_started(void **state) {
     (void)state;
+    if (count_others() >= THREADS - 1)
+        skip();
     assert_int_equal(redcc_team_to_start(1), 0);
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
     redcc_team_came(1); /* one thread's look */
     assert_int_equal(redcc_team_to_start(THREADS), THREADS - 1);
     if (begin_region(THREADS) < THREADS)
         skip();
-    assert_int_equal(redcc_team_missing(THREADS),
-                     THREADS - 1); /* for who asks first, all the same */
+    /* for who asks first, all the same */
+    assert_int_equal(redcc_team_missing(THREADS), THREADS - 1);
     assert_int_equal(redcc_team_to_start(THREADS), 0);
-    assert_int_equal(redcc_team_to_start(THREADS + 1), THREADS);
+    const int too_many = count_others() + 2;
+    assert_int_equal(redcc_team_to_start(too_many), too_many - 1);
     assert_int_equal(asked_by_another_thread(), THREADS - 1); /* each has its own */
     redcc_team_came(THREADS);
     assert_int_equal(redcc_team_missing(THREADS), 0);
