@@ -4,7 +4,7 @@
 # programs have them (bench/choice.c), most of which are not worth running in parallel, by `auto`, by
 # each method named, and sequentially. Rounds are interleaved; each ratio is of one round, and the
 # table has their medians, lowest and highest. Results are compared bit for bit.
-# The -short ones, of 0.1 to 0.3 ms, are parts of others: CALLS="400 4000 40000" tells of them.
+# The -short ones, of 0.1 to 0.3 ms, are parts of others: CALLS="400 4000 20000" tells of them.
 # Of the loops of `script/bench methods`, force is its heavy and springs its light one, by rows alone.
 # NEIGHBOURS: processes that only compute run beside all of it, the sequential program as well.
 #   ROUNDS=5 CALLS="1 3 10 40 400" LOOPS="count pairs ..." METHODS="auto localwrite ..." NEIGHBOURS=1

@@ -5,8 +5,8 @@
 #include "base/clock.h"
 #include "base/cores.h"
 #include "base/room.h"
+#include "thread_count.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <omp.h>
 #include <pthread.h>
@@ -50,16 +50,6 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
 int __wrap_pthread_join(pthread_t thread, void **result) {
     joined++;
     return __real_pthread_join(thread, result);
-}
-
-static int count_threads(void) {
-    int count = 0;
-    DIR *tasks = opendir("/proc/self/task");
-    assert_non_null(tasks);
-    for (const struct dirent *task = readdir(tasks); task; task = readdir(tasks))
-        count += task->d_name[0] != '.';
-    closedir(tasks);
-    return count;
 }
 
 static int threads; /* at first: a sanitizer has its own */

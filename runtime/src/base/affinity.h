@@ -25,7 +25,7 @@ struct processors redcc_processors_of(long thread);
 struct processors redcc_processors_without(struct processors these, const unsigned long *taken,
                                            size_t words);
 
-/** That one of these. */
+/** That one of these; none if it is not among them. */
 struct processors redcc_processors_only(struct processors these, int core);
 
 /** Moves the thread to one of these; afterwards it may run on `allowed` again. False: there are

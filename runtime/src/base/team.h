@@ -34,9 +34,9 @@ bool redcc_team_grows(int threads);
 /** How many threads more than its last region had does one of `threads` need? */
 int redcc_team_missing(int threads);
 
-/** How many of these has OpenMP to start? Of the main thread's, whose program may have regions of
- *  its own: none, where the process has as many threads as that. They may be others than OpenMP's;
- *  this is for estimates. */
+/** How many of these must OpenMP start? For the main thread none, where the process has as many
+ *  threads as that: the program's regions may have started them. They may be other threads than
+ *  OpenMP's, so this is for estimates. */
 int redcc_team_to_start(int threads);
 
 /** The region has begun, with `threads` threads; to be called by its first thread. */
