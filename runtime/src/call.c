@@ -198,13 +198,11 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
 }
 
 /* Is nothing to be decided in this call? Then it is not prepared for either. */
-static bool rests(struct loop_state *state, redcc_int trip, int threads, enum reason *reason) {
-    struct advice advice;
-    if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
+static bool rests(struct loop_state *state, redcc_int trip, int threads, struct advice *advice) {
+    if (!redcc_advise_rest(&state->chooser, trip, threads, advice))
         return false;
-    redcc_note_rule(&state->reported.statistics, advice.rule);
+    redcc_note_rule(&state->reported.statistics, advice->rule);
     redcc_note_serial(&state->reported.statistics);
-    *reason = advice.reason;
     return true;
 }
 
@@ -321,9 +319,12 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, reason);
     struct execution *execution = &held->execution;
     const bool asks_auto = !always && !settings->method;
-    if (asks_auto && rests(held, trip, threads, &reason)) {
+    struct advice rest;
+    if (asks_auto && rests(held, trip, threads, &rest)) {
         redcc_loop_release(held);
-        return serially(state, reason);
+        if (rest.timed)
+            time_original(loop, trip, known);
+        return serially(state, rest.reason);
     }
     take_settings(&execution->call, settings, error_before);
     if (redcc_float_traps(execution->call.float_control)) {

@@ -7,21 +7,25 @@
  * is not busy (decide.c asks again, with what it takes on this one). */
 static const double least_seconds = 0.16e-3;
 
-/* The state, and what is made once in a process, take 0.04 to 0.2 ms: a loop that takes no longer
- * than a few of these gets it when they are a 32nd of the time that it has taken. */
-static const double at_once = 0.5e-3, enough = 5e-3;
+/* The state, and what is made once in a process, take 0.04 to 0.3 ms: they are made when that is
+ * little beside what the loop has taken. No look could be paid for before (decide.c). */
+static const double enough = 5e-3;
 
 enum {
     FIRST = 16,       /* calls until a short loop is timed again; then twice as many, */
     MOST = 1024,      /* up to these */
     SIZE_BITS = 7,    /* of the word, above the lowest bit, which is 1: a loop's size, */
-    NUMBER_BITS = 12, /* calls that are left until it is timed again, and all of these */
+    NUMBER_BITS = 12, /* calls that are left until it is timed again, all of these, and */
+    EARNED_BITS = 13  /* microseconds that its executions have taken, where they are long enough */
 };
+
+_Static_assert(8 * sizeof(void *) > SIZE_BITS + 2 * NUMBER_BITS + EARNED_BITS, "one word");
 
 struct word {
     unsigned size; /* the logarithm of the trip count */
     unsigned left;
     unsigned length;
+    unsigned earned; /* microseconds */
 };
 
 static unsigned size_of(redcc_int trip) {
@@ -32,13 +36,16 @@ static struct word unpack(const void *state) {
     const uintptr_t it = (uintptr_t)state >> 1, number = (1u << NUMBER_BITS) - 1;
     return (struct word){.size = (unsigned)it & ((1u << SIZE_BITS) - 1),
                          .left = (unsigned)(it >> SIZE_BITS & number),
-                         .length = (unsigned)(it >> (SIZE_BITS + NUMBER_BITS) & number)};
+                         .length = (unsigned)(it >> (SIZE_BITS + NUMBER_BITS) & number),
+                         .earned = (unsigned)(it >> (SIZE_BITS + 2 * NUMBER_BITS)) &
+                                   ((1u << EARNED_BITS) - 1)};
 }
 
 /* Where another thread was quicker, its word stays, or the state that it has made. */
 static void replace(void **state, void *before, struct word word) {
     const uintptr_t it = (uintptr_t)word.size | (uintptr_t)word.left << SIZE_BITS |
-                         (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS);
+                         (uintptr_t)word.length << (SIZE_BITS + NUMBER_BITS) |
+                         (uintptr_t)word.earned << (SIZE_BITS + 2 * NUMBER_BITS);
     __atomic_compare_exchange_n(state, &before, (void *)(it << 1 | 1), 0, __ATOMIC_RELAXED,
                                 __ATOMIC_RELAXED);
 }
@@ -67,18 +74,34 @@ bool redcc_unmade_call(void **state, redcc_int trip) {
     return false;
 }
 
+/* Calls until a loop that is not worth a state is timed again. */
+static unsigned rest_after(unsigned length) {
+    return length < FIRST / 2 ? FIRST : length < MOST / 2 ? 2 * length : MOST;
+}
+
+/* Those between took no longer than this one, or than by the timings before. */
+static double earned_before(struct word word, double seconds) {
+    const double timed = word.earned * 1e-6, left = enough - timed, between = seconds * word.length;
+    return timed + (between < left ? between : left);
+}
+
 int redcc_unmade_timed(void **state, redcc_int trip, double seconds) {
     void *const before = __atomic_load_n(state, __ATOMIC_RELAXED);
-    if (!redcc_is_unmade(before) || seconds >= at_once)
+    if (!redcc_is_unmade(before))
         return 1;
     struct word word = unpack(before);
     const unsigned size = size_of(trip);
-    const bool is_known = before && size <= word.size;
-    if (before && size == word.size && seconds >= least_seconds && seconds * word.length >= enough)
-        return 1 + FIRST;
-    word.length = is_known ? 2 * word.length : FIRST;
-    word.length = word.length < MOST ? word.length : MOST;
-    replace(state, before,
-            (struct word){before && size < word.size ? word.size : size, word.length, word.length});
+    const bool is_smaller = before && size < word.size, is_same = before && size == word.size;
+    const double earned = seconds + (is_same && word.earned > 0 ? earned_before(word, seconds) : 0);
+    if (seconds >= least_seconds && earned >= enough)
+        return (int)(earned / seconds);
+    const bool earns = seconds >= least_seconds && !is_smaller;
+    word.earned = earns ? (unsigned)(1e6 * earned) + 1 : 0;
+    word.length = earns                   ? (unsigned)((enough - earned) / seconds)
+                  : is_same || is_smaller ? rest_after(word.length)
+                                          : FIRST;
+    word.left = word.length;
+    word.size = is_smaller ? word.size : size;
+    replace(state, before, word);
     return 0;
 }

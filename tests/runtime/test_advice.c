@@ -209,7 +209,30 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* ... and have no state; one word says when they are timed again. */
+/* So is one that nothing served lately, but it is timed; its subscripts are read in the last call.
+ */
+static void resting_loops_are_left_alone(void **state) {
+    enum { REST = 16 };
+    struct called *called = *state;
+    struct size_state *size = size_of(called);
+    uint64_t *sampled = ((struct loop_state *)called->described.loop.state)->chooser.sampled;
+    redcc_rest(size, STAND_RESTING, RULE_SLOWER, REST, REST);
+    sampled[0] = 1;
+    const long calls = size->rest.calls, timed = size->sequential.count;
+    for (int call = 1; call < REST; call++) {
+        assert_false(call_right(called));
+        assert_int_equal(statistics_of(called)->rule, RULE_SLOWER);
+        assert_int_equal(size->rest.calls, calls + call);
+        assert_int_equal(size->sequential.count, timed + call);
+        assert_int_equal(sampled[0] != 1, call == REST - 1);
+    }
+    assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_SERIAL_FASTER]), REST - 1);
+    assert_int_equal(size->stand, STAND_RESTING);
+    call_right(called);
+    assert_true(size->stand != STAND_RESTING);
+}
+
+/* Shorter ones have no state; one word says when they are timed again. */
 static void short_loops_have_no_state(void **unused) {
     (void)unused;
     void *word = NULL;
@@ -225,7 +248,7 @@ static void short_loops_have_no_state(void **unused) {
     }
     assert_false(redcc_unmade_call(&word, 10)); /* which is shorter still */
     assert_true(redcc_unmade_call(&word, 1000000));
-    assert_true(redcc_unmade_timed(&word, 1000000, 1e-3));
+    assert_true(redcc_unmade_timed(&word, 1000000, 6e-3));
     struct loop_state *state = NULL; /* another thread was quicker */
     void *made = &state;
     assert_false(redcc_is_unmade(made));
@@ -234,25 +257,63 @@ static void short_loops_have_no_state(void **unused) {
     assert_ptr_equal(made, &state);
 }
 
-/* A loop that threads are worth waking for gets its state when that is little beside what it has
- * taken, and 16 of these executions count. */
-static void loops_of_a_fifth_of_a_millisecond_get_a_state_late(void **unused) {
+/* What a loop's timings make of it: executions that count, once it has a state. */
+static int executions_that_count(const double *seconds, int timings) {
+    void *word = NULL;
+    for (int timing = 0; timing < timings; timing++) {
+        const int executions = redcc_unmade_timed(&word, 1000, seconds[timing]);
+        if (executions > 0)
+            return timing == timings - 1 ? executions : -1;
+    }
+    return 0;
+}
+
+/* A loop that threads are worth waking for gets its state when it has taken 5 ms, and what it was
+ * executed until then counts. */
+static void short_loops_get_a_state_late(void **unused) {
     (void)unused;
     static const struct {
-        double seconds;
-        int timings; /* until there is one; 0: after many there is none */
-    } asked[] = {{0.51e-3, 1}, {0.49e-3, 2}, {0.32e-3, 2}, {0.3e-3, 3}, {0.17e-3, 3}, {0.15e-3, 0}};
-    for (size_t a = 0; a < sizeof asked / sizeof *asked; a++) {
-        void *word = NULL;
-        int timings = 0, executions = 0;
-        for (; executions == 0 && timings < 10; timings++)
-            executions = redcc_unmade_timed(&word, 1000, asked[a].seconds);
-        assert_int_equal(executions == 0 ? 0 : timings, asked[a].timings);
-        assert_int_equal(executions, timings == 1 ? 1 : timings == 10 ? 0 : 17);
-    }
+        double seconds[3];
+        int timings, executions;
+    } asked[] = {{{5e-3}, 1, 1},
+                 {{4.9e-3}, 1, 0},
+                 {{4.9e-3, 4.9e-3}, 2, 2},
+                 {{2e-3, 2e-3}, 2, 3},
+                 {{0.5001e-3, 0.5001e-3}, 2, 10},
+                 {{0.161e-3, 0.161e-3}, 2, 32},
+                 {{2e-3, 0.3e-3}, 2, 0}, /* the first one found no page in place */
+                 {{2e-3, 0.3e-3, 0.3e-3}, 3, 16},
+                 {{2e-3, 0.2e-3, 0.2e-3}, 3, 25},
+                 {{1e-3, 6e-3}, 2, 1}, /* those between took no longer than the first */
+                 {{0.15e-3, 0.2e-3}, 2, 0},
+                 {{0.15e-3, 0.2e-3, 0.2e-3}, 3, 25},
+                 {{0.15e-3, 0.15e-3, 0.15e-3}, 3, 0}};
+    for (size_t a = 0; a < sizeof asked / sizeof *asked; a++)
+        assert_int_equal(executions_that_count(asked[a].seconds, asked[a].timings),
+                         asked[a].executions);
+}
+
+/* As many calls pass until it is timed as make the 5 ms. */
+static void calls_in_between_are_counted(void **unused) {
+    (void)unused;
     void *word = NULL;
-    for (int timing = 0; timing < 10; timing++) /* of another size than those that were counted */
+    int calls = 0;
+    assert_int_equal(redcc_unmade_timed(&word, 1000, 0.5001e-3), 0);
+    for (; !redcc_unmade_call(&word, 1000); calls++)
+        assert_in_range(calls, 0, 7);
+    assert_int_equal(calls, 8);
+    assert_int_equal(redcc_unmade_timed(&word, 1000, 0.5001e-3), 10);
+}
+
+/* Executions of another size do not count. */
+static void loops_of_other_sizes_earn_nothing(void **unused) {
+    (void)unused;
+    void *word = NULL;
+    for (int timing = 0; timing < 10; timing++)
         assert_int_equal(redcc_unmade_timed(&word, timing == 0 ? 1000 : 10, 0.4e-3), 0);
+    assert_int_equal(redcc_unmade_timed(&word, 1000, 0.4e-3), 0);
+    assert_int_equal(redcc_unmade_timed(&word, 1000000, 4e-3), 0);
+    assert_int_equal(redcc_unmade_timed(&word, 10, 6e-3), 1);
 }
 
 /* The first of them are executed before the runtime is asked at all. */
@@ -413,11 +474,14 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_sample_that_took_long_is_not_lost, begin_sorted, end),
         cmocka_unit_test_setup_teardown(an_inspection_ends_at_its_deadline, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(short_loops_are_left_alone, begin_sorted, end),
+        cmocka_unit_test_setup_teardown(resting_loops_are_left_alone, begin_sorted, end),
         cmocka_unit_test(short_loops_have_no_state),
         cmocka_unit_test_setup_teardown(subscripts_are_known_after_the_first_timing, begin_sorted,
                                         end),
         cmocka_unit_test_setup_teardown(subscripts_are_compared, begin_sorted, end),
-        cmocka_unit_test(loops_of_a_fifth_of_a_millisecond_get_a_state_late),
+        cmocka_unit_test(short_loops_get_a_state_late),
+        cmocka_unit_test(calls_in_between_are_counted),
+        cmocka_unit_test(loops_of_other_sizes_earn_nothing),
         cmocka_unit_test(executions_that_were_not_timed_count),
         cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),

@@ -61,15 +61,32 @@ static double wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-static double start_seconds(int threads) {
+/* A look takes some microseconds, of a loop that may take 200: it holds for a while. */
+static const double least_between_looks = 1e-3;
+
+static double look_for_start(int threads) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
     const double usual = measured > 0 ? measured : first_start;
-    if (redcc_team_missing(threads) == 0)
-        return 0;
     const int missing = redcc_team_to_start(threads);
     if (missing == 0)
         return first_region;
     return missing * (usual < turn && redcc_cores_are_wanted(missing) ? turn : usual);
+}
+
+static double start_seconds(int threads) {
+    static _Thread_local struct {
+        double looked, found;
+        int threads;
+    } last __attribute__((__tls_model__("initial-exec")));
+    if (redcc_team_missing(threads) == 0)
+        return 0;
+    const double now = redcc_seconds();
+    if (last.threads != threads || now - last.looked > least_between_looks) {
+        last.threads = threads;
+        last.looked = now;
+        last.found = look_for_start(threads);
+    }
+    return last.found;
 }
 
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started) {
@@ -111,10 +128,14 @@ static enum reason reason_for(const struct chooser *chooser, enum rule rule) {
 
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
                        struct advice *advice) {
-    if (!redcc_is_left_alone(&chooser->state, trip, threads))
+    struct decision decision;
+    if (!redcc_is_left_alone(&chooser->state, trip, threads, &decision))
         return false;
     chooser->skipped++;
-    *advice = (struct advice){.reason = REASON_LITTLE_WORK, .rule = RULE_SHORT};
+    *advice = (struct advice){.action = decision.action,
+                              .timed = decision.timed,
+                              .reason = reason_for(chooser, decision.rule),
+                              .rule = decision.rule};
     return true;
 }
 

@@ -48,8 +48,8 @@ struct advice {
     enum rule rule;
 };
 
-/** Is this a call that a short loop is left alone in? Then *advice says so; much cheaper than
- *  redcc_advise_entry. */
+/** Is this a call in which the loop is left alone, since it is short or nothing served it lately?
+ *  Then *advice says so; much cheaper than redcc_advise_entry. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
 /** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */

@@ -363,6 +363,11 @@ static bool is_resting(const struct size_state *size) {
            size->rest.calls < size->rest.until;
 }
 
+static struct decision at_rest(const struct size_state *size) {
+    return (struct decision){
+        .action = ACTION_SEQUENTIAL, .timed = size->stand == STAND_RESTING, .rule = size->rule};
+}
+
 /* What a rest was for may be otherwise now. */
 static void end_rest(struct size_state *size, const struct situation *now) {
     const bool compared = size->stand == STAND_RESTING && size->rule == RULE_SLOWER &&
@@ -381,12 +386,13 @@ static bool is_short(const struct size_state *size, const struct situation *now)
     return redcc_usual(&size->sequential) * (double)now->trip < wakes * now->wake;
 }
 
-bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads) {
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
+                         struct decision *decision) {
     struct size_state *size = redcc_size_of(state, trip);
-    if (size->stand != STAND_SHORT || size->threads != threads ||
-        size->rest.calls + 1 >= size->rest.until)
+    if (!is_resting(size) || size->threads != threads || size->rest.calls + 2 >= size->rest.until)
         return false;
     size->rest.calls++;
+    *decision = at_rest(size);
     return true;
 }
 
@@ -398,8 +404,7 @@ struct decision redcc_decide(struct choice_state *state, const struct situation 
     size->steady = now->steady > 0 ? now->steady : 0;
     size->rest.calls++;
     if (is_resting(size))
-        return (struct decision){
-            .action = ACTION_SEQUENTIAL, .timed = size->stand == STAND_RESTING, .rule = size->rule};
+        return at_rest(size);
     switch (size->stand) {
     case STAND_UNTIMED:
         if (size->sequential.count == 0)

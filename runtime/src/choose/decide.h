@@ -170,9 +170,10 @@ struct choice_state {
     struct size_state size[REDCC_SIZES]; /* by the logarithm of the trip count */
 };
 
-/** Is this one of the calls that a short loop is left alone in? Then it is counted, and need not be
- *  decided: a compare and a counter. */
-bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads);
+/** Is this one of the calls in which a loop is left alone, but for the last of a rest? Then it is
+ *  counted, and *decision tells: nothing has to be known of the call. */
+bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
+                         struct decision *decision);
 
 /** What to do in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);
