@@ -46,11 +46,11 @@ static const struct method *method_of(const struct settings *settings) {
     return settings->method;
 }
 
-/* By lanes one thread is faster than the sequential loop as well. */
+/* By lanes one thread may be faster than the sequential loop as well. */
 static bool one_will_do(const redcc_loop *loop, const struct settings *settings) {
     enum lanes_reason unused;
-    return settings->method && (settings->method->in_bins ||
-                                redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0);
+    const bool in_bins = settings->method && settings->method->in_bins;
+    return in_bins || redcc_lanes_width(loop->flags, settings->lanes, &unused) > 0;
 }
 
 /* What forbids running in parallel without a look at the loop's data. */
@@ -248,11 +248,11 @@ static void time_original(const redcc_loop *loop, redcc_int trip, const redcc_ex
 /* Does nobody ask for anything but speed? Then a loop that has no state yet runs as it is; it gets
  * one when it takes long enough. */
 static bool goes_without_state(const struct settings *settings, redcc_loop *loop, redcc_int trip,
-                               const redcc_extent *known, bool parallel) {
+                               const redcc_extent *known, bool may_gain) {
     if (redcc_made_state_of(loop) || settings->method || settings->compensated ||
         settings->validate || settings->report || redcc_traced)
         return false;
-    if (parallel && !redcc_within && redcc_unmade_call(&loop->state, trip))
+    if (may_gain && !redcc_within && redcc_unmade_call(&loop->state, trip))
         time_original(loop, trip, known);
     return true;
 }
@@ -296,7 +296,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
     set_original(NULL);
     const struct settings *settings = redcc_settings_for(loop);
     stop_at_contradiction(loop, settings);
-    if (trip > 0 && goes_without_state(settings, loop, trip, known, threads > 1 && !nested))
+    const bool may_gain = !nested && (threads > 1 || one_will_do(loop, settings));
+    if (trip > 0 && goes_without_state(settings, loop, trip, known, may_gain))
         return 0;
     struct loop_state *state = redcc_state_of(loop);
     if (!state)

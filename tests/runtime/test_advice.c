@@ -49,7 +49,7 @@ static struct problem one_touch_each(bool sorted) {
 }
 
 /* One call, with the oracle's bits; returns whether the runtime executed it. */
-static bool call_right(struct called *called) {
+static bool call_by(struct called *called, int threads) {
     static double expected[ROWS];
     struct problem *problem = &called->problem;
     long last;
@@ -57,9 +57,13 @@ static bool call_right(struct called *called) {
     problem_oracle(problem);
     memcpy(expected, problem->first, sizeof expected);
     problem_reset(problem);
-    const int done = problem_run(problem, &called->described, THREADS, &last);
+    const int done = problem_run(problem, &called->described, threads, &last);
     assert_memory_equal(expected, problem->first, sizeof expected);
     return done;
+}
+
+static bool call_right(struct called *called) {
+    return call_by(called, THREADS);
 }
 
 static struct statistics *statistics_of(struct called *called) {
@@ -112,6 +116,20 @@ static void the_first_call_is_sequential_and_timed(void **state) {
     assert_int_equal(statistics_of(called)->rule, RULE_FIRST);
     assert_int_equal(size_of(called)->sequential.count, 1);
     assert_true(size_of(called)->sequential.recent[0] > 0);
+}
+
+/* One thread alone can be faster only by lanes. */
+static void one_thread_is_enough_for_lanes(void **state) {
+    struct called *called = *state;
+    const _Atomic long *one_thread = &statistics_of(called)->fallback[REASON_ONE_THREAD];
+    assert_false(call_by(called, 1));
+    assert_int_equal(statistics_of(called)->rule, RULE_NOT_PARALLEL);
+    assert_int_equal(atomic_load(one_thread), 1);
+    called->described.loop.flags |= REDCC_LANES_UNIT * 2;
+    leave_credit(called, -1);
+    assert_false(call_by(called, 1));
+    assert_true(statistics_of(called)->rule != RULE_NOT_PARALLEL);
+    assert_int_equal(atomic_load(one_thread), 1);
 }
 
 /* Nothing is begun while it may cost more than the credit. */
@@ -414,6 +432,29 @@ static const struct findings shuffled = {.trip = 50000,
                                          .runs = 0.5,
                                          .reusable = true};
 
+/* By lanes it may be worth a set-up, but no loan. */
+static void one_thread_has_prospects_by_lanes(void **unused) {
+    (void)unused;
+    struct prospect it[WAY_COUNT];
+    struct findings findings = shuffled;
+    findings.threads = 1;
+    findings.share = 1;
+    findings.runs = 0;
+    redcc_estimate_prospects(&findings, it);
+    assert_true(it[WAY_INDEX].execution >= findings.sequential);
+    findings.lanes = true;
+    redcc_estimate_prospects(&findings, it);
+    assert_true(it[WAY_INDEX].execution < 0.9 * findings.sequential);
+    assert_true(it[WAY_INDEX].execution > 0.8 * findings.sequential);
+    assert_false(it[WAY_GRAPH].possible);
+    struct prospect two[WAY_COUNT]; /* threads are worth a plan without */
+    findings.threads = 2;
+    redcc_estimate_prospects(&findings, it);
+    findings.lanes = false;
+    redcc_estimate_prospects(&findings, two);
+    assert_true(it[WAY_INDEX].execution == two[WAY_INDEX].execution);
+}
+
 static void prospects_follow_from_what_was_found(void **unused) {
     (void)unused;
     struct prospect it[WAY_COUNT];
@@ -467,6 +508,7 @@ static void few_short_iterations_are_one_threads(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(the_first_call_is_sequential_and_timed, begin_sorted, end),
+        cmocka_unit_test_setup_teardown(one_thread_is_enough_for_lanes, begin_sorted, end),
         cmocka_unit_test_setup_teardown(nothing_is_begun_without_credit, begin_shuffled, end),
         cmocka_unit_test_setup_teardown(a_heavy_loop_is_set_up, begin_sorted, end),
         cmocka_unit_test_setup_teardown(changed_subscripts_are_not_inspected_at_once, begin_sorted,
@@ -485,6 +527,7 @@ int main(void) {
         cmocka_unit_test(executions_that_were_not_timed_count),
         cmocka_unit_test(the_first_short_iterations_are_not_asked_about),
         cmocka_unit_test(an_execution_counts_though_nothing_was_decided),
+        cmocka_unit_test(one_thread_has_prospects_by_lanes),
         cmocka_unit_test(prospects_follow_from_what_was_found),
         cmocka_unit_test(few_short_iterations_are_one_threads),
     };

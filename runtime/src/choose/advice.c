@@ -265,6 +265,7 @@ static struct findings begin_findings(const struct chooser *chooser,
         .copies = free_order && !(loop->flags & REDCC_ORDER_NEEDED) && !inspection->no_copies &&
                   redcc_copies_allowed(inspection),
         .copied = (double)redcc_copy_bytes(&inspection->partition, inspection->touched),
+        .lanes = call->one_will_do,
         .checked = bytes_to_check(loop, call->request.known)};
 }
 

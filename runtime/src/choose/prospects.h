@@ -16,6 +16,7 @@ struct findings {
     double further_rows; /**< ... of the others */
     double runs;      /**< of the iterations: those that touch other owners than the one before */
     bool fetched;     /**< its rows lie in no order beyond the caches, and plans prefetch them */
+    bool lanes;       /**< plans execute by lanes, if that is faster */
     bool copies;      /**< private copies may and can be had */
     double copied;    /**< bytes of one of them */
     bool binned;      /**< it has a form for binning, which may be worth a trial */

@@ -7,7 +7,8 @@
 
 #define REDCC_RULE_LIST(X)                                                                         \
     X(RULE_NOT_PARALLEL, "not-parallel",                                                           \
-      "one thread, inside a parallel region, or the loop is in use by another thread",             \
+      "one thread and no form for vectors, inside a parallel region, or the loop is in use by "    \
+      "another thread",                                                                            \
       "the original loop")                                                                         \
     X(RULE_FIRST, "first",                                                                         \
       "no execution at trip counts of this size (between two powers of two) is timed",             \
