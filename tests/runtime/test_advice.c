@@ -496,6 +496,24 @@ static void prospects_follow_from_what_was_found(void **unused) {
     assert_true(it[WAY_INDEX].execution > findings.sequential);
 }
 
+/* Threads come side by side, and wait side by side for their turns. */
+static void many_threads_start_as_soon_as_few(void **unused) {
+    (void)unused;
+    const double one = redcc_start_seconds(1, false), many = redcc_start_seconds(15, false);
+    assert_true(0.1e-3 <= one && one <= 1e-3);
+    assert_true(one < many && many < 4 * one);
+    assert_true(redcc_start_seconds(1, true) >= 2e-3);
+    assert_true(redcc_start_seconds(15, true) == redcc_start_seconds(1, true));
+    assert_true(redcc_start_seconds(0, true) < one); /* the program's own regions had them start */
+    struct chooser chooser = {0};
+    redcc_tell_team(&chooser, 4, 4, 0.6e-3, 3);
+    assert_true(fabs(redcc_start_seconds(15, false) - 15 * 0.2e-3) < 1e-9);
+    assert_true(redcc_start_seconds(15, true) >= 4e-3);
+    redcc_tell_team(&chooser, 4, 4, 15e-3, 3); /* they waited: that is what it takes */
+    assert_true(fabs(redcc_start_seconds(3, true) - 15e-3) < 1e-9);
+    redcc_tell_team(&chooser, 2, 2, 0.4e-3, 1); /* for the tests that follow */
+}
+
 static void few_short_iterations_are_one_threads(void **unused) {
     (void)unused;
     assert_int_equal(redcc_advise_threads(20, 2, 0, 0), 1); /* nothing is known yet */
@@ -507,6 +525,7 @@ static void few_short_iterations_are_one_threads(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(many_threads_start_as_soon_as_few), /* before any have been started */
         cmocka_unit_test_setup_teardown(the_first_call_is_sequential_and_timed, begin_sorted, end),
         cmocka_unit_test_setup_teardown(one_thread_is_enough_for_lanes, begin_sorted, end),
         cmocka_unit_test_setup_teardown(nothing_is_begun_without_credit, begin_shuffled, end),

@@ -48,9 +48,10 @@ static const double first_wake = 10e-6, most_wake = 50e-6;
 static _Atomic double wake;
 
 /* Seconds that starting a thread takes. Before it was measured, as on a machine that is not busy:
- * 0.1 to 0.4 ms, since who asks for a thread does not keep it waiting (base/cores.h). Where other
- * programs want the cores it is 2 to 6 ms: it waits for its turn. */
-static const double first_start = 0.4e-3, turn = 4e-3;
+ * 0.1 to 0.4 ms, since who asks for a thread does not keep it waiting (base/cores.h), and as long
+ * as making them for each further one, which come side by side. Where other programs want the cores
+ * it is 2 to 6 ms: they wait for their turn. */
+static const double first_start = 0.4e-3, next_start = 0.05e-3, turn = 4e-3;
 static _Atomic double start;
 
 /* ... that a loop's first region takes where the program's own have started the threads. */
@@ -64,13 +65,18 @@ static double wake_seconds(void) {
 /* A look takes some microseconds, of a loop that may take 200: it holds for a while. */
 static const double least_between_looks = 1e-3;
 
-static double look_for_start(int threads) {
+double redcc_start_seconds(int missing, bool wanted) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
-    const double usual = measured > 0 ? measured : first_start;
-    const int missing = redcc_team_to_start(threads);
     if (missing == 0)
         return first_region;
-    return missing * (usual < turn && redcc_cores_are_wanted(missing) ? turn : usual);
+    const double usual =
+        measured > 0 ? missing * measured : first_start + (missing - 1) * next_start;
+    return usual < turn && wanted ? turn : usual;
+}
+
+static double look_for_start(int threads) {
+    const int missing = redcc_team_to_start(threads);
+    return redcc_start_seconds(missing, missing > 0 && redcc_cores_are_wanted(missing));
 }
 
 static double start_seconds(int threads) {
