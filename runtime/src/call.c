@@ -197,15 +197,6 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     return true;
 }
 
-/* Is nothing to be decided in this call? Then it is not prepared for either. */
-static bool rests(struct loop_state *state, redcc_int trip, int threads, struct advice *advice) {
-    if (!redcc_advise_rest(&state->chooser, trip, threads, advice))
-        return false;
-    redcc_note_rule(&state->reported.statistics, advice->rule);
-    redcc_note_serial(&state->reported.statistics);
-    return true;
-}
-
 /* The bits of compensated sums are the same at any number of threads. */
 static int threads_to_ask_for(const struct loop_state *state, const struct settings *settings,
                               redcc_int trip, int threads) {
@@ -254,6 +245,22 @@ static bool goes_without_state(const struct settings *settings, redcc_loop *loop
         return false;
     if (may_gain && !redcc_within && redcc_unmade_call(&loop->state, trip))
         time_original(loop, trip, known);
+    return true;
+}
+
+/* Is nothing to be decided in this call? Then it is not prepared for either: the loop is released,
+ * and timed where that is asked for. */
+static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                  const redcc_extent *known, int threads, enum reason *reason) {
+    struct advice advice;
+    if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
+        return false;
+    redcc_note_rule(&state->reported.statistics, advice.rule);
+    redcc_note_serial(&state->reported.statistics);
+    redcc_loop_release(state);
+    if (advice.timed)
+        time_original(loop, trip, known);
+    *reason = advice.reason;
     return true;
 }
 
@@ -320,13 +327,8 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         return serially(state, reason);
     struct execution *execution = &held->execution;
     const bool asks_auto = !always && !settings->method;
-    struct advice rest;
-    if (asks_auto && rests(held, trip, threads, &rest)) {
-        redcc_loop_release(held);
-        if (rest.timed)
-            time_original(loop, trip, known);
-        return serially(state, rest.reason);
-    }
+    if (asks_auto && rests(held, loop, trip, known, threads, &reason))
+        return serially(state, reason);
     take_settings(&execution->call, settings, error_before);
     if (redcc_float_traps(execution->call.float_control)) {
         redcc_loop_release(held);
