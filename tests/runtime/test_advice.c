@@ -227,8 +227,7 @@ static void short_loops_are_left_alone(void **state) {
     assert_int_equal(atomic_load(&statistics_of(called)->fallback[REASON_LITTLE_WORK]), 10);
 }
 
-/* So is one that nothing served lately, but it is timed; its subscripts are read in the last call.
- */
+/* So is one that nothing served lately, but timed; its subscripts are read in the last call. */
 static void resting_loops_are_left_alone(void **state) {
     enum { REST = 16 };
     struct called *called = *state;
