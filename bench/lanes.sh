@@ -1,9 +1,9 @@
 # shellcheck shell=bash source=bench/common.sh disable=SC2154
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Lanes and prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c)
-# against the translated ones with neither, with each and with both, as compiled for this machine, by
-# -O2 alone with the widths picked at run time, and so with two lanes at most (SSE2); bits compared in
-# every round. Below the table: what was not written for vectors, and why.
+# against the translated ones with neither, with each, with both and as the runtime finds to be the
+# fastest, as compiled for this machine, by -O2 alone with the widths picked at run time, and so with
+# two lanes at most (SSE2); bits compared in every round. Below the table: what was not written for vectors, and why.
 #   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native
 # For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
 # there, which need nothing but the C library and libgomp. Each is run by
@@ -38,7 +38,7 @@ if [ -n "${PROGRAMS:-}" ]; then
 fi
 load_note
 head=build,most_lanes,kernel,order,threads,serial_seconds
-for manner in plain prefetch lanes both; do head+=,$manner,${manner}_low,${manner}_high; done
+for manner in plain prefetch lanes both auto; do head+=,$manner,${manner}_low,${manner}_high; done
 echo "$head" | tee "$csv"
 for threads in ${THREADS:-1 2}; do
   while read -r name width; do

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-enum { ALL = WITH_PREFETCH | WITH_LANES };
+enum { ALL = WITH_PREFETCH | WITH_LANES, FOUR = 4 /* manners of one trial */ };
 
 /* Of `executions`, of so many iterations a thread each, how many parts were executed in each
  * manner, where an iteration takes seconds[manner]; every third part takes half as long again. */
@@ -40,14 +40,14 @@ static void nothing_is_tried_where_nothing_is_open(void **unused) {
     struct manners it = {0};
     int made[MANNERS];
     assert_int_equal(redcc_manner_parts(&it, 0, LONG), 0);
-    execute(&it, 0, 50, LONG, (const double[]){1, 1, 1, 1}, made);
+    execute(&it, 0, 50, LONG, (const double[MANNERS]){1, 1, 1, 1}, made);
     assert_int_equal(made[0], 50);
 }
 
 /* Of short executions each is a part. */
 static void the_faster_of_two_is_kept(void **unused) {
     (void)unused;
-    const double gains[] = {1.0, 0.9, 0, 0}, loses[] = {0.9, 1.0, 0, 0};
+    const double gains[MANNERS] = {1.0, 0.9}, loses[MANNERS] = {0.9, 1.0};
     struct manners it = {0}, other = {0};
     int made[MANNERS];
     assert_int_equal(redcc_manner_of(&it, WITH_PREFETCH, 0), WITH_PREFETCH);
@@ -66,13 +66,13 @@ static void the_faster_of_two_is_kept(void **unused) {
 static void the_fastest_of_four_is_kept(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS; best++) {
+    for (unsigned best = 0; best < FOUR; best++) {
         double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
         struct manners it = {0};
         seconds[best] = 0.9;
         assert_int_equal(redcc_manner_of(&it, ALL, 0), ALL);
         execute(&it, ALL, 16, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < MANNERS; manner++)
+        for (unsigned manner = 0; manner < FOUR; manner++)
             assert_int_equal(made[manner], 4);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -84,14 +84,14 @@ static void one_long_execution_does_for_a_trial(void **unused) {
     const unsigned open[] = {WITH_PREFETCH, WITH_LANES, ALL};
     int made[MANNERS];
     for (int o = 0; o < 3; o++)
-        for (unsigned best = 0; best < MANNERS; best++) {
+        for (unsigned best = 0; best < FOUR; best++) {
             double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
             struct manners it = {0};
             if ((best & open[o]) != best)
                 continue;
             seconds[best] = 0.9;
             execute(&it, open[o], 1, LONG, seconds, made);
-            for (unsigned manner = 0; manner < MANNERS; manner++)
+            for (unsigned manner = 0; manner < FOUR; manner++)
                 assert_int_equal(made[manner], (manner & open[o]) == manner ? MANNER_ROUNDS : 0);
             execute(&it, open[o], 64, LONG, seconds, made);
             assert_int_equal(made[best], 64);
@@ -129,7 +129,7 @@ static unsigned best_where(unsigned best, double drift, unsigned interrupted) {
 
 static void neither_order_nor_one_part_decides(void **unused) {
     (void)unused;
-    for (unsigned best = 0; best < MANNERS; best++) {
+    for (unsigned best = 0; best < FOUR; best++) {
         assert_int_equal(best_where(best, 0.1, MANNER_PARTS), best);
         for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
             assert_int_equal(best_where(best, 0, interrupted), best);
@@ -139,12 +139,12 @@ static void neither_order_nor_one_part_decides(void **unused) {
 static void two_rounds_do_where_the_best_is_evident(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < MANNERS; best++) {
+    for (unsigned best = 0; best < FOUR; best++) {
         double seconds[MANNERS] = {1.0, 1.0, 1.0, 1.0};
         struct manners it = {0}, close = {0};
         seconds[best] = 0.3;
         execute(&it, ALL, 8, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < MANNERS; manner++)
+        for (unsigned manner = 0; manner < FOUR; manner++)
             assert_int_equal(made[manner], 2);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -170,6 +170,47 @@ static void another_question_is_asked_anew(void **unused) {
     execute(&it, WITH_LANES, 64, LONG, lanes_lose, made);
     assert_int_equal(made[0], 64);
     assert_int_equal(redcc_manner_of(&it, 0, 0), 0);
+}
+
+/* Where lanes are best half as many are tried as well, beside what else is best; not elsewhere. */
+static void half_the_lanes_are_tried_where_lanes_are_best(void **unused) {
+    (void)unused;
+    const unsigned open = ALL | WITH_HALF;
+    int made[MANNERS];
+    for (unsigned best = 0; best < FOUR; best++)
+        for (int is_half_faster = 0; is_half_faster < 2; is_half_faster++) {
+            double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3, 0, 0, 1.4, 1.4};
+            struct manners it = {0};
+            const bool second = best & WITH_LANES;
+            const unsigned kept = second && is_half_faster ? best | WITH_HALF : best;
+            seconds[best] = 0.9;
+            seconds[best | WITH_HALF] = is_half_faster ? 0.8 : 1.0;
+            assert_int_equal(redcc_manner_of(&it, open, 0), ALL);
+            execute(&it, open, 1, LONG, seconds, made);
+            assert_int_equal(redcc_manner_parts(&it, open, LONG), second ? 2 * MANNER_ROUNDS : 0);
+            execute(&it, open, second, LONG, seconds, made);
+            assert_int_equal(made[best], second ? MANNER_ROUNDS : 0);
+            assert_int_equal(made[best | WITH_HALF], second ? MANNER_ROUNDS : 0);
+            execute(&it, open, 64, LONG, seconds, made);
+            assert_int_equal(made[kept], 64);
+            execute(&it, open, 1 + second, LONG, seconds, made); /* both trials again */
+            execute(&it, open, 128, LONG, seconds, made);
+            assert_int_equal(made[kept], 128);
+        }
+}
+
+/* Another question comes between the two trials: what was settled is not taken over. */
+static void a_second_trial_is_of_its_question(void **unused) {
+    (void)unused;
+    const double seconds[MANNERS] = {1.0, 1.1, 1.2, 0.9, 0, 0, 1.0, 0.8};
+    struct manners it = {0};
+    int made[MANNERS];
+    execute(&it, ALL | WITH_HALF, 1, LONG, seconds, made);
+    execute(&it, WITH_LANES | WITH_HALF, 1, LONG, seconds, made);
+    assert_int_equal(made[0], MANNER_ROUNDS);
+    assert_int_equal(made[WITH_LANES], MANNER_ROUNDS);
+    execute(&it, WITH_LANES | WITH_HALF, 64, LONG, seconds, made); /* lanes alone are slower */
+    assert_int_equal(made[0], 64);
 }
 
 /* Parts of 10 iterations of which 33 are executed in four: what is handed out is cut there. */
@@ -308,6 +349,15 @@ static void widths_that_are_asked_for(void **unused) {
     expect(REDCC_LANES_UNIT * 4 | anywhere, LANES_TWO, 0, LANES_NO_WIDTH);
 }
 
+static void half_of_eight_lanes_where_it_is_written(void **unused) {
+    (void)unused;
+    assert_true(redcc_lanes_half(all_widths, 8));
+    assert_true(redcc_lanes_half(REDCC_LANES_UNIT * (4 + 8) | REDCC_LANES_ANYWHERE, 8));
+    assert_false(redcc_lanes_half(REDCC_LANES_UNIT * 8, 8));
+    assert_false(redcc_lanes_half(all_widths, 4));
+    assert_false(redcc_lanes_half(all_widths, 0));
+}
+
 static void no_width_that_the_processor_does_not_know(void **unused) {
     (void)unused;
     int most = 2;
@@ -327,6 +377,8 @@ int main(void) {
         cmocka_unit_test(the_fastest_of_four_is_kept),
         cmocka_unit_test(one_long_execution_does_for_a_trial),
         cmocka_unit_test(executions_in_between_have_some_parts),
+        cmocka_unit_test(half_the_lanes_are_tried_where_lanes_are_best),
+        cmocka_unit_test(a_second_trial_is_of_its_question),
         cmocka_unit_test(neither_order_nor_one_part_decides),
         cmocka_unit_test(two_rounds_do_where_the_best_is_evident),
         cmocka_unit_test(another_question_is_asked_anew),
@@ -334,6 +386,7 @@ int main(void) {
         cmocka_unit_test(runs_are_read_in_parts),
         cmocka_unit_test(light_iterations_prefetch_where_they_come_in_no_order),
         cmocka_unit_test(widths_that_are_asked_for),
+        cmocka_unit_test(half_of_eight_lanes_where_it_is_written),
         cmocka_unit_test(no_width_that_the_processor_does_not_know),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,6 +33,7 @@ static redcc_loop loop = {.file = "test_trial.c",
 
 /* Handed out, by manner: iterations, and how often the manner changed. */
 static long iterations[MANNERS], changes;
+enum { FOUR = 4 /* manners of one trial */ };
 
 static void tell_all(redcc_worker *worker) {
     for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
@@ -59,7 +60,8 @@ static void execute_all(redcc_worker *worker) {
     int before = -1;
     while (redcc_next(worker)) {
         const int manner = (worker->manner.prefetches ? WITH_PREFETCH : 0) |
-                           (worker->manner.lanes ? WITH_LANES : 0);
+                           (worker->manner.lanes ? WITH_LANES : 0) |
+                           (worker->manner.lanes == 4 ? WITH_HALF : 0);
         long count = 0;
         for (const redcc_run *run = worker->run; run != worker->run_end; run++) {
             execute_run(worker, *run);
@@ -113,8 +115,8 @@ static void one_execution_is_a_trial(void **unused) {
             draw(order);
             redcc_loop_forget(&loop);
             execute(counts[c]);
-            for (unsigned manner = 0; manner < MANNERS; manner++)
-                assert_true(iterations[manner] >= TRIP / MANNERS / 2 / MOST_THREADS);
+            for (unsigned manner = 0; manner < FOUR; manner++)
+                assert_true(iterations[manner] >= TRIP / FOUR / 2 / MOST_THREADS);
             /* parts of two rounds meet where the manner is the same; with stealing one thread may
              * have executed nearly all */
             const long most = counts[c] * (MANNER_PARTS - MANNER_ROUNDS);
@@ -128,7 +130,33 @@ static void one_execution_is_a_trial(void **unused) {
     redcc_loop_forget(&loop);
 }
 
+/* Where lanes were the fastest, the next execution is a trial of eight against four. */
+static void the_next_one_tries_half_the_lanes(void **unused) {
+    (void)unused;
+    const unsigned flags = loop.flags;
+    loop.flags =
+        (flags & ~(2u * REDCC_LANES_UNIT)) | (4 + 8) * REDCC_LANES_UNIT | REDCC_LANES_ANYWHERE;
+    for (int order = 0; order < ORDERS; order++) {
+        draw(order);
+        redcc_loop_forget(&loop);
+        execute(2);
+        for (unsigned manner = 0; manner < MANNERS; manner++)
+            assert_true((iterations[manner] > 0) == (manner < FOUR));
+        execute(2);
+        for (unsigned manner = WITH_LANES; manner < FOUR; manner++)
+            assert_true((iterations[manner] > 0) == (iterations[manner | WITH_HALF] > 0));
+        int taken = 0;
+        execute(2);
+        for (unsigned manner = 0; manner < MANNERS; manner++)
+            taken += iterations[manner] > 0;
+        assert_int_equal(taken, 1);
+    }
+    redcc_loop_forget(&loop);
+    loop.flags = flags;
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(one_execution_is_a_trial)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(one_execution_is_a_trial),
+                                       cmocka_unit_test(the_next_one_tries_half_the_lanes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

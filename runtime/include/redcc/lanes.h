@@ -14,7 +14,7 @@
 
 /** The widths that are compiled: a sum of 2, 4 and 8. None where operations may be rounded together
  *  or where the compiler does not know the vectors of gcc and clang. Narrower ones than a register
- *  of what the program is compiled for holds are of no use. */
+ *  of AVX2 are of no use where the program is compiled for that. */
 #if defined(REDCC_IS_CHECKED) && !defined(REDCC_ONLY_WIDTH)
 #define REDCC_WIDTHS (2 + 4 + 8) /* redcc looks at its own text */
 #elif !defined(REDCC_IS_CHECKED) && !REDCC_ROUNDS_ALIKE
@@ -26,7 +26,7 @@
 #elif !defined(__x86_64__)
 #define REDCC_WIDTHS 0
 #elif defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define REDCC_WIDTHS 8
+#define REDCC_WIDTHS (4 + 8) /* eight are not always faster than four */
 #elif defined(__AVX2__)
 #define REDCC_WIDTHS (4 + 8)
 #else
@@ -53,7 +53,8 @@
 #else
 #define REDCC_TARGET_4 __attribute__((__target__("avx2")))
 #endif
-#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) || REDCC_WIDTHS == 8
+#if defined(REDCC_ONLY_WIDTH) || defined(REDCC_IS_CHECKED) ||                                      \
+    (defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__))
 #define REDCC_TARGET_8
 #elif defined(__clang__)
 #define REDCC_TARGET_8                                                                             \

@@ -33,3 +33,8 @@ int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_rea
         *reason = LANES_NO_WIDTH;
     return 0;
 }
+
+bool redcc_lanes_half(unsigned flags, int width) {
+    const int widths = (int)(flags / REDCC_LANES_UNIT);
+    return width == 8 && widths & width / 2;
+}

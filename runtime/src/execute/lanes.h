@@ -3,6 +3,8 @@
 #ifndef REDCC_EXECUTE_LANES_H
 #define REDCC_EXECUTE_LANES_H
 
+#include <stdbool.h>
+
 /** What REDCC_LANES says. */
 enum lanes_setting {
     LANES_OFF,
@@ -36,5 +38,9 @@ const char *redcc_lanes_slug(enum lanes_reason reason);
 /** Iterations at once, of those that the flags of a redcc_loop name; 0: one by one, and *reason
  * says why. With lanes it is LANES_SAID or LANES_TRYING. Thread-safe. */
 int redcc_lanes_width(unsigned flags, enum lanes_setting setting, enum lanes_reason *reason);
+
+/** Is half of that width worth a trial? Of eight lanes it is, where four are written: an assembly
+ *  of matrices took a fifth less time by four on an Intel Xeon (docs/lanes.md). Thread-safe. */
+bool redcc_lanes_half(unsigned flags, int width);
 
 #endif

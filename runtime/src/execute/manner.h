@@ -2,25 +2,27 @@
 /**
  * In which manner are iterations of a loop executed: with prefetches, by lanes, both or neither?
  * All give the same bits, so that a trial times parts of executions in each manner in turn, and the
- * best one is kept for a while. Long executions are cut: one of them does for a trial.
+ * best one is kept for a while. Long executions are cut: one of them does for a trial. Where lanes
+ * are best, a second trial finds out whether half as many are better still.
  */
 #ifndef REDCC_EXECUTE_MANNER_H
 #define REDCC_EXECUTE_MANNER_H
 
 #include "redcc/runtime.h"
 
-/** A manner is a set of these. */
-enum { WITH_PREFETCH = 1, WITH_LANES = 2, MANNERS = 4 };
+/** A manner is a set of these; WITH_HALF, half as many lanes, only together with WITH_LANES. */
+enum { WITH_PREFETCH = 1, WITH_LANES = 2, WITH_HALF = 4, MANNERS = 8 };
 
-/** In a round each manner has one part; rounds go there and back by turns. */
-enum { MANNER_ROUNDS = 6, MANNER_PARTS = MANNER_ROUNDS * MANNERS };
+/** In a round each manner of the trial has one part; rounds go there and back by turns. */
+enum { MANNER_ROUNDS = 6, MANNER_PARTS = MANNER_ROUNDS * 4 };
 
 /** What is known of a loop over its executions. All zero: nothing. */
 struct manners {
     unsigned open;                /* what is being found out: each may be in a manner or not */
+    unsigned settled;             /* by the first of two trials; 0: it is under way */
     unsigned timed;               /* parts of the trial under way */
     double seconds[MANNER_PARTS]; /* an iteration, of each of them */
-    unsigned best;                /* by the last trial */
+    unsigned best;                /* by the last trials */
     unsigned rest;                /* executions until the next trial */
     unsigned interval;            /* between the last two trials */
 };
@@ -31,7 +33,7 @@ struct manners {
 unsigned redcc_manner_parts(const struct manners *it, unsigned open, redcc_int iterations);
 
 /** The manner of part number `part` of that execution: a subset of `open`. Part 0 of a loop that
- * was never executed has all of `open`. */
+ * was never executed has all of `open` but WITH_HALF. */
 unsigned redcc_manner_of(const struct manners *it, unsigned open, unsigned part);
 
 /** Notes an execution that is over: the seconds an iteration took in each part. One thread at a

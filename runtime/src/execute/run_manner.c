@@ -11,6 +11,7 @@ void redcc_run_choose_manner(struct run *run, const struct manners *known) {
     it->lanes = redcc_lanes_width(flags, (enum lanes_setting)call->lanes, &it->why);
     it->asked = it->lanes > 0 && it->why == LANES_SAID ? WITH_LANES : 0;
     it->open = it->lanes > 0 && it->why == LANES_TRYING ? WITH_LANES : 0;
+    it->open |= it->open && redcc_lanes_half(flags, it->lanes) ? WITH_HALF : 0;
     if (flags & (REDCC_PREFETCHES | REDCC_LIGHT)) {
         it->asked |= call->prefetch == PREFETCH_ON ? WITH_PREFETCH : 0;
         it->open |= call->prefetch == PREFETCH_AUTO ? WITH_PREFETCH : 0;
@@ -30,12 +31,16 @@ unsigned redcc_run_parts(const struct run *run, const struct plan *plan) {
                               plan->executed / plan->threads);
 }
 
+static int lanes_of(const struct manner_choice *it, unsigned manner) {
+    return !(manner & WITH_LANES) ? 0 : manner & WITH_HALF ? it->lanes / 2 : it->lanes;
+}
+
 redcc_manner redcc_run_manner(const struct run *run, const struct plan *plan, unsigned part) {
     const struct manner_choice *it = &run->manner;
     const unsigned asked =
         redcc_prefetch_is_possible(plan) ? it->asked : it->asked & ~(unsigned)WITH_PREFETCH;
     const unsigned manner = asked | redcc_manner_of(it->known, open_with(run, plan), part);
-    return (redcc_manner){manner & WITH_PREFETCH, manner & WITH_LANES ? it->lanes : 0};
+    return (redcc_manner){manner & WITH_PREFETCH, lanes_of(it, manner)};
 }
 
 enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *known,
@@ -49,6 +54,6 @@ enum lanes_reason redcc_run_note_manner(const struct run *run, struct manners *k
     redcc_manner_note(known, open_with(run, run->plan), parts, each);
     const bool is_tried = it->why == LANES_TRYING && known->rest > 0;
     const bool is_faster = known->best & WITH_LANES;
-    *lanes = is_tried && !is_faster ? 0 : it->lanes;
+    *lanes = is_tried ? lanes_of(it, known->best) : it->lanes;
     return !is_tried ? it->why : is_faster ? LANES_FASTER : LANES_SLOWER;
 }
