@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * What lanes and prefetches bring to executors, by kernel (lanes_kernels.c), order of the data and
- * threads: the untouched loop, and the translated one in each manner, one after the other in each
- * round. Of two executions in a row the second is timed; the bits are compared each time.
+ * threads: the untouched loop, and the translated one in each manner and as the runtime decides,
+ * one after the other in each round. Of two executions in a row the second is timed; the bits are
+ * compared each time.
  *
  *   OMP_NUM_THREADS=2 lanes [ROUNDS [SIDE [WIDTH [KERNEL]]]]
  *
