@@ -100,9 +100,9 @@ static double timed(enum course course, enum kernel kernel, const struct mesh *m
     settings->prefetch = course == AUTO                         ? PREFETCH_AUTO
                          : course == PREFETCH || course == BOTH ? PREFETCH_ON
                                                                 : PREFETCH_OFF;
-    settings->lanes = course == AUTO && widest == LANES_EIGHT               ? LANES_AUTO
-                      : course == LANES || course == BOTH || course == AUTO ? widest
-                                                                            : LANES_OFF;
+    settings->lanes = course < LANES                            ? LANES_OFF
+                      : course == AUTO && widest == LANES_EIGHT ? LANES_AUTO
+                                                                : widest;
     double seconds = 0;
     for (int i = 0; i < 2; i++) {
         memset(to.b, 0, to.b_bytes);
@@ -163,8 +163,9 @@ static int measure(enum kernel kernel, const char *order, const struct mesh *m, 
     return differ;
 }
 
-/* In a process of its own: what is known of a loop is of this data. */
-static int measure_apart(enum kernel kernel, const char *order, const struct mesh *m, int rounds) {
+/* Measures in a child process: the runtime must not reuse the manner it found on other data. */
+static int measure_in_child(enum kernel kernel, const char *order, const struct mesh *m,
+                            int rounds) {
     const pid_t child = fork();
     int status = 1;
     if (child == 0)
@@ -187,7 +188,7 @@ int main(int argc, char **argv) {
         struct mesh m = make_mesh(side < 3 ? 3 : side, shuffled);
         for (enum kernel kernel = 0; kernel < KERNELS; kernel++)
             if (argc <= 4 || strcmp(argv[4], names[kernel]) == 0)
-                differ |= measure_apart(kernel, shuffled ? "shuffled" : "sorted", &m, rounds);
+                differ |= measure_in_child(kernel, shuffled ? "shuffled" : "sorted", &m, rounds);
         free_mesh(&m);
     }
     return differ;

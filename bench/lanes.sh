@@ -3,7 +3,8 @@
 # Lanes and prefetches in the executors of LOCALWRITE: the untouched loops (bench/lanes_kernels.c)
 # against the translated ones with neither, with each, with both and as the runtime finds to be the
 # fastest, as compiled for this machine, by -O2 alone with the widths picked at run time, and so with
-# two lanes at most (SSE2); bits compared in every round. Below the table: what was not written for vectors, and why.
+# two lanes at most (SSE2); bits compared in every round. Below the table: what was not written for
+# vectors, and why.
 #   ROUNDS=15 SIDE=467 THREADS="2 1" CC=gcc KERNEL=membrane ARCH=native
 # For another machine: `PROGRAMS=folder ARCH=x86-64-v4 script/bench lanes` only makes the programs
 # there, which need nothing but the C library and libgomp. Each is run by

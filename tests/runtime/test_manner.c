@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-enum { ALL = WITH_PREFETCH | WITH_LANES, FOUR = 4 /* manners of one trial */ };
+enum { ALL = WITH_PREFETCH | WITH_LANES };
 
 /* Of `executions`, of so many iterations a thread each, how many parts were executed in each
  * manner, where an iteration takes seconds[manner]; every third part takes half as long again. */
@@ -66,13 +66,13 @@ static void the_faster_of_two_is_kept(void **unused) {
 static void the_fastest_of_four_is_kept(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < FOUR; best++) {
+    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
         double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
         struct manners it = {0};
         seconds[best] = 0.9;
         assert_int_equal(redcc_manner_of(&it, ALL, 0), ALL);
         execute(&it, ALL, 16, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < FOUR; manner++)
+        for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
             assert_int_equal(made[manner], 4);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -84,14 +84,14 @@ static void one_long_execution_does_for_a_trial(void **unused) {
     const unsigned open[] = {WITH_PREFETCH, WITH_LANES, ALL};
     int made[MANNERS];
     for (int o = 0; o < 3; o++)
-        for (unsigned best = 0; best < FOUR; best++) {
+        for (unsigned best = 0; best < MANNERS_TRIED; best++) {
             double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3};
             struct manners it = {0};
             if ((best & open[o]) != best)
                 continue;
             seconds[best] = 0.9;
             execute(&it, open[o], 1, LONG, seconds, made);
-            for (unsigned manner = 0; manner < FOUR; manner++)
+            for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
                 assert_int_equal(made[manner], (manner & open[o]) == manner ? MANNER_ROUNDS : 0);
             execute(&it, open[o], 64, LONG, seconds, made);
             assert_int_equal(made[best], 64);
@@ -129,7 +129,7 @@ static unsigned best_where(unsigned best, double drift, unsigned interrupted) {
 
 static void neither_order_nor_one_part_decides(void **unused) {
     (void)unused;
-    for (unsigned best = 0; best < FOUR; best++) {
+    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
         assert_int_equal(best_where(best, 0.1, MANNER_PARTS), best);
         for (unsigned interrupted = 0; interrupted < MANNER_PARTS; interrupted++)
             assert_int_equal(best_where(best, 0, interrupted), best);
@@ -139,12 +139,12 @@ static void neither_order_nor_one_part_decides(void **unused) {
 static void two_rounds_do_where_the_best_is_evident(void **unused) {
     (void)unused;
     int made[MANNERS];
-    for (unsigned best = 0; best < FOUR; best++) {
+    for (unsigned best = 0; best < MANNERS_TRIED; best++) {
         double seconds[MANNERS] = {1.0, 1.0, 1.0, 1.0};
         struct manners it = {0}, close = {0};
         seconds[best] = 0.3;
         execute(&it, ALL, 8, SHORT, seconds, made);
-        for (unsigned manner = 0; manner < FOUR; manner++)
+        for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
             assert_int_equal(made[manner], 2);
         execute(&it, ALL, 64, SHORT, seconds, made);
         assert_int_equal(made[best], 64);
@@ -177,7 +177,7 @@ static void half_the_lanes_are_tried_where_lanes_are_best(void **unused) {
     (void)unused;
     const unsigned open = ALL | WITH_HALF;
     int made[MANNERS];
-    for (unsigned best = 0; best < FOUR; best++)
+    for (unsigned best = 0; best < MANNERS_TRIED; best++)
         for (int is_half_faster = 0; is_half_faster < 2; is_half_faster++) {
             double seconds[MANNERS] = {1.0, 1.1, 1.2, 1.3, 0, 0, 1.4, 1.4};
             struct manners it = {0};

@@ -33,7 +33,6 @@ static redcc_loop loop = {.file = "test_trial.c",
 
 /* Handed out, by manner: iterations, and how often the manner changed. */
 static long iterations[MANNERS], changes;
-enum { FOUR = 4 /* manners of one trial */ };
 
 static void tell_all(redcc_worker *worker) {
     for (redcc_int t = worker->first; t < worker->last; t += worker->stride) {
@@ -115,8 +114,8 @@ static void one_execution_is_a_trial(void **unused) {
             draw(order);
             redcc_loop_forget(&loop);
             execute(counts[c]);
-            for (unsigned manner = 0; manner < FOUR; manner++)
-                assert_true(iterations[manner] >= TRIP / FOUR / 2 / MOST_THREADS);
+            for (unsigned manner = 0; manner < MANNERS_TRIED; manner++)
+                assert_true(iterations[manner] >= TRIP / MANNERS_TRIED / 2 / MOST_THREADS);
             /* parts of two rounds meet where the manner is the same; with stealing one thread may
              * have executed nearly all */
             const long most = counts[c] * (MANNER_PARTS - MANNER_ROUNDS);
@@ -141,9 +140,9 @@ static void the_next_one_tries_half_the_lanes(void **unused) {
         redcc_loop_forget(&loop);
         execute(2);
         for (unsigned manner = 0; manner < MANNERS; manner++)
-            assert_true((iterations[manner] > 0) == (manner < FOUR));
+            assert_true((iterations[manner] > 0) == (manner < MANNERS_TRIED));
         execute(2);
-        for (unsigned manner = WITH_LANES; manner < FOUR; manner++)
+        for (unsigned manner = WITH_LANES; manner < MANNERS_TRIED; manner++)
             assert_true((iterations[manner] > 0) == (iterations[manner | WITH_HALF] > 0));
         int taken = 0;
         execute(2);

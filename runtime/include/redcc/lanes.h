@@ -25,10 +25,8 @@
 #define REDCC_WIDTHS REDCC_ONLY_WIDTH
 #elif !defined(__x86_64__)
 #define REDCC_WIDTHS 0
-#elif defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define REDCC_WIDTHS (4 + 8) /* eight are not always faster than four */
 #elif defined(__AVX2__)
-#define REDCC_WIDTHS (4 + 8)
+#define REDCC_WIDTHS (4 + 8) /* also for AVX-512: eight are not always faster than four */
 #else
 #define REDCC_WIDTHS (2 + 4 + 8)
 #endif

@@ -75,15 +75,14 @@ static void least_of(const struct manners *it, const struct question *q, double 
 }
 
 /* The fastest manner, of at least two rounds; *lead: how many times as long the next one takes. */
-static unsigned best_of(const struct manners *it, double *lead) {
-    const struct question q = question_of(it, it->open);
+static unsigned best_of(const struct manners *it, const struct question *q, double *lead) {
     double least[2][MANNERS], both[MANNERS], next = 0;
-    unsigned best = manner_of(&q, 0);
-    least_of(it, &q, least);
+    unsigned best = manner_of(q, 0);
+    least_of(it, q, least);
     for (unsigned manner = 0; manner < MANNERS; manner++)
         both[manner] = least[0][manner] + least[1][manner];
-    for (unsigned number = 1; number < count_of(&q); number++) {
-        const unsigned manner = manner_of(&q, number);
+    for (unsigned number = 1; number < count_of(q); number++) {
+        const unsigned manner = manner_of(q, number);
         const unsigned other = both[manner] < both[best] ? best : manner;
         best = other == best ? manner : best;
         next = next <= 0 || both[other] < next ? both[other] : next;
@@ -122,7 +121,7 @@ void redcc_manner_note(struct manners *it, unsigned open, unsigned parts, const 
     if (rounds < EVIDENT_ROUNDS)
         return;
     double lead;
-    const unsigned best = best_of(it, &lead);
+    const unsigned best = best_of(it, &q, &lead);
     if (rounds >= SOME_ROUNDS || lead >= evident)
         end_trial(it, best);
 }

@@ -14,7 +14,8 @@
 enum { WITH_PREFETCH = 1, WITH_LANES = 2, WITH_HALF = 4, MANNERS = 8 };
 
 /** In a round each manner of the trial has one part; rounds go there and back by turns. */
-enum { MANNER_ROUNDS = 6, MANNER_PARTS = MANNER_ROUNDS * 4 };
+enum { MANNERS_TRIED = 4 /* at most */, MANNER_ROUNDS = 6 };
+enum { MANNER_PARTS = MANNER_ROUNDS * MANNERS_TRIED };
 
 /** What is known of a loop over its executions. All zero: nothing. */
 struct manners {
