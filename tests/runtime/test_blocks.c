@@ -2,8 +2,11 @@
 /* Blocks of memory: none overlaps another, whichever thread took it; in a child as well. */
 #include "base/blocks.h"
 
+#include <omp.h>
+#include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -92,6 +95,30 @@ static void blocks_of_a_child(void **unused) {
     redcc_block_give(block, bytes, true);
 }
 
+/* Only the system orders the second thread after the first: what looks for data races must be told.
+ * The flag orders nothing. */
+static void the_place_of_another_thread(void **unused) {
+    (void)unused;
+    atomic_bool is_given = false;
+    long wrong = 0;
+#pragma omp parallel num_threads(2) reduction(+ : wrong)
+    {
+        const bool is_first = omp_get_thread_num() == 0 || omp_get_num_threads() == 1;
+        while (!is_first && !atomic_load_explicit(&is_given, memory_order_relaxed))
+            sched_yield();
+        size_t bytes = (size_t)1 << 22;
+        unsigned char *block = redcc_block_take(&bytes, false);
+        wrong += !block;
+        if (block) {
+            *(volatile unsigned char *)block = is_first ? 1 : 2;
+            redcc_block_give(block, bytes, false);
+        }
+        if (is_first)
+            atomic_store_explicit(&is_given, true, memory_order_relaxed);
+    }
+    assert_int_equal(wrong, 0);
+}
+
 static void what_cannot_be_had(void **unused) {
     (void)unused;
     size_t bytes = SIZE_MAX / 2;
@@ -102,9 +129,8 @@ static void what_cannot_be_had(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(blocks_do_not_overlap),
-        cmocka_unit_test(blocks_of_several_threads),
-        cmocka_unit_test(blocks_of_a_child),
+        cmocka_unit_test(blocks_do_not_overlap),       cmocka_unit_test(blocks_of_several_threads),
+        cmocka_unit_test(the_place_of_another_thread), cmocka_unit_test(blocks_of_a_child),
         cmocka_unit_test(what_cannot_be_had),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
