@@ -185,6 +185,7 @@ static bool begin_execution(struct execution *execution, const redcc_loop *loop,
     execution->inspected = execution->binned = false;
     execution->reuse.hasher = state->hasher;
     execution->reuse.skipped_calls = execution->advice.skipped_calls;
+    execution->reuse.earned = execution->advice.earned;
     execution->reason = REASON_NONE;
     execution->woken = 0;
     redcc_run_begin(&execution->run);

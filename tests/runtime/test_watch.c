@@ -397,6 +397,13 @@ static void let_rest(struct fixture *fixture, long calls) {
     state->chooser.skipped += calls;
 }
 
+/* The plan has saved so many seconds before the next call. */
+static void let_earn(struct fixture *fixture, double seconds) {
+    struct loop_state *state = fixture->described.loop.state;
+    for (int size = 0; size < REDCC_SIZES; size++)
+        state->chooser.state.size[size].set_ups.earned = seconds;
+}
+
 /* Subscripts that did not change while auto left the loop alone are watched at the first retry, in
  * time for it to be timed so. */
 static void calls_at_rest_count(void **unused) {
@@ -409,10 +416,14 @@ static void calls_at_rest_count(void **unused) {
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     let_rest(&fixture, 5);
-    for (int call = 0; call < 3; call++)
+    for (int call = 0; call < 3; call++) {
+        let_earn(&fixture, 0); /* or that would pay for it (below) */
         assert_false(run_right(&fixture));
+    }
     let_rest(&fixture, 100);
+    let_earn(&fixture, 0);
     assert_false(run_right(&fixture)); /* compared */
+    let_earn(&fixture, 0);
     assert_false(run_right(&fixture)); /* protected, compared */
     assert_true(run_right(&fixture));
     assert_int_equal(sources_watched(&fixture), 2);
@@ -420,6 +431,35 @@ static void calls_at_rest_count(void **unused) {
     assert_false(problem_run(&fixture.problem, &fixture.described, THREADS, &last));
     run_right(&fixture);
     assert_int_equal(statistics_of(&fixture)->plans_built, 2);
+    fixture_end(&fixture);
+}
+
+/* What the plan has saved pays for watching one source after the other, long before comparing has
+ * cost as much: of 78 pages each, 1.4 microseconds a page and 250. */
+static void savings_pay(void **unused) {
+    (void)unused;
+    need_watching();
+    const double price = 78 * 1.4e-6 + 250e-6;
+    struct fixture fixture;
+    long last;
+    fixture_begin(&fixture);
+    assert_false(problem_run(&fixture.problem, &fixture.described, THREADS, &last));
+    run_right(&fixture);
+    for (int call = 0; call < 3; call++) {
+        let_earn(&fixture, 0.9 * price);
+        assert_false(run_right(&fixture));
+    }
+    let_earn(&fixture, 1.8 * price); /* enough for one of the two */
+    assert_false(run_right(&fixture));
+    let_earn(&fixture, 0);
+    assert_true(run_right(&fixture));
+    assert_int_equal(sources_watched(&fixture), 1);
+    let_earn(&fixture, 1.1 * price);
+    run_right(&fixture);
+    let_earn(&fixture, 0);
+    assert_true(run_right(&fixture));
+    assert_int_equal(sources_watched(&fixture), 2);
+    assert_int_equal(statistics_of(&fixture)->plans_built, 1);
     fixture_end(&fixture);
 }
 
@@ -437,7 +477,8 @@ static void switched_off(void **unused) {
 int main(void) {
     room_at_start = room_for_descriptors();
     const struct CMUnitTest off[] = {cmocka_unit_test(switched_off)};
-    const struct CMUnitTest chosen[] = {cmocka_unit_test(calls_at_rest_count)};
+    const struct CMUnitTest chosen[] = {cmocka_unit_test(calls_at_rest_count),
+                                        cmocka_unit_test(savings_pay)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_changed),
         cmocka_unit_test(the_same_values_again),

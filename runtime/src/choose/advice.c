@@ -217,6 +217,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
                             .timed = decision.timed,
                             .trial = decision.trial,
                             .skipped_calls = chooser->skipped,
+                            .earned = decision.earned,
                             .rule = decision.rule};
     chooser->skipped = decision.action == ACTION_SEQUENTIAL ? chooser->skipped + 1 : 0;
     if (decision.action == ACTION_SEQUENTIAL)

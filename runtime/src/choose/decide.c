@@ -40,12 +40,13 @@ static const double started_most = 1.0 / 8;
 static const double soon = 8;
 
 static const double wakes = 16; /* waking two threads takes an eighth of what each executes then */
-static const double checked_after = 64; /* timing the sequential loop again costs 1/64; */
+static const double checked_after = 64; /* timing the sequential loop again costs 1/64, and half as
+                                          much each time until it costs 1/512; */
 /* where only its first execution was timed, which found no page in place, 1/16, or 1/32 where the
  * plan takes so little of it that it is likely to be faster than the next one as well */
 static const double checked_early = 16, checked_soon = 32, likely = 0.4;
 
-enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024 };
+enum { MISSES = 2, STEADY = 2, SHORT_REST = 16, SHORT_REST_MOST = 1024, DOUBLINGS = 3 };
 
 double redcc_credit(const struct choice_state *state) {
     return share * state->ledger.sequential - state->ledger.overhead + state->ledger.loan;
@@ -69,7 +70,8 @@ static bool is_trial(const struct size_state *size, enum way way) {
 static struct decision reuse(struct size_state *size, const struct situation *now, enum way way,
                              enum rule rule) {
     const double usual = redcc_usual(&size->sequential);
-    struct decision decision = {.action = ACTION_REUSE, .way = way, .rule = rule};
+    struct decision decision = {
+        .action = ACTION_REUSE, .way = way, .earned = size->set_ups.earned, .rule = rule};
     const bool was_faster = size->prospect[way].measured && size->prospect[way].execution < usual;
     size->rule = rule;
     if (is_trial(size, way) && !was_faster) /* whose short rounds would hide a gain */
@@ -323,7 +325,7 @@ static bool is_check_due(const struct size_state *size, long long trip) {
     const double sequential = redcc_usual(&size->sequential);
     const double parallel = size->prospect[size->way].execution;
     const double more = sequential - parallel;
-    const double after = size->sequential.count > 1       ? checked_after
+    const double after = size->sequential.count > 1 ? checked_after * (double)(1 << size->checks)
                          : parallel < likely * sequential ? checked_soon
                                                           : checked_early;
     return size->unchecked > after * more * (double)trip;
@@ -340,6 +342,7 @@ static struct decision decide_parallel(struct choice_state *state, struct size_s
         return sequentially(size, RULE_SAVING);
     const double current = size->prospect[size->way].execution;
     if (is_check_due(size, now->trip)) {
+        size->checks += size->sequential.count > 1 && size->checks < DOUBLINGS;
         redcc_compare(size, size->way, WAY_SEQUENTIAL);
         size->comparison.contender_sum = current;
         size->comparison.contended = 1;

@@ -69,6 +69,7 @@ struct decision {
     double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
                           redcc_pick_way: the set-up */
     struct trial trial; /**< REUSE of WAY_BINS, where it may turn out to be slower */
+    double earned;      /**< REUSE: seconds saved since the last set-up */
     enum rule rule;
 };
 
@@ -148,6 +149,7 @@ struct size_state {
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
+    int checks;       /* how often it was in a row, a plan being the faster way; 3 at the most */
     struct timings sequential;
     struct prospect prospect[WAY_COUNT];
     struct comparison comparison;

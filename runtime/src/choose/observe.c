@@ -44,6 +44,7 @@ static void settle(struct size_state *size, bool contender_won) {
     size->way = contender_won || it->incumbent == WAY_SEQUENTIAL ? it->contender : it->incumbent;
     size->unchecked = 0;
     if (!contender_won && it->incumbent == WAY_SEQUENTIAL) {
+        size->checks = 0;
         return_to_sequential(size, it->contender, SLOWER_REST);
         return;
     }
@@ -117,6 +118,7 @@ static void count_set_up(struct size_state *size, enum way way, double seconds) 
                            .lifetime = it->lifetime};
     size->prospect[way].learned = seconds;
     size->prospect[way].possible = true;
+    size->checks = 0;
 }
 
 /* The first execution by a new plan starts threads and touches pages: it is only compared where it

@@ -76,12 +76,13 @@ static struct reading reading_of(const struct reuse *reuse, uint32_t source) {
 
 static void ask_tracking(struct reuse *reuse) {
     const redcc_loop *loop = reuse->call->request.loop;
+    double earned = reuse->earned;
     for (uint32_t s = 0; s < loop->source_count; s++) {
         struct tracking *tracking = &reuse->found->source[s].tracking;
         tracking->stands = false;
         tracking->begun = 0;
         if (loop->sources[s].is_subscript && reuse->call->tracks)
-            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->backoff);
+            redcc_tracking_ask(tracking, reading_of(reuse, s), &reuse->cache->backoff, &earned);
     }
 }
 

@@ -21,8 +21,10 @@ struct tracking {
 };
 
 /** Asks whether the whole pages of the source that lies as `reading` says are untouched, and begins
- *  to track them where it is time. *backoff counts how often in a row that did not pay. */
-void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsigned *backoff);
+ *  to track them where it is time. *backoff counts how often in a row that did not pay; *earned:
+ *  seconds that the plan has saved, less what to track this source may cost for nothing. */
+void redcc_tracking_ask(struct tracking *tracking, struct reading reading, unsigned *backoff,
+                        double *earned);
 
 /** Is the tracked source what it was? Reads what lies beside its whole pages. Any thread. */
 bool redcc_tracking_unchanged(const struct tracking *tracking, struct reading reading);
