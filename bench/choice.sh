@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # What redcc costs and gains from the first execution on: the total time of N executions of loops as
 # programs have them (bench/choice.c), most of which are not worth running in parallel, by `auto`, by
-# each method named, and sequentially. Rounds are interleaved; each ratio is of one round, and the
-# table has their medians, lowest and highest. Results are compared bit for bit.
+# each method named, and sequentially. Rounds are interleaved, and the sequential program is first in
+# every other one, else last; each ratio is of one round, and the table has their medians, lowest and
+# highest. Results are compared bit for bit.
 # The -short ones, of 0.1 to 0.3 ms, are parts of others: CALLS="400 4000 20000" tells of them.
 # Of the loops of `script/bench methods`, force is its heavy and springs its light one, by rows alone.
 # NEIGHBOURS: processes that only compute run beside all of it, the sequential program as well.
@@ -32,19 +33,25 @@ done
 trap '[ ${#busy[@]} -eq 0 ] || kill "${busy[@]}" 2>/dev/null; rm -rf "$work"' EXIT
 
 raw=$work/raw # loop method calls ratio seconds
+sequentially() { "$work/sequential" "$loop" "${calls[@]}" >"$work/expected"; }
+by() { # METHOD
+  local chosen=(REDCC_METHOD="$1")
+  [ "$1" != auto ] || chosen=(-u REDCC_METHOD) # as users have it
+  env "${chosen[@]}" "$work/redcc" "$loop" "${calls[@]}" >"$work/given-$1"
+}
+compare() { # METHOD
+  paste -d' ' "$work/expected" "$work/given-$1" |
+    awk -v loop="$loop" -v method="$1" '
+      $3 != $6 {print "choice: " loop " by " method ": other bits" >"/dev/stderr"; bad = 1}
+      {print loop, method, $1, $2 / $5, $2, $5}
+      END {exit bad}' >>"$raw"
+}
 for round in $(seq "$rounds"); do
   for loop in "${loops[@]}"; do
-    "$work/sequential" "$loop" "${calls[@]}" >"$work/expected"
-    for method in "${methods[@]}"; do
-      chosen=(REDCC_METHOD="$method")
-      [ "$method" != auto ] || chosen=(-u REDCC_METHOD) # as users have it
-      env "${chosen[@]}" "$work/redcc" "$loop" "${calls[@]}" >"$work/given"
-      paste -d' ' "$work/expected" "$work/given" |
-        awk -v loop="$loop" -v method="$method" '
-          $3 != $6 {print "choice: " loop " by " method ": other bits" >"/dev/stderr"; bad = 1}
-          {print loop, method, $1, $2 / $5, $2, $5}
-          END {exit bad}' >>"$raw"
-    done
+    ((round % 2 == 0)) || sequentially
+    for method in "${methods[@]}"; do by "$method"; done
+    ((round % 2)) || sequentially
+    for method in "${methods[@]}"; do compare "$method"; done
   done
   echo "round $round of $rounds"
 done
