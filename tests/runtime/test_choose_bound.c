@@ -332,6 +332,24 @@ static struct trace *light(int count) {
     return trace;
 }
 
+/* Executions take 0.9 of the one before at first, and half as long in the end: what a plan gains is
+ * less than it seems, and nothing is lent before that is over. */
+static void a_loop_that_becomes_faster(void **unused) {
+    (void)unused;
+    for (int count = 10; count <= 40; count += 30) {
+        struct trace *trace = light(count);
+        for (int c = 0; c < count; c++) {
+            const double as_long = fmax(pow(0.9, c), 0.5);
+            scale(&trace->call[c], as_long, as_long);
+        }
+        const struct simulated it = simulate(trace);
+        assert_int_equal(it.set_ups, count > 10 ? 1 : 0);
+        if (count > 10)
+            assert_in_range(it.parallel, 24, 30);
+        free(trace);
+    }
+}
+
 /* A loop of 0.3 ms, of which a look takes much: that is covered after some tens of executions, and
  * a loan after it. One that waking threads takes a sixteenth of is left alone. */
 static void short_loops(void **unused) {
@@ -588,6 +606,7 @@ int main(void) {
         cmocka_unit_test(a_light_loop_whose_subscripts_stay),
         cmocka_unit_test(threads_that_start_late),
         cmocka_unit_test(threads_that_start_late_for_a_light_loop),
+        cmocka_unit_test(a_loop_that_becomes_faster),
         cmocka_unit_test(short_loops),
         cmocka_unit_test(a_plan_that_repays),
         cmocka_unit_test(samples_that_mislead),

@@ -397,11 +397,14 @@ static void let_rest(struct fixture *fixture, long calls) {
     state->chooser.skipped += calls;
 }
 
-/* The plan has saved so many seconds before the next call. */
+/* The plan has saved so many seconds before the next call, beyond what its set-up took. */
 static void let_earn(struct fixture *fixture, double seconds) {
     struct loop_state *state = fixture->described.loop.state;
-    for (int size = 0; size < REDCC_SIZES; size++)
-        state->chooser.state.size[size].set_ups.earned = seconds;
+    for (int size = 0; size < REDCC_SIZES; size++) {
+        struct set_ups *set_ups = &state->chooser.state.size[size].set_ups;
+        set_ups->invested = 0.25;
+        set_ups->earned = 0.25 + seconds;
+    }
 }
 
 /* Subscripts that did not change while auto left the loop alone are watched at the first retry, in

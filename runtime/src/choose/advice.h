@@ -44,7 +44,7 @@ struct advice {
     double awaited;     /* INSPECT: seconds that passed until threads came which were not there */
     struct trial trial; /* REUSE */
     long skipped_calls; /* REUSE: that were sequential since a plan was used */
-    double earned;      /* REUSE: seconds saved since the last set-up */
+    double earned;      /* REUSE: seconds saved since the last set-up, less what that took */
     enum reason reason; /* for SEQUENTIAL */
     enum rule rule;
 };

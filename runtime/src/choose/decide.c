@@ -70,8 +70,10 @@ static bool is_trial(const struct size_state *size, enum way way) {
 static struct decision reuse(struct size_state *size, const struct situation *now, enum way way,
                              enum rule rule) {
     const double usual = redcc_usual(&size->sequential);
-    struct decision decision = {
-        .action = ACTION_REUSE, .way = way, .earned = size->set_ups.earned, .rule = rule};
+    struct decision decision = {.action = ACTION_REUSE,
+                                .way = way,
+                                .earned = size->set_ups.earned - size->set_ups.invested,
+                                .rule = rule};
     const bool was_faster = size->prospect[way].measured && size->prospect[way].execution < usual;
     size->rule = rule;
     if (is_trial(size, way) && !was_faster) /* whose short rounds would hide a gain */
@@ -158,9 +160,11 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
     return best;
 }
 
-/* One loan at a time, and none after a set-up that did not earn its cost. */
+/* One loan at a time, and none after a set-up that did not earn its cost, or for a loop that is
+ * still becoming faster. */
 static bool may_borrow(const struct choice_state *state, const struct size_state *size) {
     return size->stand == STAND_SAVING && redcc_next_misses(&size->set_ups) == 0 &&
+           !redcc_is_falling(&size->sequential) &&
            (state->ledger.loan > 0 || redcc_credit(state) >= 0);
 }
 

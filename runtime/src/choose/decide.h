@@ -69,7 +69,7 @@ struct decision {
     double deadline; /**< INSPECT: seconds after which a dry run must be given up; of
                           redcc_pick_way: the set-up */
     struct trial trial; /**< REUSE of WAY_BINS, where it may turn out to be slower */
-    double earned;      /**< REUSE: seconds saved since the last set-up */
+    double earned;      /**< REUSE: seconds saved since the last set-up, less what that took */
     enum rule rule;
 };
 

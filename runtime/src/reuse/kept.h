@@ -53,7 +53,7 @@ struct reuse {
     struct range *sources;   /* [source_count] where they lie in this call */
     struct range *written;   /* [array_count] what its groups would write in this call */
     long skipped_calls;      /* that auto left to the sequential loop before this one */
-    double earned;           /* seconds that auto has saved by the plan before this call */
+    double earned;           /* seconds that auto has saved by the plan, less its set-up */
     uint64_t sampled;        /* a hash of a few words of the subscripts; 0: none is taken */
     bool same;               /* so far the subscripts are unchanged */
     int changed_source;      /* that a plan was lost by, in this call; -1: none was */
