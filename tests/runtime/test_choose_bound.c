@@ -332,8 +332,8 @@ static struct trace *light(int count) {
     return trace;
 }
 
-/* Executions take 0.94 of the one before at first, and half as long in the end: what a plan gains is
- * less than it seems, and nothing is lent before that is over. */
+/* Executions take 0.94 of the one before at first, and half as long in the end: what a plan gains
+ * is less than it seems, and nothing is lent before that is over. */
 static void a_loop_that_becomes_faster(void **unused) {
     (void)unused;
     for (int count = 10; count <= 40; count += 30) {
