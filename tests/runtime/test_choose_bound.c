@@ -228,55 +228,6 @@ static void dry_runs(void **unused) {
     check_dry_run(5, 2, 1.02, 1);
 }
 
-/* A loop of 2.5 ms, whose sample takes half a millisecond and whose threads take 6 to start; plans
- * are expected to take 0.63 of it, and take `execution`, after set-ups that take `error` times what
- * is expected; other subscripts every `every` calls. It is to be no slower from the first call on.
- */
-static void check_light(const char *name, double execution, double error, int every) {
-    struct trace *trace = ordinary(400);
-    trace->look = 0.5e-3;
-    trace->start = 6e-3;
-    trace->set_up[WAY_INDEX] = 4e-9;
-    trace->set_up[WAY_GRAPH] = 12e-9;
-    trace->set_up_error = 1 / error;
-    trace->execution_error = 0.63 / execution;
-    for (int c = 0; c < trace->count; c++) {
-        struct simulated_call *call = &trace->call[c];
-        call->sequential = c ? 2.5e-3 : 3.5e-3;
-        call->execution[WAY_INDEX] = call->execution[WAY_GRAPH] = execution * 2.5e-3;
-        call->subscripts = c / every;
-    }
-    const struct simulated it = simulate(trace);
-    if (getenv("CHOOSE_SHOW"))
-        printf("%s: slowest %.4f, looks %d, set-ups %d\n", name, it.slowest, it.looks, it.set_ups);
-    if (it.slowest > 1 / 0.95)
-        fail_msg("%s: %.4f times the sequential program's time", name, it.slowest);
-    if (it.set_ups > (every == 1 ? 0 : 3))
-        fail_msg("%s: %d set-ups", name, it.set_ups);
-    assert_int_equal(it.looks, 1);
-    free(trace);
-}
-
-/* No set-up where starting the threads alone would cost more than trials may. */
-static void check_threads_that_start_slowly(void) {
-    struct trace *trace = ordinary(400);
-    trace->start = 0.2;
-    const struct simulated it = simulate(trace);
-    assert_int_equal(it.looks, 1);
-    assert_int_equal(it.set_ups, 0);
-    free(trace);
-}
-
-static void light_loops(void **unused) {
-    (void)unused;
-    check_threads_that_start_slowly();
-    check_light("light", 0.63, 1, 1000);
-    check_light("light, no gain", 1.05, 1, 1000);
-    check_light("light, no gain, set-ups three times as long", 1.05, 3, 1000);
-    check_light("light, other subscripts each call", 0.63, 1, 1);
-    check_light("light, other subscripts each call, no gain", 1.05, 3, 1);
-}
-
 /* Springs of a sorted mesh: 4 ms an execution, the first one twice as much, whose set-up takes half
  * of one; nothing compares their subscripts. */
 static void a_light_loop_whose_subscripts_stay(void **unused) {
@@ -314,90 +265,6 @@ static void threads_that_start_late(void **unused) {
     trace->start = 0.1e-3;
     trace->late = 40e-3;
     assert_true(simulate(trace).slowest < 1.02);
-    free(trace);
-}
-
-/* A light loop whose subscripts stay as far as samples tell: each execution 2.5 ms, by a plan half
- * of it, after a set-up of as much. */
-static struct trace *light(int count) {
-    struct trace *trace = ordinary(count);
-    trace->possible[WAY_GRAPH] = false;
-    trace->set_up[WAY_INDEX] = 1.2e-9;
-    trace->look = 0.2e-3;
-    trace->start = 0.1e-3;
-    for (int c = 0; c < count; c++) {
-        trace->call[c].sequential = 2.5e-3;
-        trace->call[c].execution[WAY_INDEX] = 1.25e-3;
-    }
-    return trace;
-}
-
-/* Executions take 0.94 of the one before at first, and half as long in the end: what a plan gains
- * is less than it seems, and nothing is lent before that is over. */
-static void a_loop_that_becomes_faster(void **unused) {
-    (void)unused;
-    for (int count = 10; count <= 40; count += 30) {
-        struct trace *trace = light(count);
-        trace->set_up[WAY_INDEX] = 0.8e-9;
-        for (int c = 0; c < count; c++) {
-            const double as_long = fmax(pow(0.94, c), 0.5);
-            scale(&trace->call[c], as_long, as_long);
-        }
-        const struct simulated it = simulate(trace);
-        assert_int_equal(it.set_ups, count > 10 ? 1 : 0);
-        if (count > 10)
-            assert_in_range(it.parallel, 24, 30);
-        free(trace);
-    }
-}
-
-/* A loop of 0.3 ms, of which a look takes much: that is covered after some tens of executions, and
- * a loan after it. One that waking threads takes a sixteenth of is left alone. */
-static void short_loops(void **unused) {
-    (void)unused;
-    for (int again = 0; again < 2; again++) {
-        struct trace *trace = light(1000);
-        trace->look = 0.12e-3;
-        trace->set_up[WAY_INDEX] = 0.1e-9;
-        trace->wake = again ? 20e-6 : 10e-6;
-        for (int c = 0; c < trace->count; c++) {
-            trace->call[c].sequential = 0.3e-3;
-            trace->call[c].execution[WAY_INDEX] = 0.17e-3;
-        }
-        const struct simulated it = simulate(trace);
-        assert_true(it.slowest < 1.04);
-        assert_int_equal(it.looks, again ? 0 : 1);
-        assert_int_equal(it.set_ups, again ? 0 : 1);
-        assert_in_range(it.parallel, again ? 0 : 955, again ? 0 : 975);
-        free(trace);
-    }
-}
-
-/* What was waited is no reason to leave the rest undone: the threads are there. */
-static void threads_that_start_late_for_a_light_loop(void **unused) {
-    (void)unused;
-    struct trace *trace = light(40);
-    trace->late = 3e-3;
-    const struct simulated it = simulate(trace);
-    assert_int_equal(it.set_ups, 1);
-    assert_in_range(it.parallel, 32, 36);
-    assert_true(it.total < 0.7 * it.sequential);
-    free(trace);
-}
-
-/* Its set-up took longer than anybody knew, and much is owed. A plan that is clearly faster repays
- * that, but only one that is. */
-static void a_plan_that_repays(void **unused) {
-    (void)unused;
-    struct trace *trace = light(40);
-    trace->overrun = 5e-3;
-    const struct simulated faster = simulate(trace);
-    assert_int_equal(faster.set_ups, 1);
-    assert_in_range(faster.parallel, 32, 36);
-    const int first = trace->count - faster.parallel;
-    for (int c = first + 1; c < trace->count; c++)
-        trace->call[c].execution[WAY_INDEX] = 3.4e-3;
-    assert_int_equal(simulate(trace).parallel, 2);
     free(trace);
 }
 
@@ -603,13 +470,8 @@ int main(void) {
         cmocka_unit_test(subscripts_that_change_after_the_first_reuse),
         cmocka_unit_test(loops_that_never_gain),
         cmocka_unit_test(dry_runs),
-        cmocka_unit_test(light_loops),
         cmocka_unit_test(a_light_loop_whose_subscripts_stay),
         cmocka_unit_test(threads_that_start_late),
-        cmocka_unit_test(threads_that_start_late_for_a_light_loop),
-        cmocka_unit_test(a_loop_that_becomes_faster),
-        cmocka_unit_test(short_loops),
-        cmocka_unit_test(a_plan_that_repays),
         cmocka_unit_test(samples_that_mislead),
         cmocka_unit_test(a_gain_that_may_be_none),
         cmocka_unit_test(noise),

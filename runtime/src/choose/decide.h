@@ -149,7 +149,7 @@ struct size_state {
     double look;      /* seconds that a sample took; 0: none was taken */
     double looked_at; /* seconds an iteration of the sequential loop, as they were then known */
     double unchecked; /* PARALLEL: seconds since the sequential loop was timed */
-    int checks;       /* how often it was in a row, a plan being the faster way; 3 at the most */
+    int checks; /* how often it was in a row, a plan being the faster way; DOUBLINGS at most */
     struct timings sequential;
     struct prospect prospect[WAY_COUNT];
     struct comparison comparison;

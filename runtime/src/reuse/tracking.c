@@ -14,15 +14,19 @@ enum {
     LEAST = 256 * 1024 /* bytes; to compare fewer costs little more than to ask */
 };
 
+static size_t compared_pages(struct range pages) {
+    return redcc_range_bytes(pages) / COMPARED_AT_ONCE;
+}
+
 /* After so many comparisons, which have cost as much as tracking the pages may cost for nothing, it
  * is begun: that loses at most as much again (the rule of ski rental). */
 static uint32_t threshold(struct range pages) {
-    return (uint32_t)(A_PAGE + A_SOURCE / (redcc_range_bytes(pages) / COMPARED_AT_ONCE));
+    return (uint32_t)(A_PAGE + A_SOURCE / compared_pages(pages));
 }
 
 /* Seconds that they take. */
 static double price(struct range pages) {
-    return a_comparison * threshold(pages) * (double)(redcc_range_bytes(pages) / COMPARED_AT_ONCE);
+    return a_comparison * threshold(pages) * (double)compared_pages(pages);
 }
 
 /* It did not pay: exponential back-off. */
