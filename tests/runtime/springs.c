@@ -70,8 +70,8 @@ static void springs(int n, const int (*edge)[2], const double (*x)[3], struct sy
         REDCC_FIRST_AND_LAST { __typeof__(t) t = (__typeof__(t))REDCC_AN_END(1); REDCC_KNOWN_ROW(0, edge[t]); }
         if (REDCC_ENTER(redcc__known)) REDCC_THREADS(firstprivate(edge, x, s, n))
             REDCC_PARALLEL(REDCC_CHUNK_1,
-                redcc__slice_springs(REDCC_SLICE_ARGUMENTS, (__typeof__(t))(redcc__lower + redcc__k), edge, x, s),
-                redcc__body_springs(REDCC_BODY_ARGUMENTS_1, (__typeof__(t))(redcc__lower + redcc__k), redcc__base_0, edge, x))
+                redcc__slice_springs(REDCC_SLICE_ARGUMENTS, REDCC_COUNTER(__typeof__(t), redcc__k), edge, x, s),
+                redcc__body_springs(REDCC_BODY_ARGUMENTS_1, REDCC_COUNTER(__typeof__(t), redcc__k), redcc__base_0, edge, x))
         redcc__done = redcc_leave(&redcc__call);
     }
     REDCC_QUIET_END if (redcc__done) {

@@ -441,10 +441,10 @@ static void declare_variables(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     const ir_variable *counter = facts->counted.counter;
     if (!loop->outline.done)
-        writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
+        writer_line(out, "%s %s%s = %s;", loop->counter_type,
                     origin_declarator(loop->arena, counter),
                     body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
-                    loop->counter_type, loop_iteration_offset(loop));
+                    loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
         const private_variable *item = &facts->variables.privates[i];
         if (item->is_declared_inside || item->is_live_after)

@@ -17,9 +17,9 @@ void write_distributed_stores(loop_text *loop, writer *out) {
     writer_line(out, "/* what the body leaves out */");
     writer_line(out, "for (redcc_int redcc__k = 0; redcc__done && redcc__k < redcc__trip; "
                      "redcc__k++) {");
-    writer_line(out, "    const %s %s = (%s)(redcc__lower + %s);", loop->counter_type,
-                origin_declarator(loop->arena, loop->facts->counted.counter), loop->counter_type,
-                loop_iteration_offset(loop));
+    writer_line(out, "    const %s %s = %s;", loop->counter_type,
+                origin_declarator(loop->arena, loop->facts->counted.counter),
+                loop_counter_value(loop));
     for (unsigned i = 0; i < stores->count; i++) {
         const ir_node *condition = stores->stores[i].condition;
         const bool begins = condition && (i == 0 || stores->stores[i - 1].condition != condition);

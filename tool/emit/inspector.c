@@ -167,9 +167,8 @@ static void declare_variables(const inspector *self, writer *out) {
     const ir_variable *counter = facts->counted.counter;
     const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
     if (!loop->outline.done)
-        writer_line(out, "%s %s%s = (%s)(redcc__lower + %s);", loop->counter_type,
-                    origin_declarator(loop->arena, counter), unused, loop->counter_type,
-                    loop_iteration_offset(loop));
+        writer_line(out, "%s %s%s = %s;", loop->counter_type,
+                    origin_declarator(loop->arena, counter), unused, loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
         const ir_variable *variable = facts->variables.privates[i].variable;
         if (!facts->variables.privates[i].is_declared_inside && is_needed(self, variable))

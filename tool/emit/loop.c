@@ -53,9 +53,11 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset) {
     return blanks;
 }
 
-const char *loop_iteration_offset(loop_text *loop) {
+const char *loop_counter_value(loop_text *loop) {
     const char *step = loop_step(loop);
-    return strcmp(step, "1") == 0 ? "redcc__k" : arena_format(loop->arena, "%s * redcc__k", step);
+    const bool is_one = strcmp(step, "1") == 0;
+    return arena_format(loop->arena, "REDCC_COUNTER(%s, %s%sredcc__k)", loop->counter_type,
+                        is_one ? "" : step, is_one ? "" : " * ");
 }
 
 const char *loop_step(loop_text *loop) {

@@ -97,8 +97,8 @@ const char *loop_column_blanks(loop_text *loop, uint32_t offset);
 /** The counter's step as text: "2", "redcc__stride". */
 const char *loop_step(loop_text *loop);
 
-/** How far iteration redcc__k is from redcc__lower: "redcc__k", "2 * redcc__k". */
-const char *loop_iteration_offset(loop_text *loop);
+/** The counter's value in iteration redcc__k: "REDCC_COUNTER(int, 2 * redcc__k)". */
+const char *loop_counter_value(loop_text *loop);
 /** The array whose base this node says, or -1. */
 int loop_array_of_base(const loop_text *loop, const ir_node *node);
 /** The first update that this statement makes, or NULL. */

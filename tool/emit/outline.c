@@ -195,11 +195,6 @@ static const char *counter_parameter(loop_text *loop, bool is_used) {
                         is_used ? "" : " __attribute__((__unused__))");
 }
 
-static const char *counter_argument(loop_text *loop) {
-    return arena_format(loop->arena, "(%s)(redcc__lower + %s)", loop->counter_type,
-                        loop_iteration_offset(loop));
-}
-
 typedef struct head {
     buffer parameters, arguments;
 } head;
@@ -252,7 +247,7 @@ static void write_slice(loop_text *loop, writer *out) {
     add_variables(loop, is_mentioned, false, &h);
     loop->outline.slice_call =
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
-                     counter_argument(loop), take(loop->arena, &h.arguments));
+                     loop_counter_value(loop), take(loop->arena, &h.arguments));
     const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
                 outlined_name(loop, "slice"), counter_parameter(loop, is_used),
@@ -277,7 +272,7 @@ static void write_body(loop_text *loop, writer *out) {
     loop->outline.body_parameters = take(loop->arena, &h.parameters);
     loop->outline.body_call =
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
-                     kind, count, counter_argument(loop), loop->outline.body_arguments);
+                     kind, count, loop_counter_value(loop), loop->outline.body_arguments);
     writer_line(out, "REDCC_BODY %s(REDCC_%s_PARAMETERS_%u, %s%s) {%s", outlined_name(loop, "body"),
                 kind, count, counter_parameter(loop, body_reads(facts, facts->counted.counter)),
                 loop->outline.body_parameters, loop->is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
