@@ -66,8 +66,6 @@ static enum reason reason_not_to(const redcc_loop *loop, const struct settings *
         return REASON_NO_BINS;
     if (forked)
         return REASON_FORKED;
-    if (redcc_allocator_is_split())
-        return REASON_ALLOCATOR;
     if (nested)
         return REASON_NESTED;
     return threads < 2 && !one_will_do(loop, settings) ? REASON_ONE_THREAD : REASON_NONE;
@@ -249,19 +247,46 @@ static bool goes_without_state(const struct settings *settings, redcc_loop *loop
     return true;
 }
 
-/* Is nothing to be decided in this call? Then it is not prepared for either: the loop is released,
- * and timed where that is asked for. */
+/* The call is not prepared for: the loop is released, and timed where that is asked for. */
+static enum reason leave_alone(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                               const redcc_extent *known, const struct advice *advice) {
+    redcc_note_rule(&state->reported.statistics, advice->rule);
+    redcc_note_serial(&state->reported.statistics);
+    redcc_loop_release(state);
+    if (advice->timed)
+        time_original(loop, trip, known);
+    return advice->reason;
+}
+
+/* Is nothing to be decided in this call? */
 static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                   const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
         return false;
-    redcc_note_rule(&state->reported.statistics, advice.rule);
-    redcc_note_serial(&state->reported.statistics);
+    *reason = leave_alone(state, loop, trip, known, &advice);
+    return true;
+}
+
+/* Is the sequential loop decided without a look at anything that only threads need? */
+static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
+                  const redcc_extent *known, int threads, enum reason *reason) {
+    struct advice advice;
+    if (!redcc_advise_saving(&state->chooser, loop, known, trip, threads, &advice))
+        return false;
+    state->reported.statistics.order = state->execution.call.order;
+    *reason = leave_alone(state, loop, trip, known, &advice);
+    return true;
+}
+
+/* Must the program's allocator stay out of parallel regions? The first call looks at symbols of
+ * many objects, 0.06 ms. */
+static bool is_kept_out(struct loop_state *state, bool always) {
+    if (always || !redcc_allocator_is_split())
+        return false;
+    if (!state->execution.call.method)
+        redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
     redcc_loop_release(state);
-    if (advice.timed)
-        time_original(loop, trip, known);
-    *reason = advice.reason;
     return true;
 }
 
@@ -335,6 +360,10 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
     }
+    if (asks_auto && saves(held, loop, trip, known, threads, &reason))
+        return serially(state, reason);
+    if (is_kept_out(held, always))
+        return serially(state, REASON_ALLOCATOR);
     threads = nested || threads < 1 || forked ? 1 : threads;
     redcc_within_begin(&execution->within, always, threads);
     threads = threads_to_ask_for(held, settings, trip, threads);
@@ -379,14 +408,17 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         if (execution->call.started > 0)
             redcc_cores_give_way(&execution->cores, threads - 1);
         redcc_team_came(threads);
-        redcc_within_relax(&execution->within, execution->call.always_planned, is_long(execution));
+        if (!execution->advice.alone) /* a look is over before anybody waits */
+            redcc_within_relax(&execution->within, execution->call.always_planned,
+                               is_long(execution));
     }
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;
     if (number > 0)
         redcc_cores_take(&execution->cores);
-    note_node(thread);
+    if (!execution->advice.alone)
+        note_node(thread);
     if (number == threads - 1)
         execution->woken = redcc_seconds();
     runner->float_control = redcc_float_control();

@@ -2,8 +2,13 @@
 #include "choose_simulator.h"
 
 #include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 enum { THREADS = 2, PLANS = 4 };
 
@@ -207,9 +212,28 @@ static void inspect(struct simulation *it, const struct simulated_call *call,
         end_look(it, call, spent);
 }
 
+/* By one who knows neither what starting threads takes nor which plans are kept. */
+static enum reach reach_of(const struct simulation *it, struct situation now) {
+    now.start = 0;
+    for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
+        now.kept[way] = KEPT_NONE;
+    return redcc_reach(it->state, &now);
+}
+
+static struct decision decide(struct simulation *it, const struct situation *now) {
+    const enum reach reach = reach_of(it, *now);
+    const struct decision decision = redcc_decide(it->state, now);
+    it->so_far.left_alone += reach == REACH_NOTHING;
+    if (decision.action != ACTION_SEQUENTIAL && reach == REACH_NOTHING)
+        fail_msg("begun, though nothing was within reach");
+    if (decision.action != ACTION_SEQUENTIAL && !decision.alone && reach == REACH_LOOK)
+        fail_msg("by threads, though only a look was within reach");
+    return decision;
+}
+
 static void carry_out(struct simulation *it, const struct simulated_call *call) {
     const struct situation now = situation_of(it, call);
-    const struct decision decision = redcc_decide(it->state, &now);
+    const struct decision decision = decide(it, &now);
     note_loan(it, call);
     switch (decision.action) {
     case ACTION_SEQUENTIAL:

@@ -52,9 +52,11 @@ struct simulated {
     int set_ups;      /**< begun; */
     int stopped;      /**< of them, at their deadline */
     int parallel;     /**< executions by a plan */
+    int left_alone;   /**< calls of which redcc_reach said that nothing can be begun */
 };
 
-/** Carries out the trace, from a state of zeroes. */
+/** Carries out the trace, from a state of zeroes. Asserts that no decision is beyond what
+ *  redcc_reach, which is told of no thread and no plan, has said of it. */
 struct simulated simulate(const struct trace *trace);
 
 #endif

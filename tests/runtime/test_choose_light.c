@@ -116,6 +116,24 @@ static void short_loops(void **unused) {
     }
 }
 
+/* Most calls of a loop that saves for a look, or that no plan serves, are found to be the
+ * sequential loop's with no question about threads. */
+static void little_is_asked(void **unused) {
+    (void)unused;
+    struct trace *trace = light(40);
+    trace->look = 0.35e-3;
+    trace->start = 1;
+    const struct simulated saving = simulate(trace);
+    assert_int_equal(saving.looks, 1);
+    assert_int_equal(saving.set_ups, 0);
+    assert_in_range(saving.left_alone, 4, 6); /* until the look */
+    trace->set_up[WAY_INDEX] = 1e-6;
+    const struct simulated dear = simulate(trace);
+    assert_int_equal(dear.looks, 1);
+    assert_int_equal(dear.left_alone, 39);
+    free(trace);
+}
+
 /* What was waited is no reason to leave the rest undone: the threads are there. */
 static void threads_that_start_late_for_a_light_loop(void **unused) {
     (void)unused;
@@ -149,6 +167,7 @@ int main(void) {
         cmocka_unit_test(light_loops),
         cmocka_unit_test(a_loop_that_becomes_faster),
         cmocka_unit_test(short_loops),
+        cmocka_unit_test(little_is_asked),
         cmocka_unit_test(threads_that_start_late_for_a_light_loop),
         cmocka_unit_test(a_plan_that_repays),
     };

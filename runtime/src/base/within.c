@@ -8,7 +8,7 @@
 void redcc_within_begin(struct within *within, bool always, int threads) {
     within->was_within = redcc_within;
     redcc_within = 1;
-    within->holds_signals = always || redcc_may_escape() || redcc_team_grows(threads);
+    within->holds_signals = always || redcc_team_grows(threads) || redcc_may_escape();
     if (within->holds_signals)
         within->signals = redcc_signals_hold();
 }

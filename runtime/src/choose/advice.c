@@ -10,6 +10,7 @@
 #include "choose/prospects.h"
 #include "plan/copies.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <string.h>
@@ -23,9 +24,10 @@ static const double frequent = 0.25;       /* runs, of the iterations */
 /* Seconds: where the iterations of a stealable block do not lie together, the subscripts of its
  * neighbours are read with its own, which takes some 10 ns. */
 static const double long_iteration = 100e-9;
-/* Seconds that a core of today takes to read a byte of subscripts; what comparing all of them may
- * take of an execution. */
-static const double byte_compared = 0.03e-9, compared_most = 0.02;
+/* Seconds that a core of today takes to read a byte of subscripts after a loop that filled the
+ * caches (5 MB took 0.36 ms on an Intel Xeon); what comparing all of them may take of an execution.
+ */
+static const double byte_compared = 0.07e-9, compared_most = 0.02;
 /* Bytes of arrays that no core's own caches hold: random updates of smaller ones are no faster in
  * bins (script/bench binning). And of copies that a core's caches do, as bins/ has them made. */
 static const double beyond_caches = 12e6, copied_most = 4e6;
@@ -62,8 +64,9 @@ static double wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-/* A look takes some microseconds, of a loop that may take 200: it holds for a while. */
-static const double least_between_looks = 1e-3;
+/* A look takes 4 microseconds, but 15 to 60 after a loop whose data filled the caches: it holds for
+ * a while. */
+static const double least_between_looks = 10e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
@@ -132,16 +135,20 @@ static enum reason reason_for(const struct chooser *chooser, enum rule rule) {
     }
 }
 
+static struct advice skip(struct chooser *chooser, struct decision decision) {
+    chooser->skipped++;
+    return (struct advice){.action = decision.action,
+                           .timed = decision.timed,
+                           .reason = reason_for(chooser, decision.rule),
+                           .rule = decision.rule};
+}
+
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads,
                        struct advice *advice) {
     struct decision decision;
     if (!redcc_is_left_alone(&chooser->state, trip, threads, &decision))
         return false;
-    chooser->skipped++;
-    *advice = (struct advice){.action = decision.action,
-                              .timed = decision.timed,
-                              .reason = reason_for(chooser, decision.rule),
-                              .rule = decision.rule};
+    *advice = skip(chooser, decision);
     return true;
 }
 
@@ -154,9 +161,10 @@ static double bytes_to_check(const redcc_loop *loop, const redcc_extent *known) 
     return bytes;
 }
 
-static bool are_the_same(const struct chooser *chooser, const struct request *request) {
+static bool are_the_same(const struct chooser *chooser, const redcc_loop *loop,
+                         const redcc_extent *known) {
     struct fingerprint all;
-    return redcc_reuse_fingerprint(request->loop, request->known, INFINITY, &all) &&
+    return redcc_reuse_fingerprint(loop, known, INFINITY, &all) &&
            redcc_fingerprint_equal(all, chooser->all);
 }
 
@@ -172,11 +180,13 @@ static bool note_sampled(struct chooser *chooser, uint64_t sampled) {
     return met;
 }
 
-static void note_subscripts(struct chooser *chooser, const struct reuse *reuse) {
-    const uint64_t sampled = reuse->sampled, before = chooser->sampled[0];
-    chooser->steady = sampled == 0 ? -1 : note_sampled(chooser, sampled) ? chooser->steady + 1 : 0;
-    chooser->verified = chooser->remembered ? are_the_same(chooser, &reuse->call->request)
-                                            : chooser->verified && sampled && sampled == before;
+static void note_subscripts(struct chooser *chooser, const redcc_loop *loop,
+                            const redcc_extent *known) {
+    const uint64_t sample = redcc_reuse_sample(loop, known), before = chooser->sampled[0];
+    chooser->sample = sample;
+    chooser->steady = sample == 0 ? -1 : note_sampled(chooser, sample) ? chooser->steady + 1 : 0;
+    chooser->verified = chooser->remembered ? are_the_same(chooser, loop, known)
+                                            : chooser->verified && sample && sample == before;
     chooser->remembered = false;
 }
 
@@ -190,25 +200,44 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
-    const int came = chooser->asked == threads && chooser->came > 0 ? chooser->came : threads;
-    struct situation now = {.trip = reuse->call->request.trip,
+/* But for threads and kept plans. */
+static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
+                                     redcc_int trip, int threads) {
+    struct situation now = {.trip = trip,
                             .threads = threads,
                             .wake = wake_seconds(),
-                            .start = start_seconds(threads),
-                            .dry_run = reuse->call->request.loop->flags & REDCC_DRY_RUN};
+                            .steady = chooser->steady,
+                            .verified = chooser->verified,
+                            .dry_run = loop->flags & REDCC_DRY_RUN};
+    if (loop->flags & REDCC_BINNED)
+        now.kept[WAY_BINS] = KEPT_FITS;
+    return now;
+}
+
+bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                         redcc_int trip, int threads, struct advice *advice) {
+    note_subscripts(chooser, loop, known);
+    const struct situation now = situation_of(chooser, loop, trip, threads);
+    if (redcc_reach(&chooser->state, &now) != REACH_NOTHING)
+        return false;
+    const struct decision decision = redcc_decide(&chooser->state, &now);
+    assert(decision.action == ACTION_SEQUENTIAL);
+    *advice = skip(chooser, decision);
+    return true;
+}
+
+struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads) {
+    const int came = chooser->asked == threads && chooser->came > 0 ? chooser->came : threads;
+    const struct request *request = &reuse->call->request;
+    struct situation now = situation_of(chooser, request->loop, request->trip, threads);
     unsigned fits, changed;
-    reuse->sampled = redcc_reuse_sample(reuse->call->request.loop, reuse->call->request.known);
+    now.start = redcc_reach(&chooser->state, &now) == REACH_TEAM ? start_seconds(threads) : 0;
+    reuse->sampled = chooser->sample;
     redcc_reuse_survey(reuse, came, &fits, &changed);
-    note_subscripts(chooser, reuse);
-    now.steady = chooser->steady;
-    now.verified = chooser->verified;
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
         now.kept[way] = fits & 1u << way      ? KEPT_FITS
                         : changed & 1u << way ? KEPT_CHANGED
                                               : KEPT_NONE;
-    if (reuse->call->request.loop->flags & REDCC_BINNED)
-        now.kept[WAY_BINS] = KEPT_FITS;
     const struct decision decision = redcc_decide(&chooser->state, &now);
     struct advice advice = {.action = decision.action,
                             .way = decision.way,

@@ -5,7 +5,7 @@
  * decision core (decide.h); where a method is named it is not asked, and these functions answer by
  * the method.
  *
- *     at entry              redcc_advise_rest, redcc_advise_entry
+ *     at entry              redcc_advise_rest, redcc_advise_saving, redcc_advise_entry
  *     after the sample      redcc_advise_sampled
  *     after the sweep       redcc_advise_swept; where it was kept, redcc_advise_logged
  *     after the partition   redcc_advise_partitioned
@@ -24,7 +24,8 @@
 /** What auto knows of a loop; zeroes at first. */
 struct chooser {
     struct choice_state state;
-    uint64_t sampled[REDCC_PLANS]; /* of the subscripts, last met first (redcc_reuse_sample) */
+    uint64_t sample; /* of this call's subscripts (redcc_reuse_sample); 0: none */
+    uint64_t sampled[REDCC_PLANS]; /* samples, the last met first */
     int steady;                    /* calls in a row that had one of these */
     struct fingerprint all;        /* of all subscripts, after the last call; where remembered */
     bool remembered;
@@ -50,10 +51,16 @@ struct advice {
 };
 
 /** Is this a call in which the loop is left alone, since it is short or nothing served it lately?
- *  Then *advice says so; much cheaper than redcc_advise_entry. */
+ *  Then *advice says so, for a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that redcc_advise_rest had nothing to say of; samples its subscripts into `reuse`. */
+/** For a call that redcc_advise_rest had nothing to say of: samples its subscripts. Is there nothing
+ *  that may be begun, whatever threads cost? Then *advice says so, before anything is looked for
+ *  that only a parallel execution needs. */
+bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
+                         redcc_int trip, int threads, struct advice *advice);
+
+/** For a call that neither had anything to say of. */
 struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, int threads);
 
 /** The original loop was timed, and redcc_tell knows. Where it was the first time, samples the

@@ -254,18 +254,31 @@ static struct decision set_up(struct choice_state *state, struct size_state *siz
                              .rule = RULE_SET_UP};
 }
 
+/* Seconds that a look takes. */
+static double look_of(const struct size_state *size, const struct situation *now) {
+    const double usual = redcc_usual(&size->sequential) * (double)now->trip;
+    const double sample = least_of(first_look, sampled_most * usual);
+    const double first = now->dry_run ? sample + usual : sample;
+    const double cost = size->look > 0 ? size->look : first;
+    assert(cost > 0);
+    return cost;
+}
+
+static bool may_look(const struct choice_state *state, const struct size_state *size,
+                     const struct situation *now) {
+    const double cost = look_of(size, now);
+    return redcc_credit(state) >= cost &&
+           size->set_ups.since >= redcc_next_factor(&size->set_ups) * cost;
+}
+
 /* By all threads, so that a set-up can follow at once, where the subscripts are likely to stay and
  * the credit covers starting them; where that is little beside an execution, it is lent. Else by
  * one thread, which waits for nobody: most light loops are not worth more than the look. */
 static struct decision look(struct choice_state *state, struct size_state *size,
                             const struct situation *now) {
     const double usual = redcc_usual(&size->sequential) * (double)now->trip;
-    const double sample = least_of(first_look, sampled_most * usual);
-    const double first = now->dry_run ? sample + usual : sample;
-    const double cost = size->look > 0 ? size->look : first;
-    assert(cost > 0);
-    if (redcc_credit(state) < cost ||
-        size->set_ups.since < redcc_next_factor(&size->set_ups) * cost)
+    const double cost = look_of(size, now);
+    if (!may_look(state, size, now))
         return sequentially(size, RULE_SAVING);
     if (redcc_credit(state) < cost + now->start && now->verified && may_borrow(state, size) &&
         cost + now->start <= started_most * usual)
@@ -391,6 +404,31 @@ static void end_rest(struct size_state *size, const struct situation *now) {
 
 static bool is_short(const struct size_state *size, const struct situation *now) {
     return redcc_usual(&size->sequential) * (double)now->trip < wakes * now->wake;
+}
+
+/* Was the loop looked at and found worth a set-up that it can pay for, threads costing nothing? */
+static bool may_set_up(const struct choice_state *state, const struct size_state *size,
+                       const struct situation *now) {
+    struct situation here = *now;
+    here.start = 0;
+    if (here.kept[WAY_BINS] == KEPT_FITS && may_bin(state, size, &here))
+        return true;
+    return (may_borrow(state, size) && borrowing_way(state, size, &here) != WAY_SEQUENTIAL) ||
+           best_way(state, size, &here, redcc_usual(&size->sequential)) != WAY_SEQUENTIAL;
+}
+
+enum reach redcc_reach(const struct choice_state *state, const struct situation *now) {
+    const struct size_state *size = redcc_seen_size(state, now->trip);
+    const bool is_timed = size->sequential.count > 0;
+    const bool saves = size->stand == STAND_SAVING || (size->stand == STAND_UNTIMED && is_timed);
+    const bool as_before = size->threads == 0 || size->threads == now->threads;
+    if (size->stand == STAND_UNTIMED && !is_timed)
+        return REACH_NOTHING;
+    if (!saves || !as_before || size->set_ups.begun > 0 || is_short(size, now))
+        return REACH_TEAM;
+    if (size->looked)
+        return may_set_up(state, size, now) ? REACH_TEAM : REACH_NOTHING;
+    return !may_look(state, size, now) ? REACH_NOTHING : is_sure(now) ? REACH_TEAM : REACH_LOOK;
 }
 
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,

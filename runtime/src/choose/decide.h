@@ -43,7 +43,8 @@ struct situation {
     long long trip; /**< iterations */
     int threads;    /**< that would execute them */
     double wake;    /**< seconds that waking those takes, as measured */
-    double start;   /**< seconds that starting those that are not there takes; 0: all are */
+    double start;   /**< seconds that starting those that are not there takes; 0: all are, or none
+                         is to be woken (redcc_reach) */
     double spent;   /**< seconds of the inspection that this is asked in, so far */
     double dried;   /**< seconds of `spent` that its dry run took, */
     double awaited; /**< and that passed until threads came which were not there */
@@ -176,6 +177,17 @@ struct choice_state {
  *  counted, and *decision tells: nothing has to be known of the call. */
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,
                          struct decision *decision);
+
+/** What may be decided in a call. */
+enum reach {
+    REACH_NOTHING, /**< the sequential loop, whatever threads cost */
+    REACH_LOOK,    /**< that, or a look by one thread */
+    REACH_TEAM     /**< threads may be woken */
+};
+
+/** Exact of a loop that is saving and has no plan; of any other it is REACH_TEAM. start and kept of
+ *  *now, but for WAY_BINS, are not looked at. */
+enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
 /** What to do in a call. */
 struct decision redcc_decide(struct choice_state *state, const struct situation *now);

@@ -9,9 +9,13 @@ static const double first_factor = 10, least_factor = 1, most_factor = 1e9;
  * to be no gain at all. */
 static const double promising = 0.9;
 
-struct size_state *redcc_size_of(struct choice_state *state, long long trip) {
+const struct size_state *redcc_seen_size(const struct choice_state *state, long long trip) {
     const int logarithm = 63 - __builtin_clzll((unsigned long long)trip | 1);
     return &state->size[logarithm < REDCC_SIZES ? logarithm : REDCC_SIZES - 1];
+}
+
+struct size_state *redcc_size_of(struct choice_state *state, long long trip) {
+    return (struct size_state *)redcc_seen_size(state, trip);
 }
 
 double redcc_usual(const struct timings *timings) {
@@ -88,14 +92,14 @@ void redcc_compare(struct size_state *size, enum way contender, enum way incumbe
 }
 
 double redcc_usual_sequential(const struct choice_state *state, long long trip) {
-    const struct size_state *size = redcc_size_of((struct choice_state *)state, trip);
+    const struct size_state *size = redcc_seen_size(state, trip);
     return redcc_usual(&size->sequential) * (double)trip;
 }
 
 long redcc_timings_of(const struct choice_state *state, long long trip) {
-    return redcc_size_of((struct choice_state *)state, trip)->sequential.count;
+    return redcc_seen_size(state, trip)->sequential.count;
 }
 
 enum rule redcc_rule_of(const struct choice_state *state, long long trip) {
-    return redcc_size_of((struct choice_state *)state, trip)->rule;
+    return redcc_seen_size(state, trip)->rule;
 }

@@ -15,6 +15,7 @@ static const double redcc_clear = 0.8;
 enum { REDCC_REST_MOST = 1 << 20 /* calls */ };
 
 struct size_state *redcc_size_of(struct choice_state *state, long long trip);
+const struct size_state *redcc_seen_size(const struct choice_state *state, long long trip);
 
 /** Seconds an iteration: the median of the last three sequential executions, of two the lower. */
 double redcc_usual(const struct timings *timings);

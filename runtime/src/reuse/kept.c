@@ -199,19 +199,24 @@ static bool take_in(struct fingerprint *all, const char *data, size_t bytes, dou
     return true;
 }
 
+/* Does the call say where all subscripts are? */
+static bool are_known(const redcc_loop *loop, const redcc_extent *known) {
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (loop->sources[s].is_subscript && !known[s].end && !is_part_of_another(loop, known, s))
+            return false;
+    return true;
+}
+
 bool redcc_reuse_fingerprint(const redcc_loop *loop, const redcc_extent *known, double seconds,
                              struct fingerprint *all) {
     const double until = redcc_seconds() + seconds;
     *all = redcc_fingerprint(NULL, 0);
-    if (!(loop->flags & REDCC_VERIFIABLE))
+    if (!(loop->flags & REDCC_VERIFIABLE) || !are_known(loop, known))
         return false;
-    for (uint32_t s = 0; s < loop->source_count; s++) {
-        if (!loop->sources[s].is_subscript || (!known[s].end && is_part_of_another(loop, known, s)))
-            continue;
-        if (!known[s].end ||
+    for (uint32_t s = 0; s < loop->source_count; s++)
+        if (loop->sources[s].is_subscript && known[s].end &&
             !take_in(all, known[s].first, (size_t)(known[s].end - known[s].first), until))
             return false;
-    }
     return true;
 }
 
