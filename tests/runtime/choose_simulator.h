@@ -56,7 +56,7 @@ struct simulated {
 };
 
 /** Carries out the trace, from a state of zeroes. Asserts that no decision is beyond what
- *  redcc_reach, which is told of no thread and no plan, has said of it. */
+ *  redcc_reach, which is told of no plan and of half the start, has said of it. */
 struct simulated simulate(const struct trace *trace);
 
 #endif

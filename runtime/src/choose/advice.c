@@ -74,7 +74,8 @@ double redcc_start_seconds(int missing, bool wanted) {
         return first_region;
     const double usual =
         measured > 0 ? missing * measured : first_start + (missing - 1) * next_start;
-    return usual < turn && wanted ? turn : usual;
+    const double likely = usual < turn && wanted ? turn : usual;
+    return likely > first_region ? likely : first_region;
 }
 
 static double look_for_start(int threads) {
@@ -200,12 +201,13 @@ void redcc_advise_timed(struct chooser *chooser, const redcc_loop *loop, const r
                           redcc_reuse_fingerprint(loop, known, most, &chooser->all);
 }
 
-/* But for threads and kept plans. */
+/* But for kept plans, and with the least that starting threads may take. */
 static struct situation situation_of(const struct chooser *chooser, const redcc_loop *loop,
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
                             .threads = threads,
                             .wake = wake_seconds(),
+                            .start = redcc_team_missing(threads) > 0 ? first_region : 0,
                             .steady = chooser->steady,
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN};
@@ -231,7 +233,8 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     const struct request *request = &reuse->call->request;
     struct situation now = situation_of(chooser, request->loop, request->trip, threads);
     unsigned fits, changed;
-    now.start = redcc_reach(&chooser->state, &now) == REACH_TEAM ? start_seconds(threads) : 0;
+    if (redcc_reach(&chooser->state, &now) == REACH_TEAM)
+        now.start = start_seconds(threads);
     reuse->sampled = chooser->sample;
     redcc_reuse_survey(reuse, came, &fits, &changed);
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)

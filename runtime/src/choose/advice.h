@@ -24,7 +24,7 @@
 /** What auto knows of a loop; zeroes at first. */
 struct chooser {
     struct choice_state state;
-    uint64_t sample; /* of this call's subscripts (redcc_reuse_sample); 0: none */
+    uint64_t sample;               /* of this call's subscripts (redcc_reuse_sample); 0: none */
     uint64_t sampled[REDCC_PLANS]; /* samples, the last met first */
     int steady;                    /* calls in a row that had one of these */
     struct fingerprint all;        /* of all subscripts, after the last call; where remembered */
@@ -54,9 +54,9 @@ struct advice {
  *  Then *advice says so, for a compare and a counter. */
 bool redcc_advise_rest(struct chooser *chooser, redcc_int trip, int threads, struct advice *advice);
 
-/** For a call that redcc_advise_rest had nothing to say of: samples its subscripts. Is there nothing
- *  that may be begun, whatever threads cost? Then *advice says so, before anything is looked for
- *  that only a parallel execution needs. */
+/** For a call that redcc_advise_rest had nothing to say of: samples its subscripts. Is there
+ * nothing that may be begun, whatever threads cost? Then *advice says so, before anything is looked
+ * for that only a parallel execution needs. */
 bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const redcc_extent *known,
                          redcc_int trip, int threads, struct advice *advice);
 
@@ -108,8 +108,8 @@ void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum rea
  *  else waking them, took `seconds`; 0: not known. Thread-safe but for the chooser. */
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started);
 
-/** Seconds that a region takes until so many threads are there that are to be started; wanted:
- * other programs run on the processors that they would need. Thread-safe. */
+/** Seconds that a region takes until so many threads are there that are to be started, at least
+ * 0.1 ms; wanted: other programs run on the processors that they would need. Thread-safe. */
 double redcc_start_seconds(int missing, bool wanted);
 
 /** The row of auto's table that decided last. */

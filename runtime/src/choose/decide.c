@@ -160,11 +160,9 @@ static enum way best_way(const struct choice_state *state, const struct size_sta
     return best;
 }
 
-/* One loan at a time, and none after a set-up that did not earn its cost, or for a loop that is
- * still becoming faster. */
+/* One loan at a time, and none after a set-up that did not earn its cost. */
 static bool may_borrow(const struct choice_state *state, const struct size_state *size) {
     return size->stand == STAND_SAVING && redcc_next_misses(&size->set_ups) == 0 &&
-           !redcc_is_falling(&size->sequential) &&
            (state->ledger.loan > 0 || redcc_credit(state) >= 0);
 }
 
@@ -271,19 +269,29 @@ static bool may_look(const struct choice_state *state, const struct size_state *
            size->set_ups.since >= redcc_next_factor(&size->set_ups) * cost;
 }
 
+/* Starting threads for a look is little beside an execution. */
+static bool may_lend_start(const struct choice_state *state, const struct size_state *size,
+                           const struct situation *now) {
+    const double usual = redcc_usual(&size->sequential) * (double)now->trip;
+    return now->verified && may_borrow(state, size) &&
+           look_of(size, now) + now->start <= started_most * usual;
+}
+
+static bool looks_alone(const struct choice_state *state, const struct size_state *size,
+                        const struct situation *now) {
+    return !is_sure(now) || redcc_credit(state) < look_of(size, now) + now->start;
+}
+
 /* By all threads, so that a set-up can follow at once, where the subscripts are likely to stay and
  * the credit covers starting them; where that is little beside an execution, it is lent. Else by
  * one thread, which waits for nobody: most light loops are not worth more than the look. */
 static struct decision look(struct choice_state *state, struct size_state *size,
                             const struct situation *now) {
-    const double usual = redcc_usual(&size->sequential) * (double)now->trip;
-    const double cost = look_of(size, now);
     if (!may_look(state, size, now))
         return sequentially(size, RULE_SAVING);
-    if (redcc_credit(state) < cost + now->start && now->verified && may_borrow(state, size) &&
-        cost + now->start <= started_most * usual)
+    if (looks_alone(state, size, now) && may_lend_start(state, size, now))
         lend(state, now->start);
-    const bool alone = !is_sure(now) || redcc_credit(state) < cost + now->start;
+    const bool alone = looks_alone(state, size, now);
     size->rule = RULE_LOOKING;
     return (struct decision){.action = ACTION_INSPECT,
                              .alone = alone,
@@ -406,15 +414,13 @@ static bool is_short(const struct size_state *size, const struct situation *now)
     return redcc_usual(&size->sequential) * (double)now->trip < wakes * now->wake;
 }
 
-/* Was the loop looked at and found worth a set-up that it can pay for, threads costing nothing? */
+/* Was the loop looked at and found worth a set-up that it can pay for? */
 static bool may_set_up(const struct choice_state *state, const struct size_state *size,
                        const struct situation *now) {
-    struct situation here = *now;
-    here.start = 0;
-    if (here.kept[WAY_BINS] == KEPT_FITS && may_bin(state, size, &here))
+    if (now->kept[WAY_BINS] == KEPT_FITS && may_bin(state, size, now))
         return true;
-    return (may_borrow(state, size) && borrowing_way(state, size, &here) != WAY_SEQUENTIAL) ||
-           best_way(state, size, &here, redcc_usual(&size->sequential)) != WAY_SEQUENTIAL;
+    return (may_borrow(state, size) && borrowing_way(state, size, now) != WAY_SEQUENTIAL) ||
+           best_way(state, size, now, redcc_usual(&size->sequential)) != WAY_SEQUENTIAL;
 }
 
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now) {
@@ -428,7 +434,10 @@ enum reach redcc_reach(const struct choice_state *state, const struct situation 
         return REACH_TEAM;
     if (size->looked)
         return may_set_up(state, size, now) ? REACH_TEAM : REACH_NOTHING;
-    return !may_look(state, size, now) ? REACH_NOTHING : is_sure(now) ? REACH_TEAM : REACH_LOOK;
+    if (!may_look(state, size, now))
+        return REACH_NOTHING;
+    return looks_alone(state, size, now) && !may_lend_start(state, size, now) ? REACH_LOOK
+                                                                              : REACH_TEAM;
 }
 
 bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads,

@@ -180,13 +180,13 @@ bool redcc_is_left_alone(struct choice_state *state, long long trip, int threads
 
 /** What may be decided in a call. */
 enum reach {
-    REACH_NOTHING, /**< the sequential loop, whatever threads cost */
+    REACH_NOTHING, /**< the sequential loop */
     REACH_LOOK,    /**< that, or a look by one thread */
     REACH_TEAM     /**< threads may be woken */
 };
 
-/** Exact of a loop that is saving and has no plan; of any other it is REACH_TEAM. start and kept of
- *  *now, but for WAY_BINS, are not looked at. */
+/** Of a loop that is saving and has no plan; of any other it is REACH_TEAM. start of *now is the
+ *  least that it may be; kept is not looked at but for WAY_BINS. */
 enum reach redcc_reach(const struct choice_state *state, const struct situation *now);
 
 /** What to do in a call. */

@@ -33,12 +33,6 @@ double redcc_least(const struct timings *timings) {
     return timings->count ? low : 0;
 }
 
-bool redcc_is_falling(const struct timings *timings) {
-    const double *t = timings->recent;
-    const long count = timings->count;
-    return count >= 3 && t[(count - 1) % 3] < redcc_better * t[count % 3];
-}
-
 void redcc_note_timing(struct timings *timings, double each) {
     timings->recent[timings->count++ % 3] = each;
 }

@@ -23,10 +23,6 @@ double redcc_usual(const struct timings *timings);
 /** The shortest of them: what is gained is not to be overestimated. */
 double redcc_least(const struct timings *timings);
 
-/** Is the loop still becoming faster, as many do in their first executions? Then what a plan gains
- * now is more than it will be. */
-bool redcc_is_falling(const struct timings *timings);
-
 void redcc_note_timing(struct timings *timings, double each);
 
 /** Leaves the loop sequential for some calls: `first`, at each time in a row twice as many, `most`
