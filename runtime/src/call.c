@@ -247,46 +247,50 @@ static bool goes_without_state(const struct settings *settings, redcc_loop *loop
     return true;
 }
 
-/* The call is not prepared for: the loop is released, and timed where that is asked for. */
-static enum reason leave_alone(struct loop_state *state, redcc_loop *loop, redcc_int trip,
-                               const redcc_extent *known, const struct advice *advice) {
-    redcc_note_rule(&state->reported.statistics, advice->rule);
-    redcc_note_serial(&state->reported.statistics);
-    redcc_loop_release(state);
-    if (advice->timed)
-        time_original(loop, trip, known);
-    return advice->reason;
+static void note_left_alone(struct statistics *statistics, enum rule rule) {
+    redcc_note_rule(statistics, rule);
+    redcc_note_serial(statistics);
 }
 
-/* Is nothing to be decided in this call? */
+/* Is nothing to be decided in this call? Then it is not prepared for either: the loop is released,
+ * and timed where that is asked for. */
 static bool rests(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                   const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_rest(&state->chooser, trip, threads, &advice))
         return false;
-    *reason = leave_alone(state, loop, trip, known, &advice);
+    note_left_alone(&state->reported.statistics, advice.rule);
+    redcc_loop_release(state);
+    if (advice.timed)
+        time_original(loop, trip, known);
+    *reason = advice.reason;
     return true;
 }
 
-/* Is the sequential loop decided without a look at anything that only threads need? */
+/* Is the sequential loop decided without a look at anything that only threads need? Then the
+ * execution ends here. */
 static bool saves(struct loop_state *state, redcc_loop *loop, redcc_int trip,
                   const redcc_extent *known, int threads, enum reason *reason) {
     struct advice advice;
     if (!redcc_advise_saving(&state->chooser, loop, known, trip, threads, &advice))
         return false;
     state->reported.statistics.order = state->execution.call.order;
-    *reason = leave_alone(state, loop, trip, known, &advice);
+    note_left_alone(&state->reported.statistics, advice.rule);
+    end(state);
+    if (advice.timed)
+        time_original(loop, trip, known);
+    *reason = advice.reason;
     return true;
 }
 
-/* Must the program's allocator stay out of parallel regions? The first call looks at symbols of
- * many objects, 0.06 ms. */
+/* Must the program's allocator stay out of parallel regions? Then the execution ends here. The
+ * first call looks at the symbols of many objects, 0.06 ms. */
 static bool is_kept_out(struct loop_state *state, bool always) {
     if (always || !redcc_allocator_is_split())
         return false;
     if (!state->execution.call.method)
         redcc_note_rule(&state->reported.statistics, RULE_NOT_PARALLEL);
-    redcc_loop_release(state);
+    end(state);
     return true;
 }
 
@@ -360,12 +364,12 @@ int redcc_enter(redcc_call *call, redcc_loop *loop, redcc_int trip, void *const 
         redcc_loop_release(held);
         return serially(state, REASON_TRAPS);
     }
+    threads = nested || threads < 1 || forked ? 1 : threads;
+    redcc_within_begin(&execution->within, always, threads);
     if (asks_auto && saves(held, loop, trip, known, threads, &reason))
         return serially(state, reason);
     if (is_kept_out(held, always))
         return serially(state, REASON_ALLOCATOR);
-    threads = nested || threads < 1 || forked ? 1 : threads;
-    redcc_within_begin(&execution->within, always, threads);
     threads = threads_to_ask_for(held, settings, trip, threads);
     take_request(&execution->call.request, trip, bases, known, key);
     if (!begin_execution(execution, loop, threads, &reason)) {

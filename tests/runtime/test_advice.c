@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "choose/prospects.h"
 #include "choose/size.h"
+#include "choose/waking.h"
 #include "problem.h"
 #include "unmade.h"
 

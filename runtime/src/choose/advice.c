@@ -2,17 +2,15 @@
 #include "choose/advice.h"
 
 #include "base/clock.h"
-#include "base/cores.h"
 #include "base/memory.h"
 #include "base/system.h"
-#include "base/team.h"
 #include "base/trace.h"
 #include "choose/prospects.h"
+#include "choose/waking.h"
 #include "plan/copies.h"
 
 #include <assert.h>
 #include <math.h>
-#include <stdatomic.h>
 #include <string.h>
 
 static const double better = 0.95;    /* of the sequential loop, or a plan is not worth making */
@@ -40,77 +38,6 @@ enum {
      * 1 %. */
     LEAST_UNITS_TO_STEAL = 32768
 };
-
-/* ---- the team -------------------------------------------------------------------------------- */
-
-/* Seconds that waking the threads takes: a smoothed measurement of all loops'. Before the first, as
- * much as on a machine that is not busy; more than `most` is a busy one, whose loops are compared
- * with a plan all the same. */
-static const double first_wake = 10e-6, most_wake = 50e-6;
-static _Atomic double wake;
-
-/* Seconds that starting a thread takes. Before it was measured, as on a machine that is not busy:
- * 0.1 to 0.4 ms, since who asks for a thread does not keep it waiting (base/cores.h), and as long
- * as making them for each further one, which come side by side. Where other programs want the cores
- * it is 2 to 6 ms: they wait for their turn. */
-static const double first_start = 0.4e-3, next_start = 0.05e-3, turn = 4e-3;
-static _Atomic double start;
-
-/* ... that a loop's first region takes where the program's own have started the threads. */
-static const double first_region = 0.1e-3;
-
-static double wake_seconds(void) {
-    const double measured = atomic_load_explicit(&wake, memory_order_relaxed);
-    return measured > 0 ? measured : first_wake;
-}
-
-/* A look takes 4 microseconds, but 15 to 60 after a loop whose data filled the caches: it holds for
- * a while. */
-static const double least_between_looks = 10e-3;
-
-double redcc_start_seconds(int missing, bool wanted) {
-    const double measured = atomic_load_explicit(&start, memory_order_relaxed);
-    if (missing == 0)
-        return first_region;
-    const double usual =
-        measured > 0 ? missing * measured : first_start + (missing - 1) * next_start;
-    const double likely = usual < turn && wanted ? turn : usual;
-    return likely > first_region ? likely : first_region;
-}
-
-static double look_for_start(int threads) {
-    const int missing = redcc_team_to_start(threads);
-    return redcc_start_seconds(missing, missing > 0 && redcc_cores_are_wanted(missing));
-}
-
-static double start_seconds(int threads) {
-    static _Thread_local struct {
-        double looked, found;
-        int threads;
-    } last __attribute__((__tls_model__("initial-exec")));
-    if (redcc_team_missing(threads) == 0)
-        return 0;
-    const double now = redcc_seconds();
-    if (last.threads != threads || now - last.looked > least_between_looks) {
-        last.threads = threads;
-        last.looked = now;
-        last.found = look_for_start(threads);
-    }
-    return last.found;
-}
-
-void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started) {
-    chooser->asked = asked;
-    chooser->came = came;
-    if (seconds <= 0)
-        return;
-    if (started > 0) {
-        atomic_store_explicit(&start, seconds / started, memory_order_relaxed);
-        return;
-    }
-    const double now = seconds < most_wake ? seconds : most_wake, before = wake_seconds();
-    atomic_store_explicit(&wake, before + (now - before) / 8, memory_order_relaxed);
-}
 
 /* ---- at entry -------------------------------------------------------------------------------- */
 
@@ -206,8 +133,8 @@ static struct situation situation_of(const struct chooser *chooser, const redcc_
                                      redcc_int trip, int threads) {
     struct situation now = {.trip = trip,
                             .threads = threads,
-                            .wake = wake_seconds(),
-                            .start = redcc_team_missing(threads) > 0 ? first_region : 0,
+                            .wake = redcc_wake_seconds(),
+                            .start = redcc_least_start(threads),
                             .steady = chooser->steady,
                             .verified = chooser->verified,
                             .dry_run = loop->flags & REDCC_DRY_RUN};
@@ -234,7 +161,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     struct situation now = situation_of(chooser, request->loop, request->trip, threads);
     unsigned fits, changed;
     if (redcc_reach(&chooser->state, &now) == REACH_TEAM)
-        now.start = start_seconds(threads);
+        now.start = redcc_likely_start(threads);
     reuse->sampled = chooser->sample;
     redcc_reuse_survey(reuse, came, &fits, &changed);
     for (enum way way = WAY_COPIES; way <= WAY_LAST_PLANNED; way++)
@@ -392,7 +319,7 @@ static struct decision pick_way(struct chooser *chooser, const struct inspection
     const bool is_dry = call->request.loop->flags & REDCC_DRY_RUN;
     const struct situation now = {.trip = findings.trip,
                                   .threads = call->planned,
-                                  .wake = wake_seconds(),
+                                  .wake = redcc_wake_seconds(),
                                   .dried = is_dry ? inspection->inspector[0]->dry_run.seconds : 0,
                                   .awaited = entry->awaited,
                                   .steady = chooser->steady,
@@ -531,6 +458,12 @@ void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum rea
     if (outcome->result == RESULT_CHANGED) /* though the sample was the same */
         chooser->steady = 0;
     redcc_observe(&chooser->state, outcome);
+}
+
+void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started) {
+    chooser->asked = asked;
+    chooser->came = came;
+    redcc_note_waking(seconds, started);
 }
 
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip) {

@@ -108,10 +108,6 @@ void redcc_tell(struct chooser *chooser, const struct outcome *outcome, enum rea
  *  else waking them, took `seconds`; 0: not known. Thread-safe but for the chooser. */
 void redcc_tell_team(struct chooser *chooser, int asked, int came, double seconds, int started);
 
-/** Seconds that a region takes until so many threads are there that are to be started, at least
- * 0.1 ms; wanted: other programs run on the processors that they would need. Thread-safe. */
-double redcc_start_seconds(int missing, bool wanted);
-
 /** The row of auto's table that decided last. */
 enum rule redcc_advice_rule(const struct chooser *chooser, redcc_int trip);
 

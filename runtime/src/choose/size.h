@@ -12,7 +12,10 @@ static const double redcc_better = 0.95;
 /** Below this one execution shows it: twice the noise of a busy machine. */
 static const double redcc_clear = 0.8;
 
-enum { REDCC_REST_MOST = 1 << 20 /* calls */ };
+enum {
+    REDCC_REST_MOST = 1 << 20, /* calls */
+    REDCC_STEADY = 2           /* calls in a row whose subscripts were met: they are not new */
+};
 
 struct size_state *redcc_size_of(struct choice_state *state, long long trip);
 const struct size_state *redcc_seen_size(const struct choice_state *state, long long trip);
