@@ -28,8 +28,8 @@ double redcc_wake_seconds(void) {
     return measured > 0 ? measured : first_wake;
 }
 
-/* A look takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches: it holds for
- * a while. */
+/* A look takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches: it holds
+ * for a while. */
 static const double least_between_looks = 10e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
