@@ -29,8 +29,8 @@ double redcc_wake_seconds(void) {
 }
 
 /* A look takes 4 microseconds, but 15 to 400 after a loop whose data filled the caches: it holds
- * for a while. */
-static const double least_between_looks = 10e-3;
+ * for a while. Not for long: it may have met another program that was there for a moment. */
+static const double least_between_looks = 1e-3;
 
 double redcc_start_seconds(int missing, bool wanted) {
     const double measured = atomic_load_explicit(&start, memory_order_relaxed);
