@@ -133,6 +133,24 @@ static void little_is_asked(void **unused) {
     free(trace);
 }
 
+/* Executions of 14 ms whose subscripts are compared: the second call's credit covers the look, not
+ * the threads, which are lent for it. So its plan is made at once. */
+static void threads_are_lent_for_a_look(void **unused) {
+    (void)unused;
+    struct trace *trace = light(10);
+    trace->compared = true;
+    trace->start = 0.4e-3;
+    for (int c = 0; c < trace->count; c++) {
+        trace->call[c].sequential = 14e-3;
+        trace->call[c].execution[WAY_INDEX] = 7e-3;
+    }
+    const struct simulated it = simulate(trace);
+    assert_int_equal(it.looks, 0);
+    assert_int_equal(it.set_ups, 1);
+    assert_int_equal(it.parallel, 9);
+    free(trace);
+}
+
 /* What was waited is no reason to leave the rest undone: the threads are there. */
 static void threads_that_start_late_for_a_light_loop(void **unused) {
     (void)unused;
@@ -167,6 +185,7 @@ int main(void) {
         cmocka_unit_test(a_loop_that_becomes_faster),
         cmocka_unit_test(short_loops),
         cmocka_unit_test(little_is_asked),
+        cmocka_unit_test(threads_are_lent_for_a_look),
         cmocka_unit_test(threads_that_start_late_for_a_light_loop),
         cmocka_unit_test(a_plan_that_repays),
     };
