@@ -60,6 +60,14 @@ static void light_loops(void **unused) {
     check_light("light, other subscripts each call, no gain", 1.05, 3, 1);
 }
 
+/* Seconds of each execution: sequentially, and by a plan. */
+static void set_all(struct trace *trace, double sequential, double by_plan) {
+    for (int c = 0; c < trace->count; c++) {
+        trace->call[c].sequential = sequential;
+        trace->call[c].execution[WAY_INDEX] = by_plan;
+    }
+}
+
 /* A light loop whose subscripts stay as far as samples tell: each execution 2.5 ms, by a plan half
  * of it, after a set-up of as much. */
 static struct trace *light(int count) {
@@ -68,10 +76,7 @@ static struct trace *light(int count) {
     trace->set_up[WAY_INDEX] = 1.2e-9;
     trace->look = 0.2e-3;
     trace->start = 0.1e-3;
-    for (int c = 0; c < count; c++) {
-        trace->call[c].sequential = 2.5e-3;
-        trace->call[c].execution[WAY_INDEX] = 1.25e-3;
-    }
+    set_all(trace, 2.5e-3, 1.25e-3);
     return trace;
 }
 
@@ -103,10 +108,7 @@ static void short_loops(void **unused) {
         trace->look = 0.12e-3;
         trace->set_up[WAY_INDEX] = 0.1e-9;
         trace->wake = again ? 20e-6 : 10e-6;
-        for (int c = 0; c < trace->count; c++) {
-            trace->call[c].sequential = 0.3e-3;
-            trace->call[c].execution[WAY_INDEX] = 0.17e-3;
-        }
+        set_all(trace, 0.3e-3, 0.17e-3);
         const struct simulated it = simulate(trace);
         assert_true(it.slowest < 1.04);
         assert_int_equal(it.looks, again ? 0 : 1);
@@ -127,9 +129,9 @@ static void little_is_asked(void **unused) {
     assert_int_equal(slow.looks, 1);
     assert_int_equal(slow.left_alone, 39);
     trace->set_up[WAY_INDEX] = 1e-6;
-    const struct simulated dear = simulate(trace);
-    assert_int_equal(dear.looks, 1);
-    assert_int_equal(dear.left_alone, 39);
+    const struct simulated expensive = simulate(trace);
+    assert_int_equal(expensive.looks, 1);
+    assert_int_equal(expensive.left_alone, 39);
     free(trace);
 }
 
@@ -140,10 +142,7 @@ static void threads_are_lent_for_a_look(void **unused) {
     struct trace *trace = light(10);
     trace->compared = true;
     trace->start = 0.4e-3;
-    for (int c = 0; c < trace->count; c++) {
-        trace->call[c].sequential = 14e-3;
-        trace->call[c].execution[WAY_INDEX] = 7e-3;
-    }
+    set_all(trace, 14e-3, 7e-3);
     const struct simulated it = simulate(trace);
     assert_int_equal(it.looks, 0);
     assert_int_equal(it.set_ups, 1);

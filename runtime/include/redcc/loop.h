@@ -118,10 +118,10 @@ REDCC_INLINE void redcc_keep_frame(const void *frame) {
                                   omp_in_parallel()),                                              \
                       0))
 
-/** The counter, of type redcc_type, so far from where it begins. It is no other value than the sum:
- *  who knows that keeps an address that goes on by one step, where a value cut to a narrower type
- *  is widened again, and the address made anew, in each iteration. (Of a loop whose time goes into
- *  two such instructions of 43: 7 % by hand, 10 % of springs by two threads, script/bench choice.)
+/** The induction variable, of type redcc_type, redcc_offset after its first value. Compilers may
+ *  assume that the conversion preserves the value. So they increment addresses; else they would
+ *  sign-extend the value and compute the address in each iteration: two instructions of 43 in
+ *  springs (script/bench choice), 10 % of the time by two threads.
  */
 #define REDCC_COUNTER(redcc_type, redcc_offset)                                                    \
     (redcc_assume((redcc_int)(redcc_type)(redcc__lower + (redcc_offset)) ==                        \

@@ -147,7 +147,8 @@ bool redcc_advise_saving(struct chooser *chooser, const redcc_loop *loop, const 
                          redcc_int trip, int threads, struct advice *advice) {
     note_subscripts(chooser, loop, known);
     const struct situation now = situation_of(chooser, loop, trip, threads);
-    if (redcc_reach(&chooser->state, &now) != REACH_NOTHING)
+    chooser->reach = redcc_reach(&chooser->state, &now);
+    if (chooser->reach != REACH_NOTHING)
         return false;
     const struct decision decision = redcc_decide(&chooser->state, &now);
     assert(decision.action == ACTION_SEQUENTIAL);
@@ -160,7 +161,7 @@ struct advice redcc_advise_entry(struct chooser *chooser, struct reuse *reuse, i
     const struct request *request = &reuse->call->request;
     struct situation now = situation_of(chooser, request->loop, request->trip, threads);
     unsigned fits, changed;
-    if (redcc_reach(&chooser->state, &now) == REACH_TEAM)
+    if (chooser->reach == REACH_TEAM)
         now.start = redcc_likely_start(threads);
     reuse->sampled = chooser->sample;
     redcc_reuse_survey(reuse, came, &fits, &changed);

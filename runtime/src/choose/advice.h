@@ -25,6 +25,7 @@
 struct chooser {
     struct choice_state state;
     uint64_t sample;               /* of this call's subscripts (redcc_reuse_sample); 0: none */
+    enum reach reach;              /* of this call */
     uint64_t sampled[REDCC_PLANS]; /* samples, the last met first */
     int steady;                    /* calls in a row that had one of these */
     struct fingerprint all;        /* of all subscripts, after the last call; where remembered */

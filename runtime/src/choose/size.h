@@ -18,6 +18,7 @@ enum {
 };
 
 struct size_state *redcc_size_of(struct choice_state *state, long long trip);
+/** The same, to look at. */
 const struct size_state *redcc_seen_size(const struct choice_state *state, long long trip);
 
 /** Seconds an iteration: the median of the last three sequential executions, of two the lower. */
