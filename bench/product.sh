@@ -9,7 +9,7 @@ csv=$results/product.csv
 load_note
 libraries=()
 for part in physics scene mesh; do libraries+=("$build/examples/fabric/libfabric_$part.a"); done
-mapfile -t optional < <(for name in cholmod assimp metis; do ldconfig -p | grep -q "lib$name\.so " && echo "-l$name"; done)
+mapfile -t optional < <(for name in cholmod metis; do ldconfig -p | grep -q "lib$name\.so " && echo "-l$name"; done)
 cc -O3 -ffp-contract=off -Iexamples/fabric bench/product.c "${libraries[@]}" -lqhull_r -lyaml "${optional[@]}" -lm \
   -o "$work/product"
 read -r -a meshes <<<"${MESHES//,/ }"

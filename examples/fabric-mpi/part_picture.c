@@ -10,9 +10,9 @@
 
 #include "base/files.h"
 #include "base/vector.h"
-#include "output/camera.h"
-#include "output/picture.h"
-#include "output/stage.h"
+#include "view/camera.h"
+#include "view/picture.h"
+#include "view/stage.h"
 #include "petsc_check.h"
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */

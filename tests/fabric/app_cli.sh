@@ -7,9 +7,18 @@ name=$(basename "$program")
 expect 2 "usage: $name COMMAND" "$program"
 expect 0 "usage: $name COMMAND" "$program" --help
 expect 0 "$name " "$program" --version
-for command in run plan compare render export mesh accuracy; do
+for command in run plan compare export mesh accuracy; do
   expect 0 "usage: $name $command " "$program" $command --help
 done
+view=${program%/*}/fabric-view
+for command in render film gltf; do
+  expect 0 "usage: fabric-view $command " "$view" $command --help
+done
+expect 2 "unknown command 'redner', did you mean 'render'?" "$view" redner
+expect 0 "usage: fabric-view render " "$program" render --help
+# Installed alone it says what it lacks.
+mkdir alone empty && cp "$program" alone
+PATH=$PWD/empty expect 1 "$name render: fabric-view, which draws, cannot be started: No such file or directory" alone/"$name" render a
 expect 2 "unknown command 'rum', did you mean 'run'?" "$program" rum patch
 expect 2 "unknown command 'xyzzy', --help lists the known ones" "$program" xyzzy
 expect 2 "unknown option '--hepl', did you mean '--help'?" "$program" --hepl

@@ -6,6 +6,7 @@
 source "$(dirname "$0")/app_common.sh"
 mkdir bin
 ln -s "$program" bin/fabric
+ln -s "${program%/*}/fabric-view" bin
 PATH=$PWD/bin:$PATH
 count=0
 while read -r line; do
@@ -18,7 +19,10 @@ while read -r text; do
   holds "said: $text" grep -qF -- "$text" said
 done < <(sed -n 's/^says `\(.*\)`, and changes nothing\.$/\1/p' "$4")
 documents=$(dirname "$4")
-for option in $(for command in run render export mesh; do "$program" $command --help; done | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$'); do
+for option in $({
+  for command in run export mesh; do "$program" $command --help; done
+  for command in render film gltf; do "${program%/*}/fabric-view" $command --help; done
+} | sed -n 's/^  \(-[-a-z]*\) .*/\1/p' | grep -v '^--help$' | sort -u); do
   holds "the manual page has $option" grep -qF -- "${option//-/\\-}" "$documents/man/fabric.1"
   holds "the completion has $option" grep -qE -- "(^|[' ])$option([' ]|\$)" "$documents/completions/fabric"
 done

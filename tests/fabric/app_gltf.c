@@ -19,7 +19,7 @@
 #endif
 
 #include "listen.h"
-#include "output/gltf.h"
+#include "view/gltf.h"
 
 enum { FRAMES = 4, VERTICES = 5, TRIANGLES = 4, MOST = 1 << 20, COLLIDERS = 4 };
 static const int corners[3 * TRIANGLES] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};

@@ -11,10 +11,10 @@
 
 #include <stdlib.h>
 
-#include "output/camera.h"
-#include "output/patch.h"
-#include "output/picture.h"
-#include "output/stage.h"
+#include "view/camera.h"
+#include "view/patch.h"
+#include "view/picture.h"
+#include "view/stage.h"
 
 static void test_halve(void **unused) {
     picture p, half;

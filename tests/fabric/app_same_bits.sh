@@ -46,7 +46,7 @@ expect 0 "positions: equal, every bit" "$serial" compare serial/final.state agai
 expect 1 "'colliders.0.motion.1.time' is 0.2, expected a time after the one before, 0.3" \
   "$serial" plan serial/scene.yaml --set colliders.0.motion.0.time=0.3
 if command -v jq >/dev/null; then # the body turns in what other programs read
-  expect 0 "" "$serial" export serial --format gltf
+  expect 0 "" "${serial%/*}/fabric-view" gltf serial -o serial/cloth.gltf
   find serial -name '*.gltf' | while read -r file; do
     jq -e '[.animations[0].channels[].target.path] == ["weights", "translation", "rotation"] and
       ([.accessors[] | select(.type == "VEC4") | .count] == [.accessors[] | select(.max and .type == "SCALAR") | .count])

@@ -42,21 +42,6 @@ equal roof bent
 expect 1 "numbers differ" "$program" compare roof/final.state flat/final.state
 expect 1 "expected one of 'flat', 'mesh'" "$program" plan bent.yaml --set mesh.rest_angles=round
 
-# Floats, as OBJ and as PLY: the same bits.
-awk '$1 == "v" {for (k = 2; k <= 4; k++) $k = sprintf("%.17g", int(1048576 * ($k + 8)) / 1048576 - 8)}
-  $1 == "v" || $1 == "f"' sheet.obj | sed 's,/[0-9]*,,g' >floats.obj
-{
-  printf 'ply\nformat ascii 1.0\nelement vertex 200\nproperty float x\nproperty float y\nproperty float z\n'
-  printf 'element face %d\nproperty list uchar int vertex_indices\nend_header\n' "$(grep -c '^f' floats.obj)"
-  awk '$1 == "v" {print $2, $3, $4} $1 == "f" {print 3, $2 - 1, $3 - 1, $4 - 1}' floats.obj
-} >floats.ply
-for format in obj ply; do
-  sheet floats.$format >$format.yaml
-  run $format.yaml -o $format
-done
-equal obj ply
-expect 1 "600 of 600 numbers differ" "$program" compare generated/final.state ply/final.state # doubles were cut
-
 # Upright, its rest shape is the one in the file: at rest nothing moves it.
 awk '$1 == "v" {print $1, $2, $4, $3} $1 == "f"' sheet.obj | sed 's,/[0-9]*,,g' >upright.obj
 still=(--set 'surroundings.gravity=[0, 0, 0]' --set colliders='[]')
@@ -73,9 +58,6 @@ sheet wide.obj '  rest: texture' >wide.yaml
 run wide.yaml "${still[@]}" -o shrunk
 run wide.yaml "${still[@]}" --set mesh.rest=positions -o wide
 expect 1 "" "$program" compare shrunk/final.state wide/final.state
-sheet floats.ply '  rest: texture' >texture.yaml
-expect 1 "texture.yaml:36: 'mesh.rest' is 'texture', expected 'mesh.file' to be an .obj file" \
-  "$program" plan texture.yaml
 
 # Pins: the same corner four ways.
 corner=$(awk '$1 == "v" {n++; d = ($2 + 0.25)^2 + ($3 + 0.25)^2; if (n == 1 || d < best) {best = d; at = n}} END {print at}' sheet.obj)
@@ -106,21 +88,12 @@ expect 1 "unknown key 'low' in 'pins.0', expected one of 'vertices', 'velocity'"
 expect 1 "'pins.0.box_low' lies above 'box_high', expected a corner below it" \
   "$program" plan box.yaml --set 'pins.0.box_low=[1, 1, 1]'
 
-# A collider, too, is the same from every format.
-cp "$scenes/ring.obj" . && awk '
-  $1 == "v" {vertex[v++] = $2 " " $3 " " $4}
-  $1 == "f" {gsub("/[0-9/]*", ""); face[f++] = "3 " $2 - 1 " " $3 - 1 " " $4 - 1}
-  END {
-    print "ply\nformat ascii 1.0\nelement vertex " v
-    print "property double x\nproperty double y\nproperty double z"
-    print "element face " f "\nproperty list uchar int vertex_indices\nend_header"
-    for (k = 0; k < v; k++) print vertex[k]
-    for (k = 0; k < f; k++) print face[k]
-  }' ring.obj >ring.ply
+# A collider from a file is where the scene puts it.
 run ring --set mesh.vertices=150 --set mesh.boundary=40 --set 'mesh.origin=[0, 0, 0.6]' -o ring
+cp "$scenes/ring.obj" .
 run ring --set mesh.vertices=150 --set mesh.boundary=40 --set 'mesh.origin=[0, 0, 0.6]' \
-  --set "colliders.0.file=$PWD/ring.ply" -o ring-ply
-equal ring ring-ply
+  --set "colliders.0.file=$PWD/ring.obj" -o ring-copy
+equal ring ring-copy
 run ring --set mesh.vertices=150 --set mesh.boundary=40 --set 'mesh.origin=[0, 0, 0.6]' \
   --set colliders.0.position='[0, 0, 0.4]' -o ring-low
 expect 1 "" "$program" compare ring/final.state ring-low/final.state

@@ -25,24 +25,34 @@ static int has_suffix(const char *text, const char *suffix) {
     return length > end && strcmp(text + length - end, suffix) == 0;
 }
 
+int files_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
+                 const char *given) {
+    if (!given)
+        return files_join(path, folder, name);
+    if (snprintf(path, FILE_PATH_SIZE, "%s", given) < FILE_PATH_SIZE)
+        return 0;
+    fprintf(stderr, "%.100s...: path too long\n", given);
+    return -1;
+}
+
+int files_beside_program(char path[FILE_PATH_SIZE], const char *name) {
+    const ssize_t length = readlink("/proc/self/exe", path, FILE_PATH_SIZE - 1);
+    if (length <= 0)
+        return -1;
+    path[length] = '\0';
+    char *slash = strrchr(path, '/');
+    const size_t room = slash ? FILE_PATH_SIZE - (size_t)(slash + 1 - path) : 0;
+    if (strlen(name) >= room)
+        return -1;
+    strcpy(slash + 1, name);
+    return 0;
+}
+
 static int find_scenes_folder(char folder[FILE_PATH_SIZE]) {
     const char *chosen = getenv("FABRIC_SCENES");
-    char program[FILE_PATH_SIZE - 32];
-    if (chosen && chosen[0] != '\0') {
-        snprintf(folder, FILE_PATH_SIZE, "%s", chosen);
-        return 0;
-    }
-    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-    char *slash = NULL;
-    if (length > 0) {
-        program[length] = '\0';
-        slash = strrchr(program, '/');
-    }
-    if (!slash)
-        return -1;
-    *slash = '\0';
-    snprintf(folder, FILE_PATH_SIZE, "%s/../share/fabric/scenes", program);
-    return 0;
+    if (!chosen || chosen[0] == '\0')
+        return files_beside_program(folder, "../share/fabric/scenes");
+    return snprintf(folder, FILE_PATH_SIZE, "%s", chosen) < FILE_PATH_SIZE ? 0 : -1;
 }
 
 static int compare_names(const void *a, const void *b) {

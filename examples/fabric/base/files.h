@@ -17,6 +17,15 @@ int files_find_scene(const char *name, char path[FILE_PATH_SIZE]);
 /** "folder/name". 0, or -1 after a message when that is too long. */
 int files_join(char path[FILE_PATH_SIZE], const char *folder, const char *name);
 
+/** Where output goes: `given`, or "folder/name" where that is NULL. 0, or -1 after a message when
+ * it is too long. */
+int files_output(char path[FILE_PATH_SIZE], const char *folder, const char *name,
+                 const char *given);
+
+/** "FOLDER/name", where FOLDER is the one that the running program lies in. 0, or -1 where that
+ *  cannot be found out. */
+int files_beside_program(char path[FILE_PATH_SIZE], const char *name);
+
 /** Opens a file to be read, as bytes. NULL after a message. */
 FILE *files_open(const char *path);
 

@@ -23,10 +23,6 @@ typedef struct setting_list {
     int count;
 } setting_list;
 
-/** --width or --height of pictures, in pixels, made even: halving them, and films, want that. 0, or
- *  -1 after a message. */
-int read_picture_size(const options *o, const char *name, int *size);
-
 /** Takes one more. 0, or the exit status after a complaint that there are too many. */
 int add_setting(const command *self, setting_list *settings, const char *setting);
 

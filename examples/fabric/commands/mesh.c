@@ -243,6 +243,5 @@ static int run(const command *self, int argc, char **argv) {
 }
 
 const command mesh_command = {"mesh", "generate|reorder FILE|info FILE [options]",
-                              "Generates meshes as OBJ files; renumbers and describes those of "
-                              ".obj, .ply, .gltf, .glb\nand .stl files.",
+                              "Generates, renumbers and describes meshes, which are OBJ files.",
                               mesh_options, run};

@@ -1,137 +1,38 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* fabric render: pictures of a run. */
+/* fabric render: becomes fabric-view render. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "base/files.h"
 #include "commands/commands.h"
-#include "output/film.h"
 
-enum { SHEET_COLUMNS = 4, SHEET_ROWS = 2, SHEET_FRAMES = SHEET_COLUMNS * SHEET_ROWS };
+static const option no_options[] = {{NULL, NULL, NULL}};
 
-enum { WIDTH, HEIGHT };
-static const option render_options[] = {
-    [WIDTH] = {"--width", "N", "of a frame's picture, in pixels, even (default 960)"},
-    [HEIGHT] = {"--height", "N", "of a frame's picture, in pixels, even (default 720)"},
-    {NULL, NULL, NULL}};
-
-/** A run's folder being drawn. */
-typedef struct job {
-    const char *folder;
-    int width, height;
-    film *of;
-    const frames *frames;
-    picture sheet;
-} job;
-
-static int out_of_memory(void) {
-    fprintf(stderr, "render: out of memory\n");
-    return -1;
-}
-
-static int open_job(job *j) {
-    j->of = film_open(j->folder, j->width, j->height);
-    if (!j->of)
-        return -1;
-    j->frames = film_frames(j->of);
-    if (picture_new(&j->sheet, SHEET_COLUMNS * (j->width / 2), SHEET_ROWS * (j->height / 2)) != 0)
-        return out_of_memory();
-    return 0;
-}
-
-static void close_job(job *j) {
-    if (j->of)
-        film_close(j->of);
-    picture_free(&j->sheet);
-}
-
-/** The frame's places on the contact sheet: eight frames, evenly; fewer frames leave places free.
- */
-static int put_on_sheet(job *j, int number, const picture *frame) {
-    const int last = j->frames->count - 1;
-    picture small;
-    if (picture_halve(frame, &small) != 0)
-        return out_of_memory();
-    for (int place = 0; place < SHEET_FRAMES; place++) {
-        const int wanted = j->frames->count <= SHEET_FRAMES
-                               ? place
-                               : (place * last + (SHEET_FRAMES - 1) / 2) / (SHEET_FRAMES - 1);
-        if (wanted == number)
-            picture_paste(&j->sheet, &small, place % SHEET_COLUMNS * small.width,
-                          place / SHEET_COLUMNS * small.height);
-    }
-    picture_free(&small);
-    return 0;
-}
-
-static int draw_frame(job *j, int number) {
-    char name[32], path[FILE_PATH_SIZE];
-    picture p;
-    double time;
-    if (film_draw(j->of, number, &p, &time) != 0)
-        return -1;
-    snprintf(name, sizeof name, "%04ld.png", j->frames->steps[number]);
-    const int status = files_join(path, j->frames->folder, name) == 0 &&
-                               picture_write_png(&p, path) == 0 && put_on_sheet(j, number, &p) == 0
-                           ? 0
-                           : -1;
-    picture_free(&p);
-    return status;
-}
-
-static int render(job *j) {
+/** The program that installs beside this one, else that of PATH. Does not return but in error. */
+static void become_view(char **words) {
     char path[FILE_PATH_SIZE];
-    if (open_job(j) != 0)
-        return -1;
-    for (int number = 0; number < j->frames->count; number++)
-        if (draw_frame(j, number) != 0)
-            return -1;
-    if (files_join(path, j->folder, "contact-sheet.png") != 0 ||
-        picture_write_png(&j->sheet, path) != 0)
-        return -1;
-    printf("%d pictures in %s, eight of them on %s\n", j->frames->count, j->frames->folder, path);
-    return 0;
-}
-
-int read_picture_size(const options *o, const char *name, int *size) {
-    long given;
-    if (options_whole(o, name, 32, 4096, &given) != 0)
-        return -1;
-    *size = (int)(given / 2 * 2);
-    return 0;
+    if (files_beside_program(path, words[0]) == 0)
+        execv(path, words);
+    execvp(words[0], words);
 }
 
 static int run(const command *self, int argc, char **argv) {
-    options o = {self, argc, argv, 0, NULL, 0};
-    job j = {.width = PICTURE_WIDTH, .height = PICTURE_HEIGHT};
-    for (int next; (next = options_next(&o)) != OPTIONS_END;)
-        switch (next) {
-        case WIDTH:
-            if (read_picture_size(&o, "--width", &j.width) != 0)
-                return EXIT_USAGE;
-            break;
-        case HEIGHT:
-            if (read_picture_size(&o, "--height", &j.height) != 0)
-                return EXIT_USAGE;
-            break;
-        case OPTIONS_WORD:
-            if (j.folder)
-                return options_complain(self, "one folder at a time, not '%s' as well", o.value);
-            j.folder = o.value;
-            break;
-        case OPTIONS_HELP:
-            return EXIT_SUCCESS;
-        default:
-            return EXIT_USAGE;
-        }
-    if (!j.folder)
-        return options_complain(self, "which folder? %s", self->synopsis);
-    const int status = render(&j);
-    close_job(&j);
-    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    char view[] = "fabric-view", action[] = "render";
+    char **words = calloc((size_t)argc + 3, sizeof *words);
+    if (!words)
+        return options_complain(self, "out of memory");
+    words[0] = view;
+    words[1] = action;
+    memcpy(words + 2, argv, (size_t)argc * sizeof *words);
+    become_view(words);
+    free(words);
+    options_complain(self, "%s, which draws, cannot be started: %s", view, strerror(errno));
+    return EXIT_FAILURE;
 }
 
 const command render_command = {"render", "DIR [options]",
-                                "Draws the frames of a run: DIR/frames/NNNN.png and "
-                                "DIR/contact-sheet.png with eight of them.",
-                                render_options, run};
+                                "Draws the frames of a run: the same as fabric-view render.",
+                                no_options, run};

@@ -243,7 +243,7 @@ static int join(self_collision *s) {
     if (count > INT_MAX)
         return -1;
     if (s->pair_room < count) {
-        const long room = count + count / 2 < INT_MAX ? count + count / 2 : INT_MAX;
+        const long room = count + count / 8 < INT_MAX ? count + count / 8 : INT_MAX;
         free(s->pair);
         s->pair = malloc((size_t)room * sizeof *s->pair);
         s->pair_room = s->pair ? (int)room : 0;

@@ -5,12 +5,13 @@
 
 #include "input/mesh_file.h"
 #include "mesh/surface_check.h"
+#include "output/obj.h"
 
 enum { ERROR_SIZE = 256, PLACE_SIZE = 64 };
 
 /** "triangle 3 (line 12)", counted from 1. */
 static void name_place(const char *path, int triangle, char place[PLACE_SIZE]) {
-    const long line = mesh_file_line(path, triangle);
+    const long line = obj_triangle_line(path, triangle);
     if (line > 0)
         snprintf(place, PLACE_SIZE, "triangle %d (line %ld)", triangle + 1, line);
     else

@@ -15,6 +15,7 @@ const char *mesh_problem_name(int problem) {
         [MESH_FLAT_TRIANGLE] = "triangles without area, which carry no force",
         [MESH_NO_MATERIAL] = "triangles without material coordinates, taken as they start",
         [MESH_FLIPPED] = "triangles folded over their neighbours",
+        [MESH_SEAM] = "vertices in the place of another one, where the cloth is open",
         [MESH_LONE_VERTEX] = "vertices of no triangle, held in place",
         [MESH_NON_MANIFOLD] = "edges of more than two triangles, which bend at the first two",
         [MESH_DUPLICATE] = "triangles that are there twice, removed",
@@ -160,15 +161,51 @@ static void check_triangles(const mesh *m, mesh_problem *found, unsigned char *u
             note(found, MESH_LONE_VERTEX, v);
 }
 
+/** A vertex' place and number. */
+typedef struct place {
+    double at[3];
+    int vertex;
+} place;
+
+static int compare_places(const void *left, const void *right) {
+    const place *a = left, *b = right;
+    for (int k = 0; k < 3; k++)
+        if (a->at[k] < b->at[k] || a->at[k] > b->at[k])
+            return a->at[k] < b->at[k] ? -1 : 1;
+    return a->vertex < b->vertex ? -1 : 1;
+}
+
+/* Programs that write a vertex once for each triangle or texture coordinate leave seams that are
+ * not joined: cloth comes apart there. places, twin: [vertices]. */
+static void check_seams(const mesh *m, mesh_problem *found, place *places, unsigned char *twin) {
+    for (int v = 0; v < m->vertex_count; v++) {
+        memcpy(places[v].at, m->position[v], sizeof places[v].at);
+        places[v].vertex = v;
+    }
+    qsort(places, (size_t)m->vertex_count, sizeof *places, compare_places);
+    for (int k = 1; k < m->vertex_count; k++) {
+        const double *a = places[k - 1].at, *b = places[k].at;
+        twin[places[k].vertex] = a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    }
+    for (int v = 0; v < m->vertex_count; v++)
+        if (twin[v])
+            note(found, MESH_SEAM, v);
+}
+
 int mesh_check(const mesh *m, mesh_problem *found) {
+    place *places = malloc(((size_t)m->vertex_count + 1) * sizeof *places);
     double(*around)[3] = calloc((size_t)m->vertex_count + 1, sizeof *around);
     unsigned char *used = calloc((size_t)m->vertex_count + 1, 1);
-    const int status = around && used ? 0 : -1;
+    unsigned char *twin = calloc((size_t)m->vertex_count + 1, 1);
+    const int status = places && around && used && twin ? 0 : -1;
     if (status == 0) {
         check_triangles(m, found, used);
         check_folds(m, found, around);
+        check_seams(m, found, places, twin);
     }
+    free(places);
     free(around);
     free(used);
+    free(twin);
     return status;
 }

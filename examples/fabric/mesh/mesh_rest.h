@@ -27,6 +27,7 @@ enum {
     MESH_FLAT_TRIANGLE,   /* no rest shape: no force */
     MESH_NO_MATERIAL,     /* rest shape from positions */
     MESH_FLIPPED,         /* triangles folded over all their neighbours */
+    MESH_SEAM,            /* vertices in the place of another one: not joined there */
     MESH_LONE_VERTEX,     /* of no triangle: held in place */
     MESH_NON_MANIFOLD,    /* edges of more than two triangles: bend at the first two */
     MESH_DUPLICATE,       /* triangles with the vertices of another one: removed by mesh_clean */

@@ -68,9 +68,6 @@ static int read_sheet(const scene_source *from, scene *s) {
     s->mesh.vertices = s->mesh.sheet->vertex_count;
     s->mesh.boundary = 0;
     s->mesh.side = s->mesh.scale * sqrt(mesh_rest_area(s->mesh.sheet));
-    if (s->mesh.rest == REST_TEXTURE && !mesh_file_has_texture(s->mesh.file))
-        return scene_complain(from, line_of(from, "mesh.rest"),
-                              "'mesh.rest' is 'texture', expected 'mesh.file' to be an .obj file");
     return 0;
 }
 

@@ -79,6 +79,17 @@ double direct_solver_work(const direct_solver *d) {
     return d->common.fl / 2 + 2 * d->common.lnz;
 }
 
+void direct_solver_memory(const direct_solver *d, double *held, double *more) {
+    const cholmod_factor *L = d->factor;
+    const double entries = (double)d->matrix->nzmax, n = (double)L->n;
+    /* The matrix permuted, and transposed on the way to that (cholmod_factorize). */
+    const double copies = 2 * entries * (sizeof(double) + sizeof(int)) + 8 * n * sizeof(double);
+    const double factor = L->is_super ? ((double)L->xsize + (double)L->maxcsize) * sizeof(double)
+                                      : d->common.lnz * (sizeof(double) + sizeof(int));
+    *held = (double)d->common.memory_inuse;
+    *more = factor + copies;
+}
+
 /* Entry (r, c) of S_i A_ij S_j + s (I - S_i), the last on the diagonal only. */
 static double entry(const block_matrix *A, const constraints *given, int i, int k, int r, int c) {
     const int j = A->column[k];
@@ -158,6 +169,11 @@ void direct_solver_free(direct_solver *d) {
 double direct_solver_work(const direct_solver *d) {
     (void)d;
     return 0;
+}
+
+void direct_solver_memory(const direct_solver *d, double *held, double *more) {
+    (void)d;
+    *held = *more = 0;
 }
 
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,

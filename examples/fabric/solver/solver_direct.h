@@ -19,6 +19,10 @@ void direct_solver_free(direct_solver *d);
  *  systems. Of the layout alone: the same on every machine. */
 double direct_solver_work(const direct_solver *d);
 
+/** *held: the bytes that d has allocated; *more: those that its first solution allocates beside
+ * them, the factor and the workspace of factorising, as its layout says. */
+void direct_solver_memory(const direct_solver *d, double *held, double *more);
+
 /** As solver_solve, which calls it, to rounding; counts a factorisation as one iteration.
  *  SOLVER_BREAKDOWN: A is not positive definite. */
 solver_status direct_solver_solve(direct_solver *d, solver *s, const linear_system *system,

@@ -49,6 +49,10 @@ void updateSystem(simulation *sim);
  *  run. */
 void simulation_make_room(simulation *sim);
 
+/** The bytes that solving directly takes, beyond what the simulation has allocated; 0: this program
+ *  cannot. *only: the scene says so, rather than a run that falls back on it. */
+double simulation_direct_bytes(const simulation *sim, int *only);
+
 /** From now on each step is given as many threads as make it fastest, up to what OpenMP would give
  *  (team.h), in place of all of these. The bits are the same. */
 void simulation_choose_threads(simulation *sim);

@@ -2,6 +2,8 @@
 /* Making, ending and looking at a simulation; simulation.c runs it. */
 #include "simulation_state.h"
 
+#include "solver/solver_direct.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -140,6 +142,21 @@ void simulation_make_room(simulation *sim) {
     if (sim->account.effects[EFFECT_SELF_COLLISION].active)
         self_collision_find(&sim->self_collision, sim->scene->time.step,
                             (const double(*)[3])sim->state.x, (const double(*)[3])sim->step.guess);
+}
+
+double simulation_direct_bytes(const simulation *sim, int *only) {
+    char error[256];
+    double held = 0, more = 0;
+    *only = sim->solver.direct != NULL;
+    if (*only) {
+        direct_solver_memory(sim->solver.direct, &held, &more);
+        return more;
+    }
+    direct_solver *d = direct_solver_available() ? direct_solver_new(&sim->system.A, error) : NULL;
+    if (d)
+        direct_solver_memory(d, &held, &more);
+    direct_solver_free(d);
+    return held + more;
 }
 
 void simulation_free(simulation *sim) {

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** A program of several commands: `NAME COMMAND ...`, `NAME --help`, `NAME --version`. */
+#ifndef FABRIC_BASE_PROGRAM_H
+#define FABRIC_BASE_PROGRAM_H
+
+#include "base/options.h"
+
+/** Runs the command that argv[1] names; `purpose` is the first sentence of --help. Sets
+ *  program_name. Returns the exit status; EXIT_USAGE after a message where there is no such
+ *  command. */
+int program_run(const char *purpose, const command *const *commands, int count, int argc,
+                char **argv);
+
+#endif

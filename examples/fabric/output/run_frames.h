@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The frames of a run, for what writes them in a format of other programs. */
+#ifndef FABRIC_OUTPUT_RUN_FRAMES_H
+#define FABRIC_OUTPUT_RUN_FRAMES_H
+
+#include "output/cloth_frames.h"
+#include "output/frames.h"
+
+/** The frames in a run's folder. */
+typedef struct run_frames {
+    frames files;
+    double *time;    /* [files.count] s */
+    cloth_frames of; /* refers to the two above: not to be copied */
+} run_frames;
+
+/** Opens the run in `folder` and reads all of its frames once, so that a damaged one is found
+ *  before anything is written. 0, or -1 after a message; run_frames_close in either case. */
+int run_frames_open(run_frames *r, const char *folder);
+void run_frames_close(run_frames *r);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Numbers into a file, byte by byte, the lowest first whatever the machine's order is; as they
+ * are, or as base64 (RFC 4648). Errors are the file's (ferror). */
+#ifndef FABRIC_VIEW_BYTE_SINK_H
+#define FABRIC_VIEW_BYTE_SINK_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+/** Start with {file, is_base64, {0}, 0}. */
+typedef struct byte_sink {
+    FILE *file;
+    int is_base64;
+    unsigned char pending[3]; /* of base64, until there are three */
+    int count;
+} byte_sink;
+
+void byte_sink_word(byte_sink *to, uint32_t word);
+
+/** As a float of 4 bytes. */
+void byte_sink_float(byte_sink *to, double number);
+
+/** After the last byte: the end of base64. */
+void byte_sink_end(byte_sink *to);
+
+#endif

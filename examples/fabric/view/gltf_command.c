@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* fabric-view gltf: a run as an animated glTF file. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/files.h"
+#include "output/run_frames.h"
+#include "view/gltf.h"
+#include "view/view.h"
+
+enum { OUTPUT };
+static const option gltf_options[] = {
+    [OUTPUT] = {"-o", "FILE", "where to: .glb is binary, .gltf text (default DIR/cloth.glb)"},
+    {NULL, NULL, NULL}};
+
+/** The file's ending as a format: 1: binary, 0: text, -1 after a message. */
+static int is_binary(const char *path) {
+    const char *dot = strrchr(path, '.');
+    if (dot && strcasecmp(dot, ".glb") == 0)
+        return 1;
+    if (dot && strcasecmp(dot, ".gltf") == 0)
+        return 0;
+    fprintf(stderr, "%s: not a glTF file by its name, expected .glb or .gltf\n", path);
+    return -1;
+}
+
+static int write_run(const char *folder, const char *path) {
+    const int binary = is_binary(path);
+    char scene_path[FILE_PATH_SIZE];
+    run_frames run;
+    scene of;
+    if (binary < 0)
+        return -1;
+    int status = run_frames_open(&run, folder);
+    if (status == 0 && files_join(scene_path, folder, "scene.yaml") == 0 &&
+        scene_read(&of, scene_path) == 0) {
+        status = gltf_write(&run.of, &of, binary, path);
+        scene_free(&of);
+    } else
+        status = -1;
+    if (status == 0)
+        printf("%d frames of %d vertices in %s\n", run.of.count, run.of.vertex_count, path);
+    run_frames_close(&run);
+    return status;
+}
+
+static int run(const command *self, int argc, char **argv) {
+    options o = {self, argc, argv, 0, NULL, 0};
+    const char *folder = NULL, *given = NULL;
+    for (int next; (next = options_next(&o)) != OPTIONS_END;) {
+        if (next == OPTIONS_HELP)
+            return EXIT_SUCCESS;
+        if (next == OPTIONS_WRONG || (next == OPTIONS_WORD && take_folder(&o, &folder) != 0))
+            return EXIT_USAGE;
+        if (next == OUTPUT)
+            given = o.value;
+    }
+    if (!folder)
+        return options_complain(self, "which folder? %s", self->synopsis);
+    char path[FILE_PATH_SIZE];
+    const int status =
+        files_output(path, folder, "cloth.glb", given) == 0 && write_run(folder, path) == 0 ? 0
+                                                                                            : -1;
+    return status == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+const command gltf_command = {"gltf", "DIR [options]",
+                              "Writes a run as one animated glTF file, the colliders with it, for "
+                              "Blender and viewers.",
+                              gltf_options, run};

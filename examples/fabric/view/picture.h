@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Pictures in memory, and as PNG files. */
+#ifndef FABRIC_VIEW_PICTURE_H
+#define FABRIC_VIEW_PICTURE_H
+
+/* Of a frame, unless another size is asked for. */
+enum { PICTURE_WIDTH = 960, PICTURE_HEIGHT = 720 };
+
+typedef struct picture {
+    int width, height;
+    unsigned char *rgb; /* [height][width][3], top row first */
+} picture;
+
+/** White. 0, or -1 when memory is out; picture_free frees it. */
+int picture_new(picture *p, int width, int height);
+void picture_free(picture *p);
+
+/** Half as wide and high (both even): each pixel the mean of four. 0, or -1 when memory is out. */
+int picture_halve(const picture *p, picture *half);
+
+/** Copies `from` so that its upper left corner is at (x, y); what lies outside is cut off. */
+void picture_paste(picture *onto, const picture *from, int x, int y);
+
+/** Writes digits, '.', '=', ' ', 's' and 't' in dark grey, 5 by 7 dots of `dot` pixels each, its
+ *  upper left corner at (x, y). */
+void picture_text(picture *p, int x, int y, int dot, const char *text);
+
+/** Writes beside `path`, then renames. 0, or -1 after a message on standard error. */
+int picture_write_png(const picture *p, const char *path);
+
+#endif

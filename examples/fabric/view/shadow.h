@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the light sees, as a texture of depths: what lies behind it is in the shadow. With OpenGL's
+ *  fixed functions, in the current OSMesa context. */
+#ifndef FABRIC_VIEW_SHADOW_H
+#define FABRIC_VIEW_SHADOW_H
+
+#include <GL/gl.h>
+#include <GL/osmesa.h>
+
+typedef struct shadow {
+    GLuint depths;         /* texture of SHADOW_SIZE squared */
+    unsigned char *pixels; /* what the light's picture is drawn into */
+    double from_world[16]; /* columns: a place in the world, m, to one in the texture */
+} shadow;
+
+/** 0, or -1: out of memory. shadow_free in the same context. */
+int shadow_new(shadow *s);
+void shadow_free(shadow *s);
+
+/** From here to shadow_end everything drawn casts shadows within `radius` m of `center`; `light`
+ *  [3] points to the light. 0, or -1: such a picture cannot be drawn. */
+int shadow_begin(shadow *s, OSMesaContext context, const float light[3], const double center[3],
+                 double radius);
+void shadow_end(shadow *s);
+
+/** From here to shadow_ignore what is drawn is black in the shadow; the model-view matrix is the
+ *  camera's at this time. */
+void shadow_heed(const shadow *s);
+void shadow_ignore(void);
+
+#endif
