@@ -10,10 +10,10 @@
 
 #include "base/files.h"
 #include "base/vector.h"
+#include "petsc_check.h"
 #include "view/camera.h"
 #include "view/picture.h"
 #include "view/stage.h"
-#include "petsc_check.h"
 
 /* Of the picture, in pixels; it is drawn four times as wide and high, then halved twice. */
 enum { PANEL = 560, LEGEND = 60, SWATCH = 28, STEP = 84, FINE = 4 };
