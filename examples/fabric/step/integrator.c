@@ -11,6 +11,11 @@
 #include "forces.h"
 #include "newton.h"
 #include "simulation_state.h"
+#include "timing.h"
+
+/* BDF2 is stable where a step is no longer than 1 + sqrt(2) times the one before (Grigorieff 1983);
+ * lengths double, and grow by more only after a step that was cut. */
+static const double most_growth = 2.1;
 
 /* A contact not foreseen is added and the system solved again, this many times in a step. */
 enum { most_solutions = 3 };
@@ -76,7 +81,7 @@ static void set_stage(simulation *sim, int two_states) {
 }
 
 void evaluateForces(simulation *sim) {
-    sim->step.h = ticks_to_seconds(sim, sim->step.ticks);
+    timing_begin(sim);
     if (sim->integrator.kind == INTEGRATOR_LINEAR_EULER) {
         const expansion start = {sim->step.h, read_only(sim->state.x), read_only(sim->state.v),
                                  read_only(sim->state.v)};
@@ -84,7 +89,8 @@ void evaluateForces(simulation *sim) {
         forces_assemble(sim, &start);
         return;
     }
-    set_stage(sim, sim->integrator.kind == INTEGRATOR_BDF2 && sim->integrator.h_before > 0);
+    set_stage(sim, sim->integrator.kind == INTEGRATOR_BDF2 &&
+                       sim->step.h <= most_growth * sim->integrator.h_before);
     newton_assemble_at_base(sim);
 }
 
@@ -205,7 +211,7 @@ static int keep_apart(simulation *sim) {
 
 int integrator_move(simulation *sim) {
     const int count = sim->mesh->vertex_count;
-    const double end = time_at_tick(sim, sim->state.ticks_done + sim->step.ticks);
+    const double end = timing_end(sim);
     const double(*mean)[3] = travel(sim);
     int broken = 0;
 #pragma omp parallel for schedule(static)

@@ -3,8 +3,10 @@
 
 #include "base/vector.h"
 #include "simulation_state.h"
+#include "timing.h"
 
-/* The next time after `after` at which something begins or ends; infinite if nothing does. */
+/* The next time after `after` at which something begins or ends, a motion too; infinite if nothing
+ * does. */
 static double next_event(const scene *s, double after) {
     double next = INFINITY;
 #define CONSIDER(time)                                                                             \
@@ -12,11 +14,16 @@ static double next_event(const scene *s, double after) {
         next = (time);
     CONSIDER(s->surroundings.wind_from)
     CONSIDER(s->surroundings.wind_until)
-    for (int p = 0; p < s->pin_count; p++)
+    for (int p = 0; p < s->pin_count; p++) {
         CONSIDER(s->pins[p].until)
+        CONSIDER(s->pins[p].move_from)
+        CONSIDER(s->pins[p].move_until)
+    }
     for (int n = 0; n < s->collider_count; n++) {
         CONSIDER(s->colliders[n].from)
         CONSIDER(s->colliders[n].until)
+        for (int k = 0; k < s->colliders[n].keyframe_count; k++)
+            CONSIDER(s->colliders[n].keyframes[k].time)
     }
 #undef CONSIDER
     return next;
@@ -75,10 +82,10 @@ void plan_return_to(simulation *sim, double time) {
 }
 
 void plan_follow(simulation *sim) {
-    /* A grid of times in binary fractions of a step misses decimal ones by a rounding. */
-    const double time = simulation_time(sim) + 1e-9 * sim->scene->time.step;
+    const double time = simulation_time(sim) + timing_rounding(sim);
     if (time < sim->in_force.next_event)
         return;
     plan_return_to(sim, time);
     sim->account.plans_changed++;
+    sim->step.slow_steps = 0;
 }

@@ -5,15 +5,13 @@
 
 #include "base/vector.h"
 #include "simulation_state.h"
+#include "timing.h"
 
 int rest_lasts(simulation *sim) {
-    const long plans = sim->account.plans_changed;
     if (!(sim->scene->solution.sleep > 0))
         return 0;
     plan_follow(sim);
-    if (sim->account.plans_changed != plans)
-        sim->step.slow_steps = 0;
-    return sim->step.slow_steps >= STEPS_UNTIL_SLEEP;
+    return sim->step.slow_steps >= STEPS_UNTIL_SLEEP && !timing_event_within_frame(sim);
 }
 
 /* Does anything from outside move at present, or later without an event? */

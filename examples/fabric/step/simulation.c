@@ -2,7 +2,7 @@
 /*
  * The loop of figure 2 of the paper. A step that fails - no solution, or a cloth that is torn apart
  * - is taken again at half the length; lengths are the scene's step over powers of two, so every
- * frame ends on the scene's grid of times.
+ * frame ends on the scene's grid of times (timing.h).
  */
 #include "simulation.h"
 
@@ -14,6 +14,7 @@
 #include "integrator.h"
 #include "rest.h"
 #include "simulation_state.h"
+#include "timing.h"
 
 /* After this many steps in a row without trouble a halved length is doubled. */
 enum { steps_before_growth = 3 };
@@ -83,15 +84,11 @@ static void accept(simulation *sim) {
     monitor_accept(&sim->monitor);
     sim->account.steps_taken++;
     sim->step.easy_steps++;
-    sim->state.ticks_done += sim->step.ticks;
+    timing_accept(sim);
     if (sim->step.easy_steps >= steps_before_growth && sim->step.ticks < TICKS_PER_STEP &&
         sim->state.ticks_done % (2 * sim->step.ticks) == 0) {
         sim->step.ticks *= 2;
         sim->step.easy_steps = 0;
-    }
-    if (sim->state.ticks_done == TICKS_PER_STEP) {
-        sim->state.ticks_done = 0;
-        sim->state.frame++;
     }
 }
 

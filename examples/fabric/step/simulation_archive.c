@@ -83,6 +83,7 @@ static void pass_time(archive *a, simulation *sim) {
     if (a->mode != ARCHIVE_LOAD)
         return;
     sim->state.ticks_done = 0;
+    sim->state.part = 0;
     a->failed |= sim->state.frame < 0 || TICKS_PER_STEP % sim->step.ticks != 0;
     plan_return_to(sim, sim->in_force.plan_time);
 }

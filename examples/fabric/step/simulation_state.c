@@ -192,7 +192,7 @@ const double (*simulation_velocities(const simulation *sim))[3] {
 }
 
 double simulation_time(const simulation *sim) {
-    return time_at_tick(sim, sim->state.ticks_done);
+    return time_at_tick(sim, sim->state.ticks_done) + sim->state.part;
 }
 
 const phase *simulation_phases(const simulation *sim) {

@@ -16,13 +16,14 @@
 #include "system/system.h"
 #include "team.h"
 
-/** A step may be halved ten times: time within it is counted in these. */
+/** A step may be halved ten times: time within it is counted in these. A step in which something
+ *  begins or ends is cut there as well, at whatever time that is. */
 enum { TICKS_PER_STEP = 1024 };
 
 /** What acts at present, as plan.c found it. */
 struct in_force {
     double wind[3];    /* m/s */
-    double next_event; /* s, when what is on changes next */
+    double next_event; /* s, when something begins or ends next */
     double plan_time;  /* s, the time that it was found for */
 };
 
@@ -32,12 +33,15 @@ struct cloth_state {
     double (*v)[3]; /* [vertices] m/s */
     long frame;     /* whole steps of the scene done */
     int ticks_done; /* of the step under way */
+    double part;    /* s, done beyond these: the last step was cut at an event */
 };
 
 /** The step being taken. */
 struct step {
-    int ticks;           /* its length */
-    double h;            /* the same in s */
+    int ticks;           /* its length, unless it is cut: a power of two */
+    double h;            /* its length in s */
+    int end_ticks;       /* where it ends in the scene's step, */
+    double end_part;     /* s, and beyond that */
     double stage_h;      /* s, what forces are multiplied by; h for backward Euler */
     double (*guess)[3];  /* [vertices] m/s, dv of the last step accepted */
     double guess_h;      /* that step's length, s */

@@ -391,17 +391,22 @@ static void test_wide_limit(void **state) {
 
 static void test_events_are_listed(void **state) {
     (void)state;
-    double time[2];
+    double time[7];
+    keyframe keys[] = {{.time = 4}, {.time = 5}};
     collider ball = {.kind = COLLIDER_SPHERE, .from = 1, .until = 3};
-    pin let_go = {.until = 2};
+    ball.keyframes = keys;
+    ball.keyframe_count = 2;
+    pin let_go = {.until = 2, .move_from = 0.5, .move_until = 1.5};
     scene s = cloth_scene();
     s.colliders = &ball;
     s.collider_count = 1;
     s.pins = &let_go;
     s.pin_count = 1;
     s.surroundings.wind_until = 2;
-    assert_int_equal(plan_events(&s, time, 2), 3);
-    assert_true(time[0] == 1 && time[1] == 2);
+    const double expected[] = {0.5, 1, 1.5, 2, 3, 4, 5};
+    assert_int_equal(plan_events(&s, time, 2), 7);
+    assert_int_equal(plan_events(&s, time, 7), 7);
+    assert_memory_equal(time, expected, sizeof expected);
 }
 
 int main(void) {

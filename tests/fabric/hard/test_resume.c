@@ -122,7 +122,7 @@ static stage crowded(int integrator) {
     on.s.surroundings.wind[1] = 3;
     on.s.surroundings.wind_from = 0.06;
     on.s.surroundings.wind_until = 0.16;
-    on.s.material.strain_limit = 0.02;
+    on.s.material.strain_limit = 0.01;
     on.s.self_collision.gap = 0.004;
     on.s.self_collision.friction = 0.3;
     on.s.pins = pins;

@@ -121,8 +121,8 @@ static double distance(const double (*a)[3], vectors b) {
 static const double duration = 0.08;
 
 /* Error after `duration` against the explicit method, in m. */
-static double error_of(integrator_kind kind, int steps, vectors exact) {
-    stage on = {.s = soft_scene()};
+static double error_of(const scene *of, integrator_kind kind, int steps, vectors exact) {
+    stage on = {.s = *of};
     begin(&on, kind, duration / steps);
     run(&on, steps);
     assert_int_equal(simulation_steps_rejected(on.sim), 0);
@@ -131,23 +131,69 @@ static double error_of(integrator_kind kind, int steps, vectors exact) {
     return error;
 }
 
-/* S31: halving the step divides the error by 2, or by 4. */
-static void S31_orders(void **state) {
-    (void)state;
+static void check_orders(const scene *of, vectors exact) {
     const double low[] = {0.85, 0.85, 1.75, 1.85}, high[] = {1.15, 1.15, 2.3, 2.2};
-    vectors x, v = {{0}};
-    stage on = {.s = soft_scene()};
-    begin(&on, INTEGRATOR_EULER, duration);
-    memcpy(x, on.m.position, sizeof x);
-    runge_kutta(on.sim, duration / 1000, 1000, x, v);
-    end(&on);
     for (int kind = INTEGRATOR_LINEAR_EULER; kind <= INTEGRATOR_MIDPOINT; kind++) {
-        const double coarse = error_of((integrator_kind)kind, 64, x);
-        const double fine = error_of((integrator_kind)kind, 128, x);
+        const double coarse = error_of(of, (integrator_kind)kind, 64, exact);
+        const double fine = error_of(of, (integrator_kind)kind, 128, exact);
         const double order = log2(coarse / fine);
         if (!(order >= low[kind] && order <= high[kind]))
             fail_msg("integrator %d: errors %g and %g m, order %.3f", kind, coarse, fine, order);
     }
+}
+
+/* S31: halving the step divides the error by 2, or by 4. */
+static void S31_orders(void **state) {
+    (void)state;
+    const scene soft = soft_scene();
+    vectors x, v = {{0}};
+    stage on = {.s = soft};
+    begin(&on, INTEGRATOR_EULER, duration);
+    memcpy(x, on.m.position, sizeof x);
+    runge_kutta(on.sim, duration / 1000, 1000, x, v);
+    end(&on);
+    check_orders(&soft, x);
+}
+
+/* ... also where wind begins and ends within steps, at times that lie on no grid. */
+static void S31_orders_across_events(void **state) {
+    (void)state;
+    const double times[] = {0, 0.0213, 0.0477, duration};
+    scene gusty = soft_scene();
+    vectors x, v = {{0}};
+    gusty.surroundings.wind[0] = 0;
+    gusty.surroundings.wind[2] = 6;
+    gusty.surroundings.wind_from = times[1];
+    gusty.surroundings.wind_until = times[2];
+    stage on = {.s = gusty};
+    begin(&on, INTEGRATOR_EULER, duration);
+    memcpy(x, on.m.position, sizeof x);
+    for (int part = 0; part < 3; part++) {
+        plan_return_to(on.sim, times[part] + 1e-12);
+        assert_int_equal(on.sim->account.effects[EFFECT_WIND].on, part == 1);
+        runge_kutta(on.sim, (times[part + 1] - times[part]) / 1000, 1000, x, v);
+    }
+    end(&on);
+    check_orders(&gusty, x);
+}
+
+/* A step is cut at exactly the times at which something begins or ends, frames stay on their grid,
+ * and an event on the grid cuts nothing. */
+static void test_steps_end_at_events(void **state) {
+    (void)state;
+    scene gusty = soft_scene();
+    gusty.surroundings.wind_from = 0.0213;
+    gusty.surroundings.wind_until = 0.03;
+    stage on = {.s = gusty};
+    begin(&on, INTEGRATOR_EULER, 0.01);
+    const int taken[] = {1, 2, 4, 5, 6};
+    for (int n = 0; n < 5; n++) {
+        run(&on, 1);
+        assert_int_equal(simulation_steps_taken(on.sim), taken[n]);
+        assert_true(simulation_time(on.sim) == on.s.time.step * (n + 1));
+        assert_int_equal(on.sim->account.effects[EFFECT_WIND].on, n == 2);
+    }
+    end(&on);
 }
 
 /* The step found satisfies M (v' - v) = h f(x', v'), x' = x + h v'. */
@@ -308,9 +354,14 @@ static void test_pins_and_contacts(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(S31_orders),          cmocka_unit_test(test_backward_euler_equation),
-        cmocka_unit_test(test_energy),         cmocka_unit_test(S07_angular_momentum),
-        cmocka_unit_test(test_damping_forces), cmocka_unit_test(test_pins_and_contacts),
+        cmocka_unit_test(S31_orders),
+        cmocka_unit_test(test_backward_euler_equation),
+        cmocka_unit_test(S31_orders_across_events),
+        cmocka_unit_test(test_steps_end_at_events),
+        cmocka_unit_test(test_energy),
+        cmocka_unit_test(S07_angular_momentum),
+        cmocka_unit_test(test_damping_forces),
+        cmocka_unit_test(test_pins_and_contacts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
