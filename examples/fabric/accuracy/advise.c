@@ -2,276 +2,343 @@
 #include "accuracy/advise.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "accuracy/measure.h"
+#include "accuracy/study.h"
 #include "base/random.h"
 #include "solver/solver.h"
 #include "solver/solver_direct.h"
 #include "step/integrator.h"
 
-/* Part of the error that is aimed at, that algebra may have, and by which starts are moved. */
-static const double aim = 0.7, of_algebra = 0.1, moved = 1e-3;
+/* Parts of the error asked for: that an advised run may have before algebra and solver are chosen;
+ * that algebra may add; by which the two most exact runs may differ; by which starts are moved. */
+static const double aim = 0.85, of_algebra = 0.1, agreed = 0.3, moved = 1e-3;
 
-/* Each in twice as many steps as the one before. */
-enum { MOST_RUNS = 24 };
+enum { MOST_RUNS = 24, METHODS = 3 };
 
-/** Runs of one integrator, in ever more steps. */
-typedef struct pilot {
+/** A run, and what it was run by. */
+typedef struct trial {
+    scene settings;
+    measured got;
+} trial;
+
+/** Runs of one integrator, each in twice as many steps as the one before. */
+typedef struct series {
+    int integrator;
+    trial run[MOST_RUNS];
+    int count;
+    double difference; /* m, of the last two runs, */
+    double usable;     /* the same where an error follows from it; else not a number */
+    double error;      /* m, of the last run, as the last differences let expect */
+} series;
+
+typedef struct adviser {
     const scene *base;
     const mesh *cloth;
-    int integrator, method, preconditioner;
-    double tolerance;            /* of the linear systems, or of Newton's method */
-    int steps;                   /* of `last` */
-    measured before, last;       /* the last two runs */
-    measured coarser[MOST_RUNS]; /* [coarser_count] those before them, the coarsest first */
-    int coarser_count;
-    double difference;  /* m, of the last two, */
-    double usable;      /* the same where the error follows from it; else not a number */
-    double rate, error; /* of the last differences; m, of `last`, as they let expect */
-} pilot;
+    double error; /* m, that is asked for */
+    int most_steps;
+    series of[METHODS]; /* the second-order methods first */
+    const measured *reference;
+    double doubt; /* m, by which a second method ends elsewhere */
+} adviser;
 
-static scene settings_of(const pilot *p, int steps, double tolerance) {
-    scene s = divided_by(p->base, p->integrator, steps, tolerance);
-    s.solution.method = p->method;
-    s.solution.preconditioner = p->preconditioner;
-    return s;
+static const trial *last_of(const series *r) {
+    return &r->run[r->count - 1];
 }
 
-static int run_at(const pilot *p, int steps, double tolerance, measured *got) {
-    const scene s = settings_of(p, steps, tolerance);
-    return measure(&s, p->cloth, 1, ANY_REJECTIONS, got);
-}
-
-/* The order that the method has where everything is smooth; no more is believed. */
-static double best_order(int integrator) {
-    return integrator == INTEGRATOR_MIDPOINT ? 2 : 1;
-}
-
-static double order_of(const pilot *p) {
-    return fmin(log2(p->rate), best_order(p->integrator));
+static int run_trial(const adviser *a, trial *t) {
+    return measure(&t->settings, a->cloth, 1, ANY_REJECTIONS, &t->got);
 }
 
 /* Did the second run halve all steps? Where the monitor cut those of both to one length, at an
  * impact, they are as far off there as each other, and the error does not follow from their
- * difference.
- */
-static int are_all_halved(const measured *one, const measured *other) {
+ * difference. */
+static bool are_all_halved(const measured *one, const measured *other) {
     return other->shortest < 0.75 * one->shortest;
 }
 
-/* One more run, in twice as many steps. */
-static int refine(pilot *p) {
-    if (p->before.x)
-        p->coarser[p->coarser_count++] = p->before;
-    p->before = p->last;
-    p->last = (measured){0};
-    p->steps *= 2;
-    if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
+/* Richardson's estimate, with no higher an order than the method has. */
+static void estimate_error(series *r) {
+    const measured *before = &r->run[r->count - 2].got, *now = &last_of(r)->got;
+    const double order = r->integrator == INTEGRATOR_LINEAR_EULER ? 1 : 2;
+    r->difference = measured_distance(before, now, NULL);
+    const double usable = are_all_halved(before, now) ? r->difference : NAN;
+    const double rate = fmin(r->usable / usable, pow(2, order));
+    r->usable = usable;
+    r->error = rate > 1.2 ? usable / (rate - 1) : NAN;
+}
+
+/* One more run, in twice as many steps. 0; 1: that would be too many; -1 after a message. */
+static int extend(const adviser *a, series *r) {
+    const int least = a->base->time.steps / 8 > 4 ? a->base->time.steps / 8 : 4;
+    const int steps = r->count > 0 ? 2 * last_of(r)->settings.time.steps : least;
+    const double tolerance = r->integrator == INTEGRATOR_LINEAR_EULER ? 1e-3 : 1e-4;
+    if ((r->count > 0 && steps > a->most_steps) || r->count == MOST_RUNS)
+        return 1;
+    trial *next = &r->run[r->count];
+    next->settings = divided_by(a->base, r->integrator, steps, tolerance);
+    next->settings.solution.method = METHOD_CONJUGATE_GRADIENTS;
+    next->settings.solution.preconditioner = PRECONDITIONER_GAUSS_SEIDEL;
+    if (run_trial(a, next) != 0)
         return -1;
-    p->difference = measured_distance(&p->before, &p->last, NULL);
-    const double usable = are_all_halved(&p->before, &p->last) ? p->difference : NAN;
-    p->rate = p->usable / usable;
-    p->usable = usable;
-    p->error = p->rate > 1.2 ? usable / (pow(2, order_of(p)) - 1) : NAN;
+    if (r->count++ == 0)
+        r->difference = r->usable = r->error = NAN;
+    else
+        estimate_error(r);
     return 0;
 }
 
-static void pilot_free(pilot *p) {
-    measured_free(&p->before);
-    measured_free(&p->last);
-    while (p->coarser_count > 0)
-        measured_free(&p->coarser[--p->coarser_count]);
+/* Extends until the error is expected to be so small. As `extend`. */
+static int reach(const adviser *a, series *r, double error) {
+    while (r->count == 0 || !(r->error <= error)) {
+        const int status = extend(a, r);
+        if (status != 0)
+            return status;
+    }
+    return 0;
 }
 
-/* Refines until the error is reached. 0; 1: it is not, in most_steps; -1 after a message. */
-static int reach(pilot *p, double error, int most_steps) {
-    p->difference = p->usable = p->error = NAN;
-    if (run_at(p, p->steps, p->tolerance, &p->last) != 0)
-        return -1;
-    while (!(p->error <= error)) {
-        if (2 * p->steps > most_steps || p->coarser_count == MOST_RUNS)
-            return 1;
-        if (refine(p) != 0)
+static void say_unreached(const series *r, double error, char *reason) {
+    snprintf(reason, 256,
+             "runs of %s in %d and %d steps still end %.3g m apart: ask for a larger error than %g "
+             "m, for more --most-steps, or for less time",
+             integrator_names[r->integrator], last_of(r)->settings.time.steps / 2,
+             last_of(r)->settings.time.steps, r->difference, error);
+}
+
+/* Refines the other one until it ends where this one does. 0; 1: it does not; -1 after a message.
+ */
+static int check_by(adviser *a, const series *one, series *other, char *reason) {
+    const double most = agreed * a->error;
+    for (;;) {
+        const double apart = other->count > 0
+                                 ? measured_distance(&last_of(one)->got, &last_of(other)->got, NULL)
+                                 : NAN;
+        if (apart <= most && other->difference <= most) {
+            a->reference = &last_of(one)->got;
+            a->doubt = apart;
+            return 0;
+        }
+        const int status = extend(a, other);
+        if (status == 1)
+            snprintf(reason, 256,
+                     "%s in %d steps and %s in %d end %.3g m apart: nothing can be promised; ask "
+                     "for a larger error or for less time",
+                     integrator_names[one->integrator], last_of(one)->settings.time.steps,
+                     integrator_names[other->integrator], last_of(other)->settings.time.steps,
+                     apart);
+        if (status != 0)
+            return status;
+    }
+}
+
+/* The end of the scene, by an integrator whose error falls as it should, and where a second one
+ * ends as well. 0; 1 with a reason; -1 after a message. */
+static int find_reference(adviser *a, char *reason) {
+    for (int k = 0; k < METHODS; k++) {
+        int status = reach(a, &a->of[k], agreed * a->error);
+        if (status == 1)
+            say_unreached(&a->of[k], a->error, reason);
+        for (int other = 0; other < METHODS && status == 0; other++) {
+            if (other == k)
+                continue;
+            status = check_by(a, &a->of[k], &a->of[other], reason);
+            if (status <= 0)
+                return status;
+            status = 0;
+        }
+        if (status < 0)
             return -1;
     }
+    return 1;
+}
+
+/* How far the run may be from the truth. */
+static double error_of(const adviser *a, const measured *got) {
+    return measured_distance(got, a->reference, NULL) + a->doubt;
+}
+
+/* The integrator's coarsest run that is exact enough, unless it takes longer than `limit`; NULL:
+ * there is none. *status: -1 after a message. */
+static const trial *coarsest(const adviser *a, series *r, double limit, int *status) {
+    for (int k = 0;; k++) {
+        if (k == r->count && (*status = extend(a, r)) != 0)
+            return NULL;
+        if (!(r->run[k].got.cpu_seconds < limit))
+            return NULL;
+        if (error_of(a, &r->run[k].got) <= aim * a->error)
+            return &r->run[k];
+    }
+}
+
+/* The run that takes least time of those that are exact enough; *best gets its settings. */
+static int choose_run(adviser *a, trial *best) {
+    double least = INFINITY;
+    for (int k = METHODS - 1; k >= 0; k--) {
+        int status = 0;
+        const trial *found = coarsest(a, &a->of[k], least, &status);
+        if (status < 0)
+            return -1;
+        if (!found)
+            continue;
+        least = found->got.cpu_seconds;
+        best->settings = found->settings;
+    }
+    if (!(least < INFINITY))
+        return 1;
+    return run_trial(a, best);
+}
+
+/* The run with other settings takes the place of *best where it is exact enough and, unless
+ * `always`, quicker. 1: it is not; -1 after a message. */
+static int try_settings(const adviser *a, const scene *settings, bool always, trial *best) {
+    trial other = {.settings = *settings};
+    if (run_trial(a, &other) != 0)
+        return -1;
+    if (!(error_of(a, &other.got) <= a->error) ||
+        !(always || other.got.cpu_seconds < best->got.cpu_seconds)) {
+        measured_free(&other.got);
+        return 1;
+    }
+    measured_free(&best->got);
+    *best = other;
     return 0;
 }
 
-/* `last` becomes the coarsest run that is exact enough: by its distance from the last, and the
- * error of that one. */
-static void go_back(pilot *p, double error) {
-    measured finest = p->last;
-    const double doubt = p->error;
-    int is_last = 1;
-    while (p->coarser_count > 0) {
-        const double found = measured_distance(&p->before, &finest, NULL) + doubt;
-        if (!(found <= aim * error))
-            break;
-        if (!is_last)
-            measured_free(&p->last);
-        is_last = 0;
-        p->last = p->before;
-        p->before = p->coarser[--p->coarser_count];
-        p->steps /= 2;
-        p->error = found;
-    }
-    if (!is_last)
-        measured_free(&finest);
-}
-
-/* The way to solve that the first steps of the last run take least time by, if it is clearly less
- * than that of the default; `last` is then run by it. */
-static int choose_solver(pilot *p) {
+/* The way to solve by which the first steps take least time, if that is clearly less than by the
+ * default. */
+static int choose_solver(const adviser *a, trial *best) {
     static const int ways[][2] = {{METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_GAUSS_SEIDEL},
                                   {METHOD_CONJUGATE_GRADIENTS, PRECONDITIONER_BLOCK_JACOBI},
                                   {METHOD_DIRECT, PRECONDITIONER_GAUSS_SEIDEL}};
     enum { COUNT = sizeof ways / sizeof *ways };
     double least = INFINITY;
-    int best = 0;
+    scene chosen = best->settings;
     for (int k = 0; k < COUNT; k++) {
-        scene s = settings_of(p, p->steps, p->tolerance);
+        scene s = best->settings;
         measured got;
         if (ways[k][0] == METHOD_DIRECT && !direct_solver_available())
             continue;
-        s.time.steps = s.time.steps < 8 ? s.time.steps : 8;
         s.solution.method = ways[k][0];
         s.solution.preconditioner = ways[k][1];
-        if (measure(&s, p->cloth, 3, ANY_REJECTIONS, &got) != 0)
+        scene start = s;
+        start.time.steps = s.time.steps < 8 ? s.time.steps : 8;
+        if (measure(&start, a->cloth, 3, ANY_REJECTIONS, &got) != 0)
             return -1;
         if (got.finished && got.cpu_seconds < least * (k == 0 ? 1 : 0.8)) {
             least = got.cpu_seconds;
-            best = k;
+            chosen = s;
         }
         measured_free(&got);
     }
-    p->method = ways[best][0];
-    p->preconditioner = ways[best][1];
-    if (best == 0)
-        return 0;
-    measured_free(&p->last);
-    return run_at(p, p->steps, p->tolerance, &p->last);
+    return try_settings(a, &chosen, true, best) < 0 ? -1 : 0;
 }
 
-/* The loosest tolerance whose own error is small enough; `last` becomes the run with it. */
-static int choose_tolerance(pilot *p, double error) {
-    measured exact = {0}, looser = {0};
-    int status = run_at(p, p->steps, 1e-3 * p->tolerance, &exact);
-    for (int n = 0; n < 3 && status == 0; n++) {
-        if (measured_distance(&p->last, &exact, NULL) <= of_algebra * error)
+/* The loosest tolerance whose own error is small enough. */
+static int choose_tolerance(const adviser *a, trial *best) {
+    const double fine = best->settings.time.integrator == INTEGRATOR_LINEAR_EULER
+                            ? best->settings.solution.tolerance
+                            : best->settings.solution.newton_tolerance;
+    const measured exact = best->got;
+    best->got = (measured){0};
+    trial chosen = {.settings = best->settings, .got = exact};
+    int status = 0;
+    for (double tolerance = 0.1; tolerance > 1.5 * fine && status == 0; tolerance /= 10) {
+        trial looser = {.settings = divided_by(&best->settings, best->settings.time.integrator,
+                                               best->settings.time.steps, tolerance)};
+        status = run_trial(a, &looser);
+        if (status == 0 && measured_distance(&looser.got, &exact, NULL) <= of_algebra * a->error &&
+            error_of(a, &looser.got) <= a->error) {
+            measured_free(&chosen.got);
+            chosen = looser;
             break;
-        p->tolerance /= 10;
-        measured_free(&p->last);
-        status = run_at(p, p->steps, p->tolerance, &p->last);
+        }
+        measured_free(&looser.got);
     }
-    for (int n = 0; n < 2 && status == 0 && p->tolerance < 0.05; n++) {
-        status = run_at(p, p->steps, 10 * p->tolerance, &looser);
-        if (status != 0 || !(measured_distance(&looser, &exact, NULL) <= of_algebra * error))
-            break;
-        p->tolerance *= 10;
-        measured_free(&p->last);
-        p->last = looser;
-        looser = (measured){0};
-    }
-    measured_free(&exact);
-    measured_free(&looser);
+    *best = chosen;
     return status;
 }
 
-/* How far a run ends from `last` whose start is moved a little, each coordinate at random. */
-static int spread_of(const pilot *p, double error, double *spread) {
-    mesh other = *p->cloth;
+/* How far a run ends from *best whose start is moved a little, each coordinate at random. */
+static int spread_of(const adviser *a, const trial *best, double *spread) {
+    mesh other = *a->cloth;
     measured got = {0};
     random_source source = {1};
     other.position = malloc(sizeof *other.position * ((size_t)other.vertex_count + 1));
     if (!other.position) {
-        fprintf(stderr, "%s: out of memory\n", p->base->name);
+        fprintf(stderr, "%s: out of memory\n", a->base->name);
         return -1;
     }
     for (int i = 0; i < other.vertex_count; i++)
-        for (int a = 0; a < 3; a++)
-            other.position[i][a] =
-                p->cloth->position[i][a] + moved * error * random_signed(&source);
-    const scene s = settings_of(p, p->steps, p->tolerance);
-    const int status = measure(&s, &other, 1, ANY_REJECTIONS, &got);
-    *spread = status == 0 ? measured_distance(&got, &p->last, NULL) : NAN;
+        for (int c = 0; c < 3; c++)
+            other.position[i][c] =
+                a->cloth->position[i][c] + moved * a->error * random_signed(&source);
+    const int status = measure(&best->settings, &other, 1, ANY_REJECTIONS, &got);
+    *spread = status == 0 ? measured_distance(&got, &best->got, NULL) : NAN;
     measured_free(&got);
     free(other.position);
     return status;
 }
 
-/* What the runs let expect of one in the number of steps that the error asks for. Time grows with
- * the steps to the power `growth`, and so do iterations to theirs. */
-static void expect(const pilot *p, double error, double growth, double growth_of_iterations,
-                   advice *a) {
-    const double order = order_of(p);
-    const double more = fmin(fmax(pow(p->error / (aim * error), 1 / order), 0.5), 1.5);
-    const int steps = (int)ceil(p->steps * more);
-    a->settings = settings_of(p, steps, p->tolerance);
-    a->order = order;
-    /* Runs as coarse as the error allows do not tell that it is smaller by far. */
-    a->error = fmax(p->error / pow(more, order), 0.25 * error);
-    a->cpu_seconds = p->last.cpu_seconds * pow(more, fmin(fmax(growth, 0), 1.5));
-    a->iterations =
-        (double)p->last.cg_iterations * pow(more, fmin(fmax(growth_of_iterations, -0.5), 1.5));
+/* From a run that is exact enough to one that is no more exact than asked for. */
+static int refine_choice(adviser *a, trial *best) {
+    const scene fewer = divided(&best->settings, (3 * best->settings.time.steps + 3) / 4);
+    if (try_settings(a, &fewer, false, best) < 0)
+        return -1;
+    return choose_solver(a, best) != 0 || choose_tolerance(a, best) != 0 ? -1 : 0;
 }
 
-/* Advice by one integrator, but for the solver. 0, 1 with a reason, or -1. */
-static int advise_by(int integrator, const scene *s, const mesh *cloth, double error,
-                     int most_steps, advice *a, char *reason) {
-    pilot p = {.base = s,
-               .cloth = cloth,
-               .integrator = integrator,
-               .method = METHOD_CONJUGATE_GRADIENTS,
-               .preconditioner = PRECONDITIONER_GAUSS_SEIDEL,
-               .tolerance = 1e-3,
-               .steps = s->time.steps / 8 > 4 ? s->time.steps / 8 : 4};
-    int status = reach(&p, error, most_steps);
-    if (status == 1)
-        snprintf(reason, 256,
-                 "runs in %d and %d steps still end %.3g m apart, and the error is not below %g m: "
-                 "ask for a larger error, for more --most-steps, or for less time",
-                 p.steps / 2, p.steps, p.difference, error);
-    if (status == 0)
-        go_back(&p, error);
-    const double growth = log2(p.last.cpu_seconds / p.before.cpu_seconds);
-    const double more_iterations =
-        log2(fmax((double)p.last.cg_iterations, 1) / fmax((double)p.before.cg_iterations, 1));
-    if (status == 0 && (choose_solver(&p) != 0 || choose_tolerance(&p, error) != 0))
-        status = -1;
-    if (status == 0)
-        status = spread_of(&p, error, &a->spread);
-    if (status == 0 && !(a->spread <= 0.5 * error)) {
-        snprintf(
-            reason, 256,
-            "past the scene's horizon: runs that start %.3g m apart end %.3g m apart, whatever "
-            "the step; ask for a larger error or for less time",
-            moved * error, a->spread);
-        status = 1;
+static int advise_from(adviser *a, trial *best, advice *result, char *reason) {
+    int status = find_reference(a, reason);
+    if (status == 0) {
+        snprintf(reason, 256, "no run is within %g m: ask for more --most-steps", a->error);
+        status = choose_run(a, best);
     }
     if (status == 0)
-        expect(&p, error, growth, more_iterations, a);
-    pilot_free(&p);
-    return status;
+        status = refine_choice(a, best);
+    if (status == 0)
+        status = spread_of(a, best, &result->spread);
+    if (status == 0 && !(result->spread <= 0.5 * a->error)) {
+        snprintf(reason, 256,
+                 "past the scene's horizon: runs that start %.3g m apart end %.3g m apart, "
+                 "whatever the step; ask for a larger error or for less time",
+                 moved * a->error, result->spread);
+        return 1;
+    }
+    if (status != 0)
+        return status;
+    result->settings = best->settings;
+    result->error = error_of(a, &best->got);
+    result->cpu_seconds = best->got.cpu_seconds;
+    result->iterations = (double)best->got.cg_iterations;
+    return 0;
 }
 
 int advise(const scene *s, const mesh *cloth, double error, int most_steps, advice *result,
            char *reason) {
-    static const int integrators[] = {INTEGRATOR_LINEAR_EULER, INTEGRATOR_MIDPOINT};
-    char why[256] = "";
-    int best = 1;
-    for (int k = 0; k < 2; k++) {
-        advice a = {0};
-        const int status =
-            advise_by(integrators[k], s, cloth, error, most_steps, &a, k == 0 ? reason : why);
-        if (status < 0)
-            return -1;
-        if (status == 0 && (best != 0 || a.cpu_seconds < result->cpu_seconds)) {
-            *result = a;
-            best = 0;
-        }
+    static const int integrators[METHODS] = {INTEGRATOR_MIDPOINT, INTEGRATOR_BDF2,
+                                             INTEGRATOR_LINEAR_EULER};
+    adviser *a = calloc(1, sizeof *a);
+    trial best = {.got = {0}};
+    if (!a) {
+        fprintf(stderr, "%s: out of memory\n", s->name);
+        return -1;
     }
-    return best;
+    a->base = s;
+    a->cloth = cloth;
+    a->error = error;
+    a->most_steps = most_steps;
+    for (int k = 0; k < METHODS; k++)
+        a->of[k].integrator = integrators[k];
+    const int status = advise_from(a, &best, result, reason);
+    measured_free(&best.got);
+    for (int k = 0; k < METHODS; k++)
+        for (int n = 0; n < a->of[k].count; n++)
+            measured_free(&a->of[k].run[n].got);
+    free(a);
+    return status;
 }

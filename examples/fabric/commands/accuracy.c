@@ -123,8 +123,7 @@ static void print_advice(const scene *s, const advice *a) {
     const scene *to = &a->settings;
     const int linear = to->time.integrator == INTEGRATOR_LINEAR_EULER;
     const int direct = to->solution.method == METHOD_DIRECT;
-    printf("integrator      %s (order %.2f here)\n", integrator_names[to->time.integrator],
-           a->order);
+    printf("integrator      %s\n", integrator_names[to->time.integrator]);
     printf("step            %.3g s: %d steps instead of %d\n", to->time.step, to->time.steps,
            s->time.steps);
     printf("tolerance       %.0e%s\n",
@@ -132,10 +131,10 @@ static void print_advice(const scene *s, const advice *a) {
            linear ? "" : " of Newton's method");
     printf("solver          %s\n",
            direct ? methods[to->solution.method] : preconditioners[to->solution.preconditioner]);
-    printf("error           %.3g m rms expected at the end\n", a->error);
+    printf("error           at most %.3g m rms at the end\n", a->error);
     printf("time            %.3g s of one core of this machine, %.0f iterations\n", a->cpu_seconds,
            a->iterations);
-    printf("how sure        from runs of this scene: within twice the error and twice the time; "
+    printf("how sure        it was run; a second integrator ends as near to where it should; "
            "starts\n                a thousandth of the error apart end %.2g m apart\n",
            a->spread);
     printf("--set time.integrator=%s --set time.step=%.17g --set time.steps=%d --set "
