@@ -44,6 +44,20 @@ expect 1 "wrong.yaml/frames" "$program" run patch -o wrong.yaml/frames --steps 1
 expect 0 "stretch" "$program" plan patch
 expect 0 "200 particles, 350 triangles, 549 edges, 501 hinges" "$program" plan patch
 expect 2 "which scene?" "$program" plan
+# What a scene probably does not mean is said, and nothing else.
+expect 0 "patch: 'pins.1' holds no vertex of the cloth" "$program" plan patch \
+  --set 'pins=[{nearest: [0, 0, 0]}, {low: [7, 7], high: [8, 8]}]'
+expect 0 "patch: 'self_collision.gap' is 0.5 m, as wide as the cloth's edges (0.0" "$program" plan patch --set self_collision.gap=0.5
+expect 0 "patch: 'colliders.0.gap' is 2 m, as wide as the cloth (0.5 m)" "$program" plan patch \
+  --set 'colliders=[{kind: sphere, radius: 1, gap: 2, position: [0, 0, -9]}]'
+expect 0 "patch: the cloth is 500 m long; coordinates are metres, 'mesh.scale: 0.001' makes metres of millimetres" \
+  "$program" plan patch --set mesh.side=500
+expect 0 "the cloth is 500 m long" "$program" run patch --set mesh.side=500 --steps 0 --progress none
+expect 0 "patch: the cloth is 0.001 m long; coordinates are metres" "$program" plan patch --set mesh.side=0.001
+for scene in patch ball curtain flag flap hanging ring scarf tablecloth; do
+  "$program" plan $scene 2>doubts >planned || holds "$scene" false
+  holds "no doubt about $scene" test ! -s doubts
+done
 expect 2 "which states?" "$program" compare a
 expect 2 "--tolerance is 'x'" "$program" compare a b --tolerance x
 expect 2 "which folder?" "$program" render

@@ -5,6 +5,7 @@
 
 #include "commands/commands.h"
 #include "output/memory.h"
+#include "step/doubts.h"
 #include "step/plan.h"
 #include "step/simulation.h"
 
@@ -85,6 +86,7 @@ static int plan(const scene *s) {
         fprintf(stderr, "%s: mesh: %s\n", s->name, error);
         return EXIT_FAILURE;
     }
+    scene_doubts(s, &m, stderr);
     simulation *sim = simulation_new(&m, s, error);
     if (sim) {
         simulation_make_room(sim);

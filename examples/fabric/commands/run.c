@@ -11,6 +11,7 @@
 
 #include "base/clock.h"
 #include "commands/run.h"
+#include "step/doubts.h"
 
 enum { ERROR_SIZE = 256, EXIT_INTERRUPTED = 130 };
 
@@ -184,6 +185,7 @@ static int make_mesh(cloth_run *run) {
         for (int v = 0; v < run->of.mesh.vertices; v++)
             run->original[new_of_old[v]] = v;
         run->account.mesh_seconds = clock_seconds() - start;
+        scene_doubts(&run->of, &run->cloth, stderr);
         free(new_of_old);
         return 0;
     }
