@@ -55,8 +55,7 @@ static const ir_variable *assigned_by(const ir_node *node, bool *other) {
     return root;
 }
 
-/** Does the `for` give the variable its first value? */
-static bool begins_with(const ir_node *loop, const ir_variable *variable) {
+bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
     bool other = false;
     const ir_node *first = loop->children[0];
     if (first->kind == IR_DECLARATION) {
@@ -72,7 +71,7 @@ static bool begins_with(const ir_node *loop, const ir_variable *variable) {
 /** Is each mention of the variable within a `for` that gives it its first value? Then it does not
  *  matter which of two such loops comes first. */
 bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
-    if (node->kind == IR_FOR && begins_with(node, variable))
+    if (node->kind == IR_FOR && lane_begins_with(node, variable))
         return true;
     if (node->kind == IR_DECLARATOR && node->variable == variable)
         return node->child_count == 0;

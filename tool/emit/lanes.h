@@ -127,7 +127,9 @@ bool lane_needs_select(const lifter *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */
 void lane_masked_if(lifter *l, const ir_node *node);
 
-/** lanes.c: is each mention of the variable within a `for` that gives it its first value? */
+/** lanes.c: does the `for` give the variable its first value? */
+bool lane_begins_with(const ir_node *loop, const ir_variable *variable);
+/** Is each mention of the variable within a `for` that gives it its first value? */
 bool lane_is_counter_only(const ir_node *node, const ir_variable *variable);
 
 /** lanes_statement.c: the declaration of a variable of the iteration, without a value. */

@@ -144,17 +144,55 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
     s->has_changed = true;
 }
 
-/** Is it assigned below a condition that is not the same for all lanes, and of use behind it? */
-static bool is_of_some_lanes(const lifter *l, const ir_node *node, const ir_variable *variable) {
-    for (const ir_node *at = node; at && at != l->scope; at = at->parent)
-        if (at->parent && at->parent->kind == IR_IF && at != at->parent->children[0] &&
-            !lane_is_uniform(l, at->parent->children[0]) && !ir_declarator_in(at, variable))
-            return !lane_is_counter_only(l->scope, variable);
+/** Does the lane decide whether this part of the node is executed, or how often? */
+static bool is_divided(const lifter *l, const ir_node *node, const ir_node *part) {
+    switch (node->kind) {
+    case IR_IF:
+    case IR_CONDITIONAL:
+    case IR_SWITCH:
+    case IR_WHILE:
+        return part != node->children[0] && !lane_is_uniform(l, node->children[0]);
+    case IR_DO:
+        return !lane_is_uniform(l, node->children[1]);
+    case IR_FOR:
+        return part != node->children[0] && node->children[1]->kind != IR_EMPTY &&
+               !lane_is_uniform(l, node->children[1]);
+    case IR_BINARY:
+        return (node->op == IR_OP_AND || node->op == IR_OP_OR) && part == node->children[1] &&
+               !lane_is_uniform(l, node->children[0]);
+    default:
+        return false;
+    }
+}
+
+/** The part of the scope outside of which the variable's value is of no use: what holds its
+ *  declaration, or the outermost `for` around the write, where all that mentions the variable lies
+ *  in such ones that give it its first value. */
+static const ir_node *life_of(const lifter *l, const ir_node *write, const ir_variable *variable) {
+    const bool is_counter = lane_is_counter_only(l->scope, variable);
+    const ir_node *life = l->scope;
+    for (const ir_node *at = write; at && at != l->scope; at = at->parent) {
+        if (ir_declarator_in(at, variable))
+            return at;
+        if (is_counter && at->kind == IR_FOR && lane_begins_with(at, variable))
+            life = at;
+    }
+    return life;
+}
+
+/** Do only some lanes make this write of the variable? Jumps out of what stands around it are not
+ *  written for vectors at all. */
+static bool is_of_some_lanes(const lifter *l, const ir_node *write, const ir_variable *variable) {
+    const ir_node *const life = life_of(l, write, variable);
+    for (const ir_node *at = write; at != life && at->parent; at = at->parent)
+        if (is_divided(l, at->parent, at))
+            return true;
     return false;
 }
 
-/** An own integer or pointer that only some lanes assign is not the same for all. */
-static void spread_below_conditions(spreading *s, const ir_node *node) {
+/** An own integer or pointer is the same for all lanes only if all of them make every write of it.
+ */
+static void spread_of_some_lanes(spreading *s, const ir_node *node) {
     lifter *l = s->l;
     const ir_node *target = ir_child(node, 0);
     const bool is_assignment = node->kind == IR_ASSIGN || ir_is_increment(node);
@@ -169,7 +207,7 @@ static void spread_below_conditions(spreading *s, const ir_node *node) {
 }
 
 static bool spread_node(ir_node *node, void *context) {
-    spread_below_conditions(context, node);
+    spread_of_some_lanes(context, node);
     if (node->kind == IR_ASSIGN && node->children[0]->kind == IR_VARIABLE)
         spread(context, node->children[0]->variable, node->children[1]);
     if (node->kind == IR_DECLARATOR && node->child_count > 0)
