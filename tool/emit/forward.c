@@ -26,7 +26,8 @@ const char *forward_read_name(const loop_text *loop, const ir_node *node) {
     const loop_facts *facts = loop->facts;
     for (unsigned i = 0; i < facts->forward_count; i++)
         if (node != facts->forwards[i].target && syntax_same(node, facts->forwards[i].target))
-            return arena_format(loop->arena, "redcc__forward_%u", i);
+            return origin_value(loop->arena, node->type,
+                                arena_format(loop->arena, "redcc__forward_%u", i));
     return NULL;
 }
 

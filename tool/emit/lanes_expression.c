@@ -34,9 +34,12 @@ static const char *rename_integer(const ir_node *node, void *context) {
     if (array >= 0 && !l->function)
         return l->loop->arrays[array].local;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VARYING)
-        return arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable));
+        return origin_value(a, node->type,
+                            arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable)));
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
-        return arena_format(a, "((int)-%s[redcc__l])", origin_variable(a, node->variable));
+        return origin_value(a, node->type,
+                            arena_format(a, "((%s)-%s[redcc__l])", lane_type(l, node->type),
+                                         origin_variable(a, node->variable)));
     return NULL;
 }
 
@@ -44,7 +47,9 @@ const char *lane_rename(const ir_node *node, void *context) {
     lifter *l = context;
     if (!lane_is_real(node->type) || !lane_lifted_element(l, node))
         return rename_integer(node, l);
-    return arena_format(l->loop->arena, "%s[redcc__l]", operand(l, node, rename_integer));
+    return origin_value(
+        l->loop->arena, node->type,
+        arena_format(l->loop->arena, "%s[redcc__l]", operand(l, node, rename_integer)));
 }
 
 const char *lane_scalar(lifter *l, const ir_node *node) {

@@ -11,7 +11,7 @@ enum { MARK_BEGIN = 1, MARK_END = 2 };
 /* A mark is MARK_BEGIN, a letter, two numbers, MARK_END. The first number is the address of what is
  * meant, or a place in the file; the second how many bytes before or after the mark it is about. */
 static const char format[] = "\x01%c%llx,%lx\x02";
-static const char letters[] = "ndtc"; /* by origin_kind */
+static const char letters[] = "ndtvc"; /* by origin_kind */
 _Static_assert(sizeof letters - 1 == ORIGIN_COPY + 1, "a letter for each kind");
 
 static const char *mark(arena *a, origin_kind kind, const void *meant, size_t length) {
@@ -47,6 +47,10 @@ const char *origin_type(arena *a, const ir_type *type) {
 
 const char *origin_spelling(arena *a, const ir_type *type, const char *spelling) {
     return arena_format(a, "%s%s", mark(a, ORIGIN_TYPE, type, strlen(spelling)), spelling);
+}
+
+const char *origin_value(arena *a, const ir_type *type, const char *expression) {
+    return arena_format(a, "%s%s", mark(a, ORIGIN_VALUE, type, 0), expression);
 }
 
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end) {
@@ -137,8 +141,8 @@ static void put_marked(unmarking *u, const mark_text *read) {
     const void *meant = (const void *)(uintptr_t)read->meant;
     if (read->kind == ORIGIN_COPY)
         put_copy(u, read->after, (uint32_t)read->meant, read->length);
-    else if (read->kind == ORIGIN_TYPE)
-        add(u, (origin){.kind = ORIGIN_TYPE, .begin = here, .end = here + length, .type = meant});
+    else if (read->kind == ORIGIN_TYPE || read->kind == ORIGIN_VALUE)
+        add(u, (origin){.kind = read->kind, .begin = here, .end = here + length, .type = meant});
     else
         add(u, (origin){.kind = read->kind, .begin = here - length, .end = here, .meant = meant});
 }

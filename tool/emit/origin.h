@@ -3,7 +3,8 @@
  * Where the words of generated text come from.
  *
  * While a loop is written, marks stand in its text: after a name, what it names; before a type,
- * which one; before a copy of the user's bytes, their place. A mark lies between the bytes 1 and 2,
+ * which one; before an expression in the place of one of the program's, the type that it must have;
+ * before a copy of the user's bytes, their place. A mark lies between the bytes 1 and 2,
  * which C text does not hold outside of strings and comments. When the text is done the marks are
  * taken out, and their places kept: what a compiler finds for the names can be compared with what
  * is meant.
@@ -19,6 +20,7 @@ typedef enum origin_kind {
     ORIGIN_NAME,     /* the name of a variable, or of what stands for it here, or of a function */
     ORIGIN_DECLARED, /* the same where it is declared, or where not each compiler sees it */
     ORIGIN_TYPE,     /* a type's spelling */
+    ORIGIN_VALUE,    /* no bytes: an expression of that type begins here */
     ORIGIN_COPY      /* the user's bytes */
 } origin_kind;
 
@@ -28,7 +30,7 @@ typedef struct origin {
     uint32_t begin, end;
     uint32_t from;            /* ORIGIN_COPY: their place in the main file */
     const ir_declared *meant; /* ORIGIN_NAME, ORIGIN_DECLARED; NULL: not known */
-    const ir_type *type;      /* ORIGIN_TYPE */
+    const ir_type *type;      /* ORIGIN_TYPE, ORIGIN_VALUE */
 } origin;
 
 typedef struct origin_list {
@@ -45,6 +47,9 @@ const char *origin_function_declarator(arena *a, const ir_function *function);
 const char *origin_type(arena *a, const ir_type *type);
 /** Another spelling of the type, marked. */
 const char *origin_spelling(arena *a, const ir_type *type, const char *spelling);
+/** The expression, marked: it takes the place of one of that type. It is a name, an element, or in
+ *  parentheses. */
+const char *origin_value(arena *a, const ir_type *type, const char *expression);
 /** Appends bytes [begin, end) of `text`, marked as a copy of these bytes of the main file. */
 void origin_copy(buffer *out, const char *text, uint32_t begin, uint32_t end);
 

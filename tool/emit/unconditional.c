@@ -7,6 +7,7 @@
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "emit/loop.h"
+#include "emit/origin.h"
 #include "ir/ir_words.h"
 
 /* ---- where the program may not come -------------------------------------------------------- */
@@ -69,7 +70,9 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
     const char *within = node->type->size == 8 ? "redcc_word" : "redcc_u32";
     if (node->kind == IR_UNARY && node->op == IR_OP_MINUS) {
         const char *only = text_operand(a, node->children[0], rename, context);
-        return only ? arena_format(a, "((%s)(0 - (%s)%s))", type, within, only) : NULL;
+        return only ? origin_value(a, node->type,
+                                   arena_format(a, "((%s)(0 - (%s)%s))", type, within, only))
+                    : NULL;
     }
     if (node->kind != IR_BINARY || !wraps_around(node->op) || !is_integer(node->children[0]) ||
         !is_integer(node->children[1]))
@@ -78,10 +81,11 @@ const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename
     const char *right = text_operand(a, node->children[1], rename, context);
     if (!left || !right)
         return NULL;
-    return node->op == IR_OP_SHIFT_LEFT
-               ? arena_format(a, "((%s)((%s)%s << %s))", type, within, left, right)
-               : arena_format(a, "((%s)((%s)%s %s (%s)%s))", type, within, left,
-                              ir_operator_spelling(node->op), within, right);
+    return origin_value(a, node->type,
+                        node->op == IR_OP_SHIFT_LEFT
+                            ? arena_format(a, "((%s)((%s)%s << %s))", type, within, left, right)
+                            : arena_format(a, "((%s)((%s)%s %s (%s)%s))", type, within, left,
+                                           ir_operator_spelling(node->op), within, right));
 }
 
 /* ---- addresses ----------------------------------------------------------------------------- */

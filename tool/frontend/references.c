@@ -11,6 +11,7 @@ struct reference_table {
     map *known;      /* any declaration -> ir_declared: asking for the canonical one takes longer */
     map *file_names; /* CXFile -> its name */
     VECTOR(ir_reference) items;
+    VECTOR(ir_typed_place) typed_places;
 };
 
 struct reference_table *references_new(converter *c) {
@@ -84,18 +85,30 @@ const ir_declared *declared_of(converter *c, CXCursor declaration) {
 
 /* ---- references ---------------------------------------------------------------------------- */
 
+static bool is_typed(enum CXCursorKind kind) {
+    return kind == CXCursor_DeclRefExpr || kind == CXCursor_ParenExpr ||
+           kind == CXCursor_ArraySubscriptExpr;
+}
+
 static enum CXChildVisitResult visit_reference(CXCursor cursor, CXCursor parent,
                                                CXClientData data) {
     (void)parent;
     converter *c = data;
     const enum CXCursorKind kind = clang_getCursorKind(cursor);
-    if (kind != CXCursor_DeclRefExpr && kind != CXCursor_TypeRef)
+    if (!is_typed(kind) && kind != CXCursor_TypeRef)
         return CXChildVisit_Recurse;
     CXFile file;
     unsigned offset;
     clang_getFileLocation(clang_getCursorLocation(cursor), &file, NULL, NULL, &offset);
+    if (!clang_File_isEqual(file, c->main_file))
+        return CXChildVisit_Recurse;
+    if (is_typed(kind)) {
+        const ir_typed_place found = {offset, convert_type(c, clang_getCursorType(cursor))};
+        VECTOR_PUSH(c->arena, &c->references->typed_places, found);
+    }
     CXCursor declaration = clang_getCursorReferenced(cursor);
-    if (clang_File_isEqual(file, c->main_file) && !clang_Cursor_isNull(declaration)) {
+    if ((kind == CXCursor_DeclRefExpr || kind == CXCursor_TypeRef) &&
+        !clang_Cursor_isNull(declaration)) {
         const ir_reference found = {.offset = offset,
                                     .is_type = kind == CXCursor_TypeRef,
                                     .declared = declared_of(c, declaration)};
@@ -108,16 +121,30 @@ void note_references(converter *c, CXCursor body) {
     clang_visitChildren(body, visit_reference, c);
 }
 
-static int compare_places(const void *left, const void *right) {
-    const ir_reference *a = left;
-    const ir_reference *b = right;
-    return a->offset < b->offset ? -1 : a->offset > b->offset;
+static int compare_offsets(uint32_t a, uint32_t b) {
+    return a < b ? -1 : a > b;
+}
+
+static int compare_references(const void *left, const void *right) {
+    return compare_offsets(((const ir_reference *)left)->offset,
+                           ((const ir_reference *)right)->offset);
+}
+
+static int compare_typed_places(const void *left, const void *right) {
+    return compare_offsets(((const ir_typed_place *)left)->offset,
+                           ((const ir_typed_place *)right)->offset);
 }
 
 void finish_references(converter *c) {
-    if (c->references->items.count > 0)
-        qsort(c->references->items.items, c->references->items.count,
-              sizeof *c->references->items.items, compare_places);
-    c->unit->references = c->references->items.items;
-    c->unit->reference_count = c->references->items.count;
+    struct reference_table *table = c->references;
+    if (table->items.count > 0)
+        qsort(table->items.items, table->items.count, sizeof *table->items.items,
+              compare_references);
+    if (table->typed_places.count > 0)
+        qsort(table->typed_places.items, table->typed_places.count,
+              sizeof *table->typed_places.items, compare_typed_places);
+    c->unit->references = table->items.items;
+    c->unit->reference_count = table->items.count;
+    c->unit->typed_places = table->typed_places.items;
+    c->unit->typed_place_count = table->typed_places.count;
 }

@@ -42,6 +42,13 @@ typedef struct ir_reference {
     const ir_declared *declared;
 } ir_reference;
 
+/** A name, an element by its subscript, or an expression in parentheses in the text of a function.
+ */
+typedef struct ir_typed_place {
+    uint32_t offset; /* where it begins, as of references */
+    const struct ir_type *type;
+} ir_typed_place;
+
 /* ---- types --------------------------------------------------------------------------------- */
 
 typedef enum ir_type_kind {
@@ -346,6 +353,8 @@ typedef struct ir_unit {
     unsigned reference_count; /* the names in the bodies of the main file's functions, by their
                                  place; of one place in any order. Not in the text form */
     const ir_reference *references;
+    unsigned typed_place_count; /* those in the same bodies, likewise */
+    const ir_typed_place *typed_places;
 } ir_unit;
 
 #define IR_MACRO_AS_OBJECT ((void *)1)

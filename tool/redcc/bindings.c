@@ -66,7 +66,7 @@ static bool is_meant(const comparison *c, const ir_declared *found, const ir_dec
         return !meant->file && place_before(c->written, found->offset) == meant->offset;
     const written_loop *loop = &c->written->loops[number];
     const origin *from = origin_at(loop, found->offset - loop->begin);
-    if (!from || from->kind == ORIGIN_TYPE)
+    if (!from || from->kind == ORIGIN_TYPE || from->kind == ORIGIN_VALUE)
         return false;
     if (from->kind == ORIGIN_COPY)
         return !meant->file &&
@@ -175,6 +175,51 @@ static const char *unseen_name(const comparison *c, const ir_unit *after,
     return NULL;
 }
 
+/** The first of the typed places there or behind. */
+static const ir_typed_place *typed_place_at(const ir_unit *unit, uint32_t offset) {
+    unsigned low = 0, high = unit->typed_place_count;
+    while (low < high) {
+        const unsigned middle = low + (high - low) / 2;
+        if (unit->typed_places[middle].offset < offset)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return unit->typed_places + low;
+}
+
+/** Are they one type in two parses of the program? */
+static bool is_same_type(const ir_type *a, const ir_type *b) {
+    while (a->kind == b->kind && (a->kind == IR_POINTER || a->kind == IR_ARRAY) &&
+           a->count == b->count)
+        a = a->target, b = b->target;
+    if (a->kind != IR_RECORD || b->kind != IR_RECORD)
+        return ir_type_equal(a, b);
+    const bool has_name = a->spelling && b->spelling;
+    return a->size == b->size &&
+           (has_name ? strcmp(a->spelling, b->spelling) == 0 : !a->spelling && !b->spelling);
+}
+
+/** Does an expression of the type begin there? */
+static bool has_type(const ir_unit *unit, uint32_t offset, const ir_type *type) {
+    const ir_typed_place *const end = unit->typed_places + unit->typed_place_count;
+    for (const ir_typed_place *at = typed_place_at(unit, offset); at < end && at->offset == offset;
+         at++)
+        if (is_same_type(at->type, type))
+            return true;
+    return false;
+}
+
+/** An expression that is of another type than what it stands for, or was not seen. */
+static const char *wrong_type(const ir_unit *after, const written_loop *loop) {
+    for (unsigned i = 0; i < loop->origins.items.count; i++) {
+        const origin *o = &loop->origins.items.items[i];
+        if (o->kind == ORIGIN_VALUE && !has_type(after, loop->begin + o->begin, o->type))
+            return o->type->spelling ? o->type->spelling : "a type";
+    }
+    return NULL;
+}
+
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
                     const char **wrong) {
     const comparison c = {before, written};
@@ -184,4 +229,10 @@ void bindings_check(const ir_unit *before, const ir_unit *after, const emit_resu
         if (!wrong[i])
             wrong[i] = unseen_name(&c, after, &written->loops[i]);
     }
+}
+
+void types_check(const ir_unit *after, const emit_result *written, const char **wrong) {
+    for (unsigned i = 0; i < written->loop_count; i++)
+        if (!wrong[i])
+            wrong[i] = wrong_type(after, &written->loops[i]);
 }

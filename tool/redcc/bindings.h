@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Do the names in the text that was written mean what they mean where they come from? */
+/** Do the names in the text that was written mean what they mean where they come from, and do
+ *  expressions in the place of the program's have their types? */
 #ifndef BINDINGS_H
 #define BINDINGS_H
 
@@ -14,6 +15,10 @@
  */
 void bindings_check(const ir_unit *before, const ir_unit *after, const emit_result *written,
                     const char **wrong);
+
+/** The same for the types of expressions that stand in the place of others: sets wrong[i] to the
+ *  spelling of the first type that one should have and has not. */
+void types_check(const ir_unit *after, const emit_result *written, const char **wrong);
 
 /** The loop of `written` in whose text this place of the result lies, or -1. */
 int written_loop_at(const emit_result *written, uint32_t offset);

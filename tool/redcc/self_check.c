@@ -56,6 +56,15 @@ static void note_bindings(arena *a, const ir_unit *input, const ir_unit *output,
             note(a, written, (int)i, REASON_BINDING, wrong[i], found);
 }
 
+static void note_types(arena *a, const ir_unit *output, const emit_result *written, reason *found) {
+    const char **wrong = ARENA_ARRAY(a, const char *, written->loop_count + 1);
+    types_check(output, written, wrong);
+    for (unsigned i = 0; i < written->loop_count; i++)
+        if (wrong[i])
+            note(a, written, (int)i, REASON_INTERNAL,
+                 arena_format(a, "an expression in it is not of type '%s'", wrong[i]), found);
+}
+
 bool self_check(arena *a, const ir_unit *input, const string_list *flags,
                 const emit_result *written, reason *found) {
     const source *output = source_from_text(a, input->source->path, written->text, written->length);
@@ -66,6 +75,8 @@ bool self_check(arena *a, const ir_unit *input, const string_list *flags,
     if (first.unit) /* before its errors: what names mean says more of why */
         note_bindings(a, input, first.unit, written, found);
     note_errors(a, &first, written, found);
+    if (first.unit)
+        note_types(a, first.unit, written, found);
     const char *const sequential_flags[] = {"-fno-openmp", "-U_OPENMP", NULL};
     const string_list sequential = with_flags(a, flags, sequential_flags);
     const frontend_result second = parse(a, output, &sequential);
