@@ -11,7 +11,7 @@ static int s[N];
 static double e[N], h[ROWS], odd[N];
 static long counted[ROWS];
 static unsigned char bytes[N];
-static double shown[16];
+static double shown[20];
 static int shown_at[16];
 
 static double largest(int n, int *place) {
@@ -133,6 +133,26 @@ static double twice(int n) {
     return big + low;
 }
 
+/* Under a condition, by each comparison, and with other updates of the same scalar. */
+static double sometimes(int n, double big, double low) {
+    double both = 3;
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        h[s[i]] += e[i];
+        if (s[i] > 3) {
+            if (odd[i] >= big)
+                big = odd[i];
+            low = low < odd[i] ? low : odd[i];
+            if (e[i] > both)
+                both = e[i];
+        }
+        if (s[i] > 30)
+            both -= 0.5;
+        if (s[i] % 3 == 1)
+            both = both <= odd[i] ? both : odd[i];
+    }
+    return big + 2 * low + 4 * both;
+}
+
 int main(void) {
     unsigned sum = 0;
     long at = 0;
@@ -161,6 +181,10 @@ int main(void) {
         shown[11] = of_some_odd(n, 0.0, &k);
         sum += wrapped(n) + (unsigned)k;
         shown[12] = twice(n);
+        shown[13] = sometimes(n, -1, 1);
+        shown[14] = sometimes(n, -0.0, 0.0);
+        shown[15] = sometimes(n, NAN, 9);
+        shown[16] = sometimes(n, 0.0, -0.0);
         CASE_PRINT(shown);
         CASE_PRINT(shown_at);
     }

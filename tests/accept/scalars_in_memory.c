@@ -74,6 +74,18 @@ static void of_another_type(int n, const int *k, double *to, long *count) {
     *count -= own.n;
 }
 
+/* Only where an iteration comes to the update is the pointer followed. */
+static void perhaps_never(int n, int from, const int *restrict k, double *restrict to,
+                          double *restrict sum, struct body *restrict b) {
+    for (int i = 0; i < n; i++) { // EXPECT: transformed
+        to[k[i]] += 1.5;
+        if (k[i] >= from) {
+            *sum -= v[i];
+            b->of[0].n++;
+        }
+    }
+}
+
 int main(void) {
     case_values(v, N);
     for (int i = 0; i < N; i++)
@@ -92,9 +104,11 @@ int main(void) {
         of_the_file(N);
         of_the_caller(N, s, h, &sum, &b, count);
         of_the_caller(0, s, h, NULL, NULL, NULL);
+        perhaps_never(N, M, s, h, NULL, NULL);
+        perhaps_never(N, M / 2, s, h, &sum, &b);
         of_another_type(N - round, s, h, count + 1);
         case_print("all", &all.x, sizeof all.x);
-        printf("%d %u %ld %ld\n", all.n, b.bits, count[3], count[1]);
+        printf("%d %d %u %ld %ld\n", all.n, b.of[0].n, b.bits, count[3], count[1]);
         case_print("sum", &sum, sizeof sum);
         case_print("of", b.of[1].y, sizeof b.of[1].y);
         CASE_PRINT(few);

@@ -119,39 +119,6 @@ int place_of_data(int n) {
     return at;
 }
 
-double sometimes_not_strict(int n) {
-    double big = -1;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[s[i]] += e[i];
-        if (s[i] > 3)
-            if (e[i] >= big)
-                big = e[i];
-    }
-    return big;
-}
-
-double sometimes_negated(int n) {
-    double low = 1;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[s[i]] += e[i];
-        if (s[i] > 3)
-            low = low < e[i] ? low : e[i];
-    }
-    return low;
-}
-
-double sometimes_and_moved(int n) {
-    double big = -1;
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[s[i]] += e[i];
-        if (s[i] > 3 && e[i] > 0)
-            if (e[i] > big)
-                big = e[i];
-        big -= 0.5;
-    }
-    return big;
-}
-
 double in_a_loop_inside(int n) {
     double big = -1;
     for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried

@@ -59,14 +59,6 @@ void a_member_that_a_pointer_reaches(int n, const int *k, struct system *s) {
     }
 }
 
-void not_always(int n, const int *restrict k, double *restrict h, double *restrict sum) {
-    for (int i = 0; i < n; i++) { // EXPECT: refuse scalar-carried
-        h[k[i]] += 1;
-        if (k[i] > 3)
-            *sum += 2;
-    }
-}
-
 void the_pointer_moves(int n, const int *restrict k, double *restrict h, double *restrict sum) {
     for (int i = 0; i < n; i++) { // EXPECT: refuse base-varies
         h[k[i]] += 1;

@@ -471,7 +471,7 @@ void write_iteration(loop_text *loop, writer *out) {
     declare_variables(loop, out);
     if (loop->outline.done)
         writer_fill(out, false);
-    write_neutral_operands(loop, out);
+    note_no_operands(loop, out);
     const char *text = copied_text(&copy);
     if (copy.printer.problem)
         loop_obstacle(loop, body->range, "%s", copy.printer.problem);

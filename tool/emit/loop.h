@@ -120,10 +120,10 @@ void write_distributed_stores(loop_text *loop, writer *out);
  *  memory for it, as a condition (NULL: there are no such updates); */
 void declare_operands(loop_text *loop, writer *out);
 const char *operands_are_there(loop_text *loop);
-/** in an iteration, variables for what is put together, what updates that may not be executed leave
- *  behind, and what number `number` does; */
+/** in an iteration, variables for what is put together, that no update was executed yet of those
+ *  that may not be, and what number `number` does; */
 void declare_repeated_operands(loop_text *loop, writer *out);
-void write_neutral_operands(loop_text *loop, writer *out);
+void note_no_operands(loop_text *loop, writer *out);
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** after the loop, the updates themselves. */
 void apply_operands(loop_text *loop, writer *out);

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * Scalars that the loop accumulates into: each iteration keeps its operands, redcc__operands_N[k],
- * and after the loop they are applied in order. Where several threads execute an iteration, each
- * for its own elements, all of them store the same operand, indivisibly.
+ * and after the loop they are applied in order. An iteration that may not come to the update notes
+ * in redcc__made_N[k] whether it did: of one that did not nothing is applied, so that memory is
+ * written only where an iteration would have written it. Where several threads execute an
+ * iteration, each for its own elements, all of them store the same, indivisibly.
  */
 #include "emit/loop.h"
 #include "emit/origin.h"
@@ -13,16 +15,13 @@ static const char *type_of(const scalar_update *update) {
     return types[update->operand];
 }
 
-/** What changes nothing: of floating sums -0.0, for 0.0 + -0.0 is 0.0 and -0.0 + -0.0 is -0.0. */
+/** What changes nothing when integers are put together. */
 static const char *neutral_of(const scalar_update *update) {
-    const bool is_integer = update->operand == OPERAND_INTEGER;
     switch (update->op) {
     case IR_OP_MULTIPLY:
         return "1";
     case IR_OP_BIT_AND:
         return "~(redcc_word)0";
-    case IR_OP_ADD:
-        return is_integer ? "0" : update->operand == OPERAND_FLOAT ? "-0.0f" : "-0.0";
     default:
         return "0";
     }
@@ -45,30 +44,48 @@ static char sign_of(ir_operator op) {
     }
 }
 
+static void declare_room(writer *out, const char *type, const char *name, unsigned number) {
+    writer_line(out, "%s *const redcc__%s_%u =", type, name, number);
+    writer_line(out, "    (%s *)redcc_operands_take(&redcc__loop, redcc__trip, sizeof(%s));", type,
+                type);
+}
+
 void declare_operands(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        const char *type = type_of(&loop->facts->scalars[i]);
-        writer_line(out, "%s *const redcc__operands_%u =", type, i);
-        writer_line(out, "    (%s *)redcc_operands_take(&redcc__loop, redcc__trip, sizeof(%s));",
-                    type, type);
+        declare_room(out, type_of(&loop->facts->scalars[i]), "operands", i);
+        if (loop->facts->scalars[i].is_conditional)
+            declare_room(out, "unsigned char", "made", i);
     }
 }
 
 const char *operands_are_there(loop_text *loop) {
     const char *text = NULL;
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         text = text ? arena_format(loop->arena, "%s && redcc__operands_%u", text, i)
                     : arena_format(loop->arena, "redcc__operands_%u", i);
+        if (loop->facts->scalars[i].is_conditional)
+            text = arena_format(loop->arena, "%s && redcc__made_%u", text, i);
+    }
     return text;
 }
 
+/** "" where each iteration comes to the update. */
+static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
+    return loop->facts->scalars[number].is_conditional
+               ? arena_format(loop->arena,
+                              "__atomic_store_n(&redcc__made_%u[redcc__k], %d, __ATOMIC_RELAXED);",
+                              number, is_made)
+               : "";
+}
+
+/** One statement, in the place of the user's. */
 static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
     const char *type = type_of(&loop->facts->scalars[number]);
     writer_line(out,
                 "{ %s redcc__operand = (%s)%s; "
                 "__atomic_store(&redcc__operands_%u[redcc__k], &redcc__operand, "
-                "__ATOMIC_RELAXED); }",
-                type, type, value, number);
+                "__ATOMIC_RELAXED); %s }",
+                type, type, value, number, made_text(loop, number, true));
 }
 
 /** What an iteration puts together of an update in a loop inside: redcc__so_far_N. */
@@ -79,15 +96,10 @@ void declare_repeated_operands(loop_text *loop, writer *out) {
                         neutral_of(&loop->facts->scalars[i]));
 }
 
-/** Of extrema the value on entry, which the scalar has until the loop is done. */
-void write_neutral_operands(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        const scalar_update *update = &loop->facts->scalars[i];
-        const char *neutral =
-            update->is_extremum ? loop_operand(loop, update->target) : neutral_of(update);
-        if (update->is_conditional)
-            store_operand(loop, out, i, arena_format(loop->arena, "(%s)", neutral));
-    }
+void note_no_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "%s", made_text(loop, i, false));
 }
 
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
@@ -122,6 +134,14 @@ static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
                 operand, ir_operator_spelling(update->op), name, name, operand, place);
 }
 
+static void apply_sum(loop_text *loop, writer *out, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    const char *name = loop_operand(loop, update->target);
+    const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
+    writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);", name,
+                name, from, name, sign_of(update->op), number);
+}
+
 /** Several updates of an iteration are applied as they stand in it. */
 void apply_operands(loop_text *loop, writer *out) {
     if (loop->facts->scalar_count == 0)
@@ -130,18 +150,20 @@ void apply_operands(loop_text *loop, writer *out) {
     writer_line(out, "    redcc_int redcc__i;");
     writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
     for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
-        const scalar_update *update = &loop->facts->scalars[i];
-        const char *name = loop_operand(loop, update->target);
-        if (update->is_extremum) {
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "        if (redcc__made_%u[redcc__i]) {", i);
+        if (loop->facts->scalars[i].is_extremum)
             apply_extremum(loop, out, i);
-            continue;
-        }
-        const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
-        writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);",
-                    name, name, from, name, sign_of(update->op), i);
+        else
+            apply_sum(loop, out, i);
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "        }");
     }
     writer_line(out, "    }");
     writer_line(out, "}");
-    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
         writer_line(out, "redcc_operands_give(redcc__operands_%u);", i);
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "redcc_operands_give(redcc__made_%u);", i);
+    }
 }

@@ -2,9 +2,7 @@
 /*
  * The values compared are kept, one an iteration, and compared in order after the loop, as the
  * sequential loop does: with its comparison, so that what is not a number, zeros of either sign and
- * equal values are treated alike. An iteration that does not come to the statement keeps the value
- * that s had before the loop. s never gets behind it, and it is not less than itself: by a strict
- * comparison it is never taken.
+ * equal values are treated alike.
  */
 #include "analysis/reduction/scalar_extremum.h"
 
@@ -79,10 +77,6 @@ static bool is_choice(const loop_analysis *j, const ir_node *choice, scalar_upda
     return found->variable != NULL;
 }
 
-static bool has_strict_order(const scalar_update *found) {
-    return !found->is_negated && (found->op == IR_OP_LESS || found->op == IR_OP_GREATER);
-}
-
 /* At most once in each iteration. */
 static bool is_outside_inner_loops(const loop_analysis *j, const ir_node *statement) {
     for (const ir_node *outer = statement->parent; outer != j->loop; outer = outer->parent)
@@ -107,7 +101,7 @@ static bool is_fit(const loop_analysis *j, scalar_update *found) {
                          expression_mentions(value, found->place)))
         return false;
     found->is_conditional = !executed_in_each(j, found->statement);
-    return !found->is_conditional || has_strict_order(found);
+    return true;
 }
 
 bool scalar_extremum_of(const loop_analysis *j, const ir_node *assignment, scalar_update *found) {

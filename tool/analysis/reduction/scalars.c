@@ -131,15 +131,13 @@ static bool take_extremum(loop_analysis *j, const ir_node *assignment) {
     return true;
 }
 
-/* A variable, or what stays as one would: then also where no iteration comes to the update, which
- * is made in the end with what changes nothing. */
-static bool is_scalar(const loop_analysis *j, const loop_access *write, bool is_conditional) {
+/* A variable, or what stays as one would. */
+static bool is_scalar(const loop_analysis *j, const loop_access *write) {
     const ir_node *target = write->access.lvalue;
     if (target->kind == IR_VARIABLE)
         return !is_declared_within(j, target->variable);
     return target == write->access.node && ir_type_is_scalar(target->type) &&
-           (write->where.object || !is_conditional) && scalar_target_stays(j, target) &&
-           scalar_target_is_alone(j, target);
+           scalar_target_stays(j, target) && scalar_target_is_alone(j, target);
 }
 
 bool scalar_take_update(loop_analysis *j, loop_access *write) {
@@ -160,8 +158,7 @@ bool scalar_take_update(loop_analysis *j, loop_access *write) {
         return false;
     found.is_repeated = !is_outside_inner_loops(j, statement);
     found.is_conditional = write->access.is_conditional || found.is_repeated;
-    if ((found.is_repeated && found.operand != OPERAND_INTEGER) ||
-        !is_scalar(j, write, found.is_conditional))
+    if ((found.is_repeated && found.operand != OPERAND_INTEGER) || !is_scalar(j, write))
         return false;
     for (unsigned i = 0; i < j->access_count; i++) {
         loop_access *read = &j->accesses[i];
@@ -204,18 +201,6 @@ static reason check_repeated(const loop_analysis *j, const scalar_update *repeat
     return (reason){0};
 }
 
-/* A conditional extremum is all that happens to its scalar, or the value that stands for none could
- * be behind it. */
-static reason check_extremum(const loop_analysis *j, const scalar_update *extremum) {
-    for (unsigned i = 0; i < j->scalars.count; i++) {
-        const scalar_update *other = &j->scalars.items[i];
-        if (is_of_one(other, extremum) &&
-            (!other->is_extremum || other->is_negated || other->op != extremum->op))
-            return analysis_reason(j, REASON_SCALAR_CARRIED, other->statement, name_of(j, other));
-    }
-    return (reason){0};
-}
-
 /* Of a member, an element, what a pointer leads to: by nothing else than updates of it either. */
 static reason check_target_alone(const loop_analysis *j, const scalar_update *update) {
     for (unsigned i = 0; i < j->access_count; i++) {
@@ -248,8 +233,6 @@ reason check_scalars(const loop_analysis *j) {
         const scalar_update *update = &j->scalars.items[k];
         if (update->is_repeated)
             why = check_repeated(j, update);
-        if (why.id == REASON_NONE && update->is_extremum && update->is_conditional)
-            why = check_extremum(j, update);
         if (why.id == REASON_NONE)
             why = update->variable ? check_alone(j, update, update->variable)
                                    : check_target_alone(j, update);
