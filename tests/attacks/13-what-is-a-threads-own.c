@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 // errno, pthread_self() and functions declared const that give an address of the thread's own: other
 // threads get other answers.
+// OPTIONS: --pure=square
 #include <errno.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -45,7 +46,7 @@ static void by_number(int n, const int *s) {
 }
 
 static void by_pure(int n, const int *s) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+    for (int t = 0; t < n; t++) // EXPECT: refuse unseen-pure
         h[s[t]] += read_own(t);
 }
 

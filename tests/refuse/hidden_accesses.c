@@ -40,13 +40,13 @@ void callee_reads_global(const int *k, int n) {
 
 __attribute__((pure)) double peek(void);
 void pure_reads(const int *k, int n) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+    for (int t = 0; t < n; t++) // EXPECT: refuse unseen-pure
         table[k[t]] += peek();
 }
 
 __attribute__((pure)) double peekp(int);
 void pure_reads2(double *h, const int *k, int n) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse callee-reads
+    for (int t = 0; t < n; t++) // EXPECT: refuse unseen-pure
         h[k[t]] += peekp(t);
 }
 

@@ -219,7 +219,7 @@ void by_function_with_attributes(int n, double *h, const double *x) {
 
 double measured(double v) __attribute__((const));
 void by_unknown_function(int n, double *h, const double *x) {
-    for (int t = 0; t < n; t++) // EXPECT: refuse index-too-dear
+    for (int t = 0; t < n; t++) // EXPECT: refuse unseen-pure
         h[(int)measured(x[t])] += 1;
 }
 

@@ -132,7 +132,10 @@ static ir_type *qualified(converter *c, const ir_type *type, CXType quals) {
     copy->is_const |= clang_isConstQualifiedType(quals) != 0;
     copy->is_volatile |= clang_isVolatileQualifiedType(quals) != 0;
     copy->is_restrict |= clang_isRestrictQualifiedType(quals) != 0;
-    if (type->spelling == NULL)
+    copy->has_address_space |= clang_getAddressSpace(quals) != 0;
+    if (copy->has_address_space)
+        copy->spelling = NULL;
+    if (copy->spelling == NULL)
         return copy;
     if (type->kind == IR_POINTER && bottom(type)->kind == IR_FUNCTION_TYPE) {
         copy->spelling = qualified_function_pointer(c, copy, type->spelling);
@@ -291,7 +294,7 @@ bool has_variable_length(const ir_type *type) {
 
 static bool has_qualifiers(CXType type) {
     return clang_isConstQualifiedType(type) || clang_isVolatileQualifiedType(type) ||
-           clang_isRestrictQualifiedType(type);
+           clang_isRestrictQualifiedType(type) || clang_getAddressSpace(type) != 0;
 }
 
 /* Does the type, or what it points to, go by a typedef with the attribute may_alias? The canonical

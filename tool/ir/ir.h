@@ -91,9 +91,10 @@ struct ir_type {
     bool is_signed;    /* integers */
     bool is_character; /* char, signed char, unsigned char: may alias anything */
     bool is_const, is_volatile, is_restrict, is_atomic;
-    int64_t size;          /* bytes; -1 unknown: incomplete, variable-length */
-    int64_t count;         /* IR_ARRAY: elements; -1 unknown */
-    const ir_type *target; /* pointee, element, result */
+    bool has_address_space; /* __seg_gs and the like. Not in the text form */
+    int64_t size;           /* bytes; -1 unknown: incomplete, variable-length */
+    int64_t count;          /* IR_ARRAY: elements; -1 unknown */
+    const ir_type *target;  /* pointee, element, result */
     const ir_record *record;
     const char *spelling;   /* as C spells it, fit for a cast: "double (*)[3]"; NULL: cannot be */
     const ir_declared *tag; /* of records and enumerations. Not in the text form */

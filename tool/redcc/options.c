@@ -30,6 +30,7 @@ const char options_help[] =
     "  --lanes=HOW          several iterations at once in vectors, where that can be done: off\n"
     "                       (default), auto (as many as a register holds), 2, 4, 8\n"
     "  --pure=NAME[,NAME]   your word that these functions have no side effects\n"
+    "                       and give every thread the same\n"
     "  --assume-noalias     your word that distinct pointers do not overlap\n"
     "  --compiler=WHICH     what will compile the result: any (default; what is other code for\n"
     "                       gcc than for clang is left alone), known (you have looked at that)\n"

@@ -8,6 +8,7 @@
 #include <setjmp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 extern double unknown(double);
 extern double trusted(double);
@@ -25,7 +26,7 @@ void impure(int n, const int *s, double *h) {
     }
     for (int i = 0; i < n; i++) // EXPECT: transform h(+)
         h[s[i]] += trusted(1.0);
-    for (int i = 0; i < n; i++) // EXPECT: transform h(+)
+    for (int i = 0; i < n; i++) // EXPECT: refuse unseen-pure
         h[s[i]] += attribute_const(1.0);
 }
 
@@ -86,8 +87,10 @@ void callee_reads(int n, const int *s, double *h, const double *x) {
         h[s[i]] += first(h);
     for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
         h[s[i]] += walk(x, i);
-    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+    for (int i = 0; i < n; i++) // EXPECT: refuse unseen-pure
         h[s[i]] += attribute_pure(x);
+    for (int i = 0; i < n; i++) // EXPECT: refuse callee-reads
+        h[s[i]] += (double)strlen((const char *)x);
     for (int i = 0; i < n; i++) // EXPECT: transform h(+) guards=1
         h[s[i]] += first(x);
     for (int i = 0; i < n; i++) // EXPECT: transform h(+) guards=1

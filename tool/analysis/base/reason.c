@@ -39,6 +39,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_ESCAPES] = "where no iteration uses what another left in it, declare it inside the "
                        "loop's body, and pass it only to functions of this file",
     [REASON_UNION] = "use a struct",
+    [REASON_ADDRESS_SPACE] = "copy what is read to an array of the usual kind before the loop",
     [REASON_TRIP_COUNT] = "write for (i = first; i < last; i++)",
     [REASON_COUNTER_MODIFIED] = "use another variable in the body",
     [REASON_BOUND_VARIES] = "copy the bound to a local variable before the loop",
@@ -48,8 +49,7 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_GOTO] = "use structured control",
-    [REASON_IMPURE_CALL] = "where it has none, say so: __attribute__((pure)), --pure=NAME, or "
-                           "#pragma redcc pure(NAME)",
+    [REASON_IMPURE_CALL] = "where it has none, say so: --pure=NAME, or #pragma redcc pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
     [REASON_CALLEE_READS] =
         "where it reads nothing that is updated, declare the pointers restrict, or write #pragma "
@@ -58,6 +58,8 @@ static const char *const advices[REASON_COUNT] = {
         "make it static, hide it (-fvisibility=hidden), or say that what takes its "
         "place does the same (-fno-semantic-interposition)",
     [REASON_THREAD_STATE] = "call it before the loop",
+    [REASON_UNSEEN_PURE] = "where every thread gets the same from it, say so: --pure=NAME, or "
+                           "#pragma redcc pure(NAME)",
     [REASON_MESSAGE_PASSING] = "exchange messages before the loop or after it",
     [REASON_INEXACT_OPTION] =
         "compile this file without the option, or give up the bits: --order=any",

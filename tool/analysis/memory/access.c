@@ -39,12 +39,16 @@ static void check_type(access_walk *w, const ir_node *lvalue) {
     const char *name = root ? root->name : "?";
     if (lvalue->kind == IR_VARIABLE && lvalue->variable->storage == IR_THREAD_LOCAL)
         access_problem_add(w, REASON_THREAD_LOCAL, lvalue, name);
+    if (lvalue->type && ir_type_innermost(lvalue->type)->has_address_space)
+        access_problem_add(w, REASON_ADDRESS_SPACE, lvalue, name);
     if (lvalue->type && has_volatile_part(lvalue->type))
         access_problem_add(w, REASON_VOLATILE, lvalue, name);
     if (lvalue->kind == IR_MEMBER) {
         const ir_type *owner = lvalue->children[0]->type;
         if (owner && (lvalue->flags & IR_ARROW))
             owner = owner->target;
+        if (owner && owner->has_address_space)
+            access_problem_add(w, REASON_ADDRESS_SPACE, lvalue, name);
         if (owner && (owner->is_volatile || owner->is_atomic))
             access_problem_add(w, REASON_VOLATILE, lvalue, name);
     }

@@ -175,6 +175,10 @@ static void walk_pure_call(access_walk *w, const ir_node *call, bool by_user) {
         access_problem_add(w, REASON_THREAD_STATE, call, is_errno ? "errno" : function->name);
         return;
     }
+    if (!by_user && !is_seen && !library_is_same_in_threads(function)) {
+        access_problem_add(w, REASON_UNSEEN_PURE, call, function->name);
+        return;
+    }
     w->list->has_floating_work = w->list->has_unrepeatable_work = true;
     if (is_const(w->all, function))
         return;

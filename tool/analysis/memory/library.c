@@ -159,6 +159,139 @@ bool library_tells_of_thread(const ir_function *function) {
            (function->parameter_count == 0 || !result || result->kind == IR_POINTER);
 }
 
+/* What the headers of the C library declare pure or const and what reads nothing that a thread has
+ * for itself, but for its locale, which the loop's threads have as well. Without __ in front and
+ * without the suffix of a type behind; sorted. */
+static const char *const same_in_threads[] = {"a64l",
+                                              "abs",
+                                              "argz_count",
+                                              "atof",
+                                              "atoi",
+                                              "atol",
+                                              "atoll",
+                                              "bcmp",
+                                              "ceil",
+                                              "copysign",
+                                              "difftime",
+                                              "div",
+                                              "dysize",
+                                              "fabs",
+                                              "ffs",
+                                              "ffsl",
+                                              "ffsll",
+                                              "finite",
+                                              "floor",
+                                              "fmax",
+                                              "fmaximum",
+                                              "fmaximum_mag",
+                                              "fmaximum_mag_num",
+                                              "fmaximum_num",
+                                              "fmaxmag",
+                                              "fmin",
+                                              "fminimum",
+                                              "fminimum_mag",
+                                              "fminimum_mag_num",
+                                              "fminimum_num",
+                                              "fminmag",
+                                              "fpclassify",
+                                              "gnu_dev_major",
+                                              "gnu_dev_makedev",
+                                              "gnu_dev_minor",
+                                              "htonl",
+                                              "htons",
+                                              "imaxabs",
+                                              "imaxdiv",
+                                              "index",
+                                              "iscanonical",
+                                              "isinf",
+                                              "isnan",
+                                              "issignaling",
+                                              "labs",
+                                              "ldiv",
+                                              "llabs",
+                                              "lldiv",
+                                              "mbsinit",
+                                              "memchr",
+                                              "memcmp",
+                                              "memcmpeq",
+                                              "memmem",
+                                              "memrchr",
+                                              "ntohl",
+                                              "ntohs",
+                                              "pthread_equal",
+                                              "rawmemchr",
+                                              "rindex",
+                                              "round",
+                                              "roundeven",
+                                              "signbit",
+                                              "strcasecmp",
+                                              "strcasecmp_l",
+                                              "strcasestr",
+                                              "strchr",
+                                              "strchrnul",
+                                              "strcmp",
+                                              "strcoll",
+                                              "strcoll_l",
+                                              "strcspn",
+                                              "strlen",
+                                              "strncasecmp",
+                                              "strncasecmp_l",
+                                              "strncmp",
+                                              "strnlen",
+                                              "strpbrk",
+                                              "strrchr",
+                                              "strspn",
+                                              "strstr",
+                                              "strverscmp",
+                                              "totalorder",
+                                              "totalordermag",
+                                              "trunc",
+                                              "wcschr",
+                                              "wcschrnul",
+                                              "wcscmp",
+                                              "wcscspn",
+                                              "wcslen",
+                                              "wcsncmp",
+                                              "wcsnlen",
+                                              "wcspbrk",
+                                              "wcsrchr",
+                                              "wcsspn",
+                                              "wcsstr",
+                                              "wcswcs",
+                                              "wmemchr",
+                                              "wmemcmp"};
+
+static int compare_names(const void *key, const void *entry) {
+    return strcmp(key, *(const char *const *)entry);
+}
+
+static bool is_same_in_threads(const char *name) {
+    return bsearch(name, same_in_threads, sizeof same_in_threads / sizeof same_in_threads[0],
+                   sizeof same_in_threads[0], compare_names) != NULL;
+}
+
+bool library_is_same_in_threads(const ir_function *function) {
+    static const char *const suffixes[] = {"f", "l", "f32", "f32x", "f64", "f64x", "f128"};
+    const char *name = function->name;
+    if (strncmp(name, "__builtin_", 10) == 0)
+        return true;
+    if (!function->is_from_system || function->linkage.is_renamed)
+        return false;
+    name += strncmp(name, "__", 2) == 0 ? 2 : 0;
+    bool is_known = is_same_in_threads(name);
+    for (size_t i = 0; !is_known && i < sizeof suffixes / sizeof suffixes[0]; i++) {
+        char stem[24];
+        const size_t length = strlen(name), tail = strlen(suffixes[i]);
+        if (length <= tail || length - tail >= sizeof stem ||
+            strcmp(name + length - tail, suffixes[i]) != 0)
+            continue;
+        memcpy(stem, name, length - tail);
+        stem[length - tail] = 0;
+        is_known = is_same_in_threads(stem);
+    }
+    return is_known;
+}
+
 bool library_is_message_passing(const ir_function *function) {
     return !function->body &&
            (strncmp(function->name, "MPI_", 4) == 0 || strncmp(function->name, "PMPI_", 5) == 0);

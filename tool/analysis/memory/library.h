@@ -29,6 +29,10 @@ bool library_is_locale_table(const ir_node *call);
  *  without a known body, by what it is declared to be. */
 bool library_tells_of_thread(const ir_function *function);
 
+/** Of a function that is declared pure or const, and whose body is not known: is it the compiler's,
+ *  or one of the C library that reads nothing which a thread has for itself? */
+bool library_is_same_in_threads(const ir_function *function);
+
 /** Is it MPI's? By its name, which the standard reserves (MPI 4.0, 2.5: MPI_ and PMPI_), and
  * without a body here. A program may let only the thread that began MPI call it
  * (MPI_THREAD_FUNNELED). */
