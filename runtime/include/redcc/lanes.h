@@ -12,6 +12,9 @@
 #ifndef REDCC_LANES_H
 #define REDCC_LANES_H
 
+/* By -std=gnu89 -Wpedantic gcc warns of macros with any number of arguments. */
+#pragma GCC system_header
+
 /** The widths that are compiled: a sum of 2, 4 and 8. None where operations may be rounded together
  *  or where the compiler does not know the vectors of gcc and clang. Narrower ones than a register
  *  of AVX2 are of no use where the program is compiled for that. */

@@ -48,7 +48,8 @@
 #define REDCC_QUIET_BEGIN                                                                          \
     _Pragma("GCC diagnostic push") _Pragma("GCC diagnostic ignored \"-Wshadow\"")                  \
         _Pragma("GCC diagnostic ignored \"-Wmisleading-indentation\"")                             \
-            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"") REDCC_QUIET_GCC
+            _Pragma("GCC diagnostic ignored \"-Wunused-but-set-variable\"")                        \
+                _Pragma("GCC diagnostic ignored \"-Wc++-compat\"") REDCC_QUIET_GCC
 #define REDCC_QUIET_END _Pragma("GCC diagnostic pop")
 
 /** What one execution is described by: bases, extents of sources, key. */

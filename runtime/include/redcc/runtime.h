@@ -48,8 +48,17 @@
 #pragma clang fp reassociate(off) reciprocal(off)
 #endif
 #define REDCC_ROUNDS_ALIKE                                                                         \
-    (REDCC_EVALUATES_IN_TYPE && !__FAST_MATH__ && !__ASSOCIATIVE_MATH__ && !__RECIPROCAL_MATH__ && \
-     !__NO_SIGNED_ZEROS__ && !__FINITE_MATH_ONLY__)
+    (REDCC_EVALUATES_IN_TYPE && !REDCC_IS_ON(__FAST_MATH__) &&                                     \
+     !REDCC_IS_ON(__ASSOCIATIVE_MATH__) && !REDCC_IS_ON(__RECIPROCAL_MATH__) &&                    \
+     !REDCC_IS_ON(__NO_SIGNED_ZEROS__) && !__FINITE_MATH_ONLY__)
+/* 1 where the macro is 1, 0 where it is not defined, of which -Wundef would warn. */
+#define REDCC_IS_ON(redcc_macro) REDCC_IS_ON_PASTED(redcc_macro)
+#define REDCC_IS_ON_PASTED(redcc_value) REDCC_IS_ON_##redcc_value
+#define REDCC_IS_ON_1 1
+#define REDCC_IS_ON___FAST_MATH__ 0
+#define REDCC_IS_ON___ASSOCIATIVE_MATH__ 0
+#define REDCC_IS_ON___RECIPROCAL_MATH__ 0
+#define REDCC_IS_ON___NO_SIGNED_ZEROS__ 0
 #endif
 
 __extension__ typedef long long redcc_int;           /**< counts of iterations */
