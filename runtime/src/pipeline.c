@@ -2,6 +2,7 @@
 /** The stages of the pipeline, which pipeline.h draws. */
 #include "pipeline.h"
 
+#include "base/aliases.h"
 #include "base/clock.h"
 #include "loop.h"
 #include "plan/check.h"
@@ -57,6 +58,8 @@ static enum stage begin_inspection(struct execution *execution) {
     redcc_reuse_drop_found(&execution->reuse);
     if (!named && execution->advice.action == ACTION_REUSE) /* another plan is paid anew */
         return refuse(execution, REASON_CHANGED);
+    if (is_dry && redcc_may_have_aliases())
+        return refuse(execution, REASON_TWO_ADDRESSES);
     execution->inspected = true;
     /* The sample has none; auto sets it, after that. */
     execution->inspection.deadline =

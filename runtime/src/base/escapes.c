@@ -66,6 +66,14 @@ static bool leaves(const char *name) {
     return is_one_of(name, names);
 }
 
+/* The C library and the linker map for themselves without a reference, and share nothing. */
+static bool maps(const char *name) {
+    static const char *const names[] = {
+        "mmap",    "mmap64", "__mmap",  "mremap", "__mremap", "shmat", "remap_file_pages",
+        "syscall", "dlopen", "dlmopen", "dlsym",  "dlvsym",   NULL};
+    return is_one_of(name, names);
+}
+
 /* OpenMP's libraries, which refer to some of them for what is none of the program's. */
 static bool is_openmp(const char *name) {
     static const char *const names[] = {"GOMP_parallel", "__kmpc_fork_call", NULL};
@@ -94,21 +102,22 @@ static struct object object_of(const struct link_map *map) {
     return object;
 }
 
-static bool object_may_escape(const struct link_map *map) {
+/* Does it refer to a function of these, for the program? True also where that is not known. */
+static bool refers(const struct link_map *map, bool (*is_meant)(const char *name)) {
     const struct object object = object_of(map);
     if (!object.end)
         return true;
-    bool may = false, openmp = false;
+    bool does = false, openmp = false;
     for (const Elf64_Sym *symbol = object.symbol; symbol < object.end; symbol++) {
         if (symbol->st_name >= object.text_bytes)
             continue;
         const char *const name = object.text + symbol->st_name;
         if (symbol->st_shndx == SHN_UNDEF)
-            may = may || leaves(name);
+            does = does || is_meant(name);
         else
             openmp = openmp || is_openmp(name);
     }
-    return may && !openmp;
+    return does && !openmp;
 }
 
 enum { FREE = 1, ALIGNED = 2 + 4 + 8 };
@@ -136,18 +145,30 @@ static bool look_for_split(void) {
     return false;
 }
 
-static bool look(void) {
+static bool some_object_refers(bool (*is_meant)(const char *name)) {
     if (!&_r_debug || !_r_debug.r_map)
         return true;
     for (const struct link_map *map = _r_debug.r_map; map; map = map->l_next)
-        if (object_may_escape(map))
+        if (refers(map, is_meant))
             return true;
     return false;
 }
 
+static bool look_for_escapes(void) {
+    return some_object_refers(leaves);
+}
+
+static bool look_for_maps(void) {
+    return some_object_refers(maps);
+}
+
 #else
 
-static bool look(void) {
+static bool look_for_escapes(void) {
+    return true;
+}
+
+static bool look_for_maps(void) {
     return true;
 }
 
@@ -170,7 +191,12 @@ static bool answer(atomic_int *known, bool (*look_for)(void)) {
 
 bool redcc_may_escape(void) {
     static atomic_int known;
-    return answer(&known, look);
+    return answer(&known, look_for_escapes);
+}
+
+bool redcc_may_map(void) {
+    static atomic_int known;
+    return answer(&known, look_for_maps);
 }
 
 bool redcc_allocator_is_split(void) {

@@ -10,6 +10,11 @@
  * holds for good. */
 bool redcc_may_escape(void);
 
+/** May the program map memory at several addresses? False only if no object of the process refers
+ * to a function by which memory is mapped or attached, nor to one by which more objects or
+ * functions could be found. The answer of the first call holds for good. */
+bool redcc_may_map(void);
+
 /** Does the program define free without the functions for aligned memory? gcc's OpenMP library
  * takes its teams by these and releases them by free: after a region of one thread, and when the
  * number of threads changes. The answer of the first call holds for good. */

@@ -6,51 +6,12 @@
 
 #if defined(__linux__)
 
+#include "base/maps.h"
+
 #include <fcntl.h>
-#include <inttypes.h>
 #include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { LONGEST = 512 };
-
-/* A text file of /proc, line by line. */
-struct lines {
-    int descriptor;
-    char buffer[4096];
-    size_t at;
-    size_t held;
-    char line[LONGEST]; /* the one read last; what does not fit is left out */
-};
-
-static bool lines_open(struct lines *lines, const char *name) {
-    lines->descriptor = redcc_system_open(name);
-    lines->at = lines->held = 0;
-    return lines->descriptor >= 0;
-}
-
-static bool refill(struct lines *lines) {
-    const long got = redcc_system_read(lines->descriptor, lines->buffer, sizeof lines->buffer);
-    lines->at = 0;
-    lines->held = got > 0 ? (size_t)got : 0;
-    return got > 0;
-}
-
-static bool next_line(struct lines *lines) {
-    size_t length = 0;
-    bool some = false;
-    while (lines->at < lines->held || refill(lines)) {
-        const char letter = lines->buffer[lines->at++];
-        some = true;
-        if (letter == '\n')
-            break;
-        if (length + 1 < LONGEST)
-            lines->line[length++] = letter;
-    }
-    lines->line[length] = '\0';
-    return some;
-}
 
 static bool begins(const char *text, const char *with) {
     return strncmp(text, with, strlen(with)) == 0;
@@ -60,14 +21,14 @@ static bool begins(const char *text, const char *with) {
 static long status_of(const char *key, long otherwise) {
     struct lines lines;
     long value = otherwise;
-    if (!lines_open(&lines, "/proc/thread-self/status"))
+    if (!redcc_lines_open(&lines, "/proc/thread-self/status"))
         return value;
-    while (next_line(&lines))
+    while (redcc_lines_next(&lines))
         if (begins(lines.line, key)) {
             value = strtol(lines.line + strlen(key), NULL, 10);
             break;
         }
-    redcc_system_close(lines.descriptor);
+    redcc_lines_close(&lines);
     return value;
 }
 
@@ -115,36 +76,22 @@ static bool is_harmless(const char *name) {
     return !begins(name, "/dev/") || is_plain_device(name);
 }
 
-struct mapping {
-    struct range place;
-    bool is_own; /* private, and no file behind it */
-    const char *name;
-};
-
-/* A line of /proc/self/maps: proc_pid_maps(5). */
-static bool parse(const char *line, struct mapping *mapping) {
-    char access_to[8];
-    unsigned long long number;
-    int name = 0;
-    if (sscanf(line, "%" SCNxPTR "-%" SCNxPTR " %7s %*s %*s %llu %n", &mapping->place.first,
-               &mapping->place.end, access_to, &number, &name) != 4)
-        return false;
-    mapping->name = name ? line + name : "";
+/* Private, and no file behind it? */
+static bool is_own(const struct mapping *mapping) {
     const bool unnamed = mapping->name[0] == '\0' || strcmp(mapping->name, "[heap]") == 0 ||
                          begins(mapping->name, "[anon:");
-    mapping->is_own = strlen(access_to) == 4 && access_to[3] == 'p' && number == 0 && unnamed;
-    return true;
+    return !mapping->is_shared && mapping->object.inode == 0 && unnamed;
 }
 
 struct range redcc_mapping_of(uintptr_t address) {
     struct lines lines;
     struct mapping mapping = {.place = redcc_nowhere};
     bool found = false;
-    if (!lines_open(&lines, "/proc/self/maps"))
+    if (!redcc_lines_open(&lines, "/proc/self/maps"))
         return redcc_nowhere;
-    while (!found && next_line(&lines) && parse(lines.line, &mapping))
+    while (!found && redcc_lines_next(&lines) && redcc_maps_parse(lines.line, &mapping))
         found = mapping.place.first <= address && address < mapping.place.end;
-    redcc_system_close(lines.descriptor);
+    redcc_lines_close(&lines);
     return found ? mapping.place : redcc_nowhere;
 }
 
@@ -155,7 +102,7 @@ static bool consider(const struct mapping *mapping, struct range pages, struct m
         return false;
     if (!redcc_ranges_overlap(mapping->place, pages))
         return true;
-    if (!mapping->is_own || mapping->place.first > *covered || found->count == REDCC_MAPPINGS)
+    if (!is_own(mapping) || mapping->place.first > *covered || found->count == REDCC_MAPPINGS)
         return false;
     found->whole[found->count++] = mapping->place;
     *covered = mapping->place.end;
@@ -168,17 +115,18 @@ static bool mappings_allow(struct mappings *found, struct range pages) {
     uintptr_t covered = pages.first;
     bool allowed = true;
     found->count = 0;
-    if (!lines_open(&lines, "/proc/self/maps"))
+    if (!redcc_lines_open(&lines, "/proc/self/maps"))
         return false;
-    while (allowed && next_line(&lines))
-        allowed = parse(lines.line, &mapping) && consider(&mapping, pages, found, &covered);
-    redcc_system_close(lines.descriptor);
+    while (allowed && redcc_lines_next(&lines))
+        allowed =
+            redcc_maps_parse(lines.line, &mapping) && consider(&mapping, pages, found, &covered);
+    redcc_lines_close(&lines);
     return allowed && covered >= pages.end;
 }
 
 /* A descriptor through which memory may be written, or our marks be lost? */
 static bool is_harmless_descriptor(int folder, const char *number, int own) {
-    char name[LONGEST];
+    char name[REDCC_LONGEST_LINE];
     const long length = redcc_system(SYS_readlinkat, folder, number, name, sizeof name - 1);
     if (length < 0 || atoi(number) == own)
         return true; /* closed meanwhile */

@@ -33,6 +33,8 @@
     X(REASON_INSPECTOR, "inspector", "the inspector did not tell all iterations")                  \
     X(REASON_NO_BINS, "no-bins", "the translated loop has no form for binning")                    \
     X(REASON_SPREAD, "spread", "subscripts lie too far apart for binning")                         \
+    X(REASON_TWO_ADDRESSES, "two-addresses",                                                       \
+      "memory that is updated is, or may be, mapped at two addresses")                             \
     X(REASON_OVERLAP, "overlap", "something read overlaps a reduction array")
 
 enum reason {

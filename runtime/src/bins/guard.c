@@ -6,6 +6,7 @@
  */
 #include "bins/binning.h"
 
+#include "base/aliases.h"
 #include "base/memory.h"
 
 static uint32_t place_of(const redcc_stream *stream, redcc_u16 place) {
@@ -104,7 +105,10 @@ static enum reason ask(struct binning *binning, bool exact, struct range *writte
     if (!redcc_ranges_are_apart(read, loop->source_count, written, loop->array_count,
                                 &binning->overlap))
         return REASON_OVERLAP;
-    return are_apart(written, loop->array_count) ? REASON_NONE : REASON_OUT_OF_STEP;
+    if (!are_apart(written, loop->array_count))
+        return REASON_OUT_OF_STEP;
+    const struct touches touches = {written, loop->array_count, read, loop->source_count};
+    return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;
 }
 
 enum reason redcc_bins_guard(struct binning *binning) {

@@ -4,6 +4,8 @@
  *  log (logging.c), from which owners or levels are to be made. */
 #include "inspect/inspection.h"
 
+#include "base/aliases.h"
+
 #include <assert.h>
 #include <string.h>
 
@@ -119,9 +121,11 @@ enum reason redcc_sweep_finish(struct inspection *inspection) {
             return REASON_DEADLINE;
     redcc_gather_touched(inspection);
     gather_sources(inspection);
-    return redcc_ranges_are_apart(inspection->sources, inspection->call->request.loop->source_count,
-                                  inspection->touched, inspection->partition.array_count,
-                                  &inspection->overlap)
-               ? REASON_NONE
-               : REASON_OVERLAP;
+    const struct touches touches = {inspection->touched, inspection->partition.array_count,
+                                    inspection->sources,
+                                    inspection->call->request.loop->source_count};
+    if (!redcc_ranges_are_apart(touches.read, touches.read_count, touches.written,
+                                touches.written_count, &inspection->overlap))
+        return REASON_OVERLAP;
+    return redcc_may_be_aliased(touches) ? REASON_TWO_ADDRESSES : REASON_NONE;
 }

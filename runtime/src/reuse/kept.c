@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "reuse/kept.h"
 
+#include "base/aliases.h"
 #include "base/clock.h"
 #include "base/memory.h"
 #include "ownership/overlap.h"
@@ -168,6 +169,12 @@ void redcc_reuse_find(struct reuse *reuse, int threads, enum way way) {
     reuse->found = found;
     if (!found || !fits(reuse, found, threads)) /* which sets where the sources are */
         return;
+    if (redcc_may_be_aliased((struct touches){reuse->written, found->plan->array_count,
+                                              reuse->sources,
+                                              reuse->call->request.loop->source_count})) {
+        redcc_reuse_drop_found(reuse);
+        return;
+    }
     assert(found->plan->array_count == reuse->call->request.loop->array_count);
     found->last_use = ++cache->clock;
     found->lost = false;
