@@ -6,6 +6,7 @@
 #include "base/escapes.h"
 #include "base/forked.h"
 #include "base/node.h"
+#include "base/signals.h"
 #include "base/team.h"
 #include "base/trace.h"
 #include "settings.h"
@@ -85,10 +86,10 @@ void redcc_note_no_memory(redcc_loop *loop) {
 }
 
 /* Does an execution take long enough for somebody to wait for its end? Also where that is not
- * known. */
+ * known: how long an inspection takes is not. */
 static bool is_long(const struct execution *execution) {
     const struct statistics *statistics = &execution->state->reported.statistics;
-    return statistics->in_loops == 0 ||
+    return statistics->in_loops == 0 || (!execution->call.in_bins && !execution->reuse.found) ||
            statistics->execute_seconds * (double)execution->call.request.trip >
                1e-3 * (double)statistics->in_loops;
 }
@@ -412,13 +413,16 @@ void redcc_join(redcc_worker *worker, redcc_call *call, int number, int threads)
         if (execution->call.started > 0)
             redcc_cores_give_way(&execution->cores, threads - 1);
         redcc_team_came(threads);
-        if (!execution->advice.alone) /* a look is over before anybody waits */
+        const bool is_dry = execution->call.request.loop->flags & REDCC_DRY_RUN;
+        if (!execution->advice.alone || is_dry) /* a sample is over before anybody waits */
             redcc_within_relax(&execution->within, execution->call.always_planned,
                                is_long(execution));
     }
     struct thread_state *thread = execution->state->thread[number];
     struct runner *runner = &thread->runner;
     worker->execution = thread;
+    if (number > 0 && execution->call.started > 0)
+        redcc_signals_take_over();
     if (number > 0)
         redcc_cores_take(&execution->cores);
     if (!execution->advice.alone)

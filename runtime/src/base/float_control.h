@@ -3,12 +3,15 @@
  * How a thread does floating-point arithmetic: direction of rounding, subnormal numbers taken as
  * zeros, exceptions that trap. And its locale, by which characters are classified and numbers read:
  * uselocale's is the thread's, and of setlocale's a thread keeps the tables that it found first.
+ * And what memory it may touch by protection keys.
  * The program may have changed all of it since OpenMP's threads were made; they must compute what
  * the thread that entered the loop would. fenv.h has no name for most of the first, and needs libm.
  * Processors that are not named here keep what each thread has.
  */
 #ifndef REDCC_FLOAT_CONTROL_H
 #define REDCC_FLOAT_CONTROL_H
+
+#include "base/rights.h"
 
 #include <locale.h>
 #include <stdbool.h>
@@ -25,12 +28,13 @@ extern locale_t __uselocale(locale_t wanted);
 struct float_control {
     locale_t locale;
     uint64_t vector; /* MXCSR; FPCR of 64-bit ARM */
+    uint32_t rights; /* to memory */
     uint16_t x87;    /* the control word, of long double */
 };
 
 /** The calling thread's. */
 static inline struct float_control redcc_float_control(void) {
-    struct float_control own = {.locale = redcc_use_locale((locale_t)0)};
+    struct float_control own = {.locale = redcc_use_locale((locale_t)0), .rights = redcc_rights()};
 #if defined(__x86_64__)
     uint32_t mxcsr;
     __asm__ volatile("stmxcsr %0" : "=m"(mxcsr));
@@ -62,6 +66,7 @@ static inline bool redcc_float_traps(struct float_control own) {
 
 /** Makes it the calling thread's. Flags of exceptions that occurred stay. */
 static inline void redcc_float_control_take(struct float_control wanted) {
+    redcc_rights_take(wanted.rights);
     redcc_use_locale(wanted.locale); /* also where it is the same: the tables may not be */
 #if defined(__x86_64__)
     uint32_t mxcsr;

@@ -7,6 +7,7 @@
 #if defined(__x86_64__) && defined(__has_include)
 #if __has_include(<sys/platform/x86.h>)
 #include <sys/platform/x86.h>
+#define GLIBC_ASKED
 
 /* The header's own form shifts an int by 31. */
 static bool is_active(unsigned feature) {
@@ -18,6 +19,8 @@ static bool is_active(unsigned feature) {
 #endif
 #endif
 #if defined(__x86_64__) && !defined(HAS)
+#include <cpuid.h>
+#include <stdatomic.h>
 #define HAS(gcc_name, glibc_name) (__builtin_cpu_supports(gcc_name) != 0)
 #endif
 
@@ -32,6 +35,25 @@ bool redcc_has_avx2(void) {
 bool redcc_has_avx512(void) {
 #ifdef HAS
     return HAS("avx512f", AVX512F) && HAS("avx512dq", AVX512DQ) && HAS("avx512vl", AVX512VL);
+#else
+    return false;
+#endif
+}
+
+/* Whether the system has switched them on is in the processor's own answer. */
+bool redcc_has_protection_keys(void) {
+#if defined(GLIBC_ASKED)
+    const unsigned bit = x86_cpu_OSPKE % 128;
+    return __x86_get_cpuid_feature_leaf(x86_cpu_OSPKE / 128)->cpuid_array[bit / 32] >> bit % 32 & 1;
+#elif defined(__x86_64__)
+    enum { UNKNOWN, NONE, SOME };
+    static atomic_int known;
+    unsigned a, b, c = 0, d;
+    if (atomic_load_explicit(&known, memory_order_relaxed) == UNKNOWN) {
+        const bool some = __get_cpuid_count(7, 0, &a, &b, &c, &d) && c >> 4 & 1;
+        atomic_store_explicit(&known, some ? SOME : NONE, memory_order_relaxed);
+    }
+    return atomic_load_explicit(&known, memory_order_relaxed) == SOME;
 #else
     return false;
 #endif

@@ -10,4 +10,7 @@
 bool redcc_has_avx2(void);
 bool redcc_has_avx512(void);
 
+/** Has it protection keys (rights.h), which the system has switched on? Some nanoseconds. */
+bool redcc_has_protection_keys(void);
+
 #endif

@@ -96,6 +96,14 @@ bool redcc_signals_in_handler(uint64_t before) {
 #endif
 }
 
+void redcc_signals_take_over(void) {
+    const uint64_t real_time = ~UINT64_C(0) << 33;
+    uint64_t own = 0;
+    set_mask(SIG_BLOCK, 0, &own);
+    if ((own & real_time) == real_time)
+        set_mask(SIG_BLOCK, ~NEVER_HELD, NULL);
+}
+
 void redcc_signals_let_default(uint64_t before) {
     uint64_t unhandled = 0;
     for (int number = 1; number < 32; number++) {
@@ -120,6 +128,9 @@ uint64_t redcc_signals_hold(void) {
 
 void redcc_signals_release(uint64_t before) {
     (void)before;
+}
+
+void redcc_signals_take_over(void) {
 }
 
 void redcc_signals_let_default(uint64_t before) {

@@ -3,7 +3,9 @@
  * Signals wait while a loop runs in parallel. A handler that left the loop by siglongjmp would
  * leave the other threads writing to its arrays; one that began a loop of its own would find the
  * locks of this one held; and one that the program expects in its own thread would run in another.
- * Threads that OpenMP makes meanwhile inherit that all is blocked, and so never run a handler.
+ * Threads that OpenMP makes meanwhile never run a handler. Signals that the program has left to the
+ * system, whose default action most often ends it, wait for nothing that takes long: not for
+ * threads to be started, not for an inspection, not for an execution of more than a millisecond.
  */
 #ifndef REDCC_SIGNALS_H
 #define REDCC_SIGNALS_H
@@ -18,6 +20,11 @@ uint64_t redcc_signals_hold(void);
 
 /** What waited is delivered now. */
 void redcc_signals_release(uint64_t before);
+
+/** In a thread of a region for which OpenMP may have made some: one that was made by a thread that
+ * held signals blocks them all from now on, also those that were let through while it was made. (It
+ * is known by the real-time signals, which all are blocked.) */
+void redcc_signals_take_over(void);
 
 /** Is the calling thread in a handler, which may have found it in malloc or in OpenMP's library?
  * Some 70 system calls where handlers are installed, and a look at all of its stack. before: what

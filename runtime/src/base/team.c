@@ -229,6 +229,7 @@ int redcc_team_prepare(int threads, uint64_t before) {
         return threads;
     if (is_in_handler(before))
         return 0;
+    redcc_signals_let_default(before);
     pin_all();
     if (threads < 2)
         return threads;

@@ -14,7 +14,8 @@
  *  for the thread is in a handler, which may have found it in malloc. before: what the thread
  *  blocked before redcc_signals_hold. Sees to it that the code the
  *  threads run is not unloaded while they are there, and that their stacks are as large as the
- *  main thread's may become. Signals must be held (signals.h). */
+ *  main thread's may become. Signals must be held (signals.h); those left to the system
+ *  are let through. */
 int redcc_team_prepare(int threads, uint64_t before);
 
 /** Has what every translated loop asks OpenMP's library bound, as the program begins: that takes a
