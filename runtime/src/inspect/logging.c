@@ -9,9 +9,8 @@
 
 #include <string.h>
 
-/* About how many touches of leading or of further groups a thread will tell, by the sample. */
-static size_t expected_touches(const struct inspection *inspection,
-                               const struct inspector *inspector, bool leading) {
+/* About how many touches of leading or of further groups an iteration tells, by the sample. */
+static double touches_an_iteration(const struct inspection *inspection, bool leading) {
     const struct partition *partition = &inspection->partition;
     double touches = 0, iterations = 1;
     for (int thread = 0; thread < inspection->call->threads; thread++) {
@@ -21,9 +20,15 @@ static size_t expected_touches(const struct inspection *inspection,
                 touches += (double)sample->keep_each;
         iterations += sample->iterations;
     }
+    return touches / iterations;
+}
+
+/* ... and how many a thread will tell. */
+static size_t expected_touches(const struct inspection *inspection,
+                               const struct inspector *inspector, bool leading) {
     const double share =
         (double)(redcc_own_end(inspection, inspector) - redcc_own_begin(inspection, inspector));
-    const double expected = share * (touches / iterations) * 1.02;
+    const double expected = share * touches_an_iteration(inspection, leading) * 1.02;
     return (size_t)expected + (size_t)share / 16;
 }
 
@@ -53,8 +58,11 @@ enum divide_result redcc_log_begin(struct inspection *inspection, bool is_exact)
         return DIVIDE_NO_MEMORY;
     for (uint32_t group = 0; group < arrays; group++)
         range[group] = is_exact ? inspection->touched[group] : expected_range(inspection, group);
-    const enum divide_result result = redcc_divide_begin(divide, &inspection->partition, range,
-                                                         threads, inspection->call->request.trip);
+    const redcc_int trip = inspection->call->request.trip;
+    const double touches = (double)trip * (touches_an_iteration(inspection, true) +
+                                           touches_an_iteration(inspection, false));
+    const enum divide_result result =
+        redcc_divide_begin(divide, &inspection->partition, range, threads, trip, touches);
     redcc_memory_give(range);
     divide->barrier = inspection->barrier;
     divide->deadline = inspection->deadline;

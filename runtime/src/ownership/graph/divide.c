@@ -23,18 +23,17 @@ static size_t most_touches(redcc_int trip) {
     return (size_t)trip < bound / each ? (size_t)trip * each : bound;
 }
 
-/* Of elements that lie anywhere, what lies between them can be without bound: more units than
- * could be touched are not worth a map. */
-static bool is_too_wide(const struct divide *divide, redcc_int trip) {
-    const struct partition *partition = divide->partition;
-    bool is_scattered = false;
-    for (uint32_t array = 0; array < partition->array_count; array++)
-        is_scattered |= redcc_is_scattered((const void *)partition->base[array]);
-    return is_scattered && divide->units.count > most_touches(trip);
+/* Maps and graphs have a place for each unit between the first and the last that are touched, of
+ * which in a sparse array most are never touched. */
+static bool is_too_wide(const struct divide *divide, double touches) {
+    const double units_a_touch = 8, few = 1 << 20;
+    const double most = units_a_touch * touches;
+    return (double)divide->units.count > (most > few ? most : few);
 }
 
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
-                                      const struct range *touched, int threads, redcc_int trip) {
+                                      const struct range *touched, int threads, redcc_int trip,
+                                      double touches) {
     *divide = (struct divide){.partition = partition, .threads = threads};
     const size_t count = (size_t)threads;
     divide->most_told = most_touches(trip) / count;
@@ -47,7 +46,7 @@ enum divide_result redcc_divide_begin(struct divide *divide, const struct partit
     if (!redcc_units_begin(&divide->units, partition, touched) || !divide->told || !divide->sweep ||
         !divide->rims.list || !divide->rims.told)
         return DIVIDE_NO_MEMORY;
-    return divide->units.too_many || is_too_wide(divide, trip) ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
+    return divide->units.too_many || is_too_wide(divide, touches) ? DIVIDE_UNSUITABLE : DIVIDE_DONE;
 }
 
 void redcc_divide_tidy(struct divide *divide) {

@@ -60,10 +60,11 @@ enum divide_result {
     DIVIDE_BEYOND      /* something else was touched than what has a number */
 };
 
-/** May the arrays be divided so, group g being touched in touched[g] at most? Takes what the
- * threads need to begin; end it all the same. */
+/** May the arrays be divided so, group g being touched in touched[g] at most, by about `touches`
+ * touches in all? Takes what the threads need to begin; end it all the same. */
 enum divide_result redcc_divide_begin(struct divide *divide, const struct partition *partition,
-                                      const struct range *touched, int threads, redcc_int trip);
+                                      const struct range *touched, int threads, redcc_int trip,
+                                      double touches);
 
 /** Each thread's part, when all have told their iterations; all call it, and each gets the same
  *  result. seen [array_count] is the thread's. */
