@@ -11,6 +11,13 @@ typedef __SIZE_TYPE__ size_t;
 void *memset(void *to, int byte, size_t bytes);
 void *memcpy(void *to, const void *from, size_t bytes);
 
+/** An object that the program does not write while fuzz_hold(1) holds: it ends the program. */
+#define FUZZ_HELD static __attribute__((section("fuzz_held"), aligned(4096)))
+void fuzz_hold(int is_held);
+/** In another file: what each thread has for itself. */
+double fuzz_level(int i) __attribute__((pure));
+double fuzz_scaled(double v) __attribute__((const));
+
 #define ADD(target, value) target += (value)
 
 #define EACH(declared, i, n) for (declared = 0; i < n; i++)

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "fuzz.h"
 
+#include <fenv.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 static int is_integral = -1;
 static uint64_t state;
+static _Thread_local double level;
 
 static unsigned any(void) {
     state = state * 6364136223846793005u + 1442695040888963407u;
@@ -28,6 +31,29 @@ int fuzz_runs(unsigned long long seed) {
 void fuzz_seed(unsigned long long seed) {
     state = seed;
     is_integral = getenv("FUZZ_INTEGERS") != NULL;
+    level = 1.0 / (double)(seed % 7 + 2);
+    if (is_integral)
+        level = 3;
+    if (getenv("FUZZ_DOWNWARD"))
+        fesetround(seed % 2 ? FE_DOWNWARD : FE_UPWARD);
+}
+
+/* The section ends with an object of this file, which may share its last page with others. */
+FUZZ_HELD __attribute__((used)) char last_held = 1;
+extern char __start_fuzz_held[], __stop_fuzz_held[];
+
+void fuzz_hold(int is_held) {
+    const size_t size = (size_t)(__stop_fuzz_held - __start_fuzz_held) / 4096 * 4096;
+    if (size && mprotect(__start_fuzz_held, size, is_held ? PROT_READ : PROT_READ | PROT_WRITE))
+        abort();
+}
+
+double fuzz_level(int i) {
+    return level * i;
+}
+
+double fuzz_scaled(double v) {
+    return level * v;
 }
 
 int fuzz_below(int n) {

@@ -358,7 +358,10 @@ void put_runner(kernel *k, buffer *b) {
             put(k, b, "    %s = %s;\n", a->base, a->given);
     }
     put(k, b, "    for (int round = 0; round < %d; round++) {\n", 2 + below(k, 3));
-    put(k, b, "        call%s;\n", arguments(k));
+    put(k, b,
+        k->has_held ? "        fuzz_hold(1);\n        call%s;\n        fuzz_hold(0);\n"
+                    : "        call%s;\n",
+        arguments(k));
     put_hashes(k, b);
     if (chance(k, 60) && k->subscript[0].shape == SHAPE_FLAT)
         put(k, b, "        %s[fuzz_below(%d)] = fuzz_below(%d);\n", k->subscript[0].object,
