@@ -19,6 +19,7 @@ static const struct {
     {"plant: another subscript", "(redcc_int)won, sizeof", "(redcc_int)two, sizeof"},
     {"plant: another subscript", "_ROW(0, hers, won)", "_ROW(0, hers, two)"},
     {"plant: only in front", "_ROW(0, hers, won)", "_ROW(0, hers, two)"},
+    {"plant: another type of a value", "((int)((redcc_u32)", "(0l + ((redcc_u32)"},
     {"plant: another type", "struct near own = places", "struct afar own = places"},
 };
 

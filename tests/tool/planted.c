@@ -64,3 +64,15 @@ void seventh(int n) {
         hers[two] += 0.5;
     }
 }
+
+double eighth(int n, const int *restrict k, const double *restrict x, double *restrict h) {
+    double e = 0;
+    for (int t = 0; t < n; t++) { // EXPECT: refuse internal
+        /* plant: another type of a value */
+        e = x[t] * 3.0;
+        h[k[t]] += e;
+        if (e > 1)
+            h[k[t] + 1] -= e;
+    }
+    return e;
+}
