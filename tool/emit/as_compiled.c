@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
-#include "emit/origin.h"
 
 /* ---- the text without what is left out ------------------------------------------------------- */
 

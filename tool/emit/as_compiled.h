@@ -17,4 +17,10 @@
  */
 const ir_unit *unit_as_compiled(arena *a, const ir_unit *unit, const analysis_result *analysis);
 
+/** as_compiled.c: before text that is made of the branches in the loop that this compilation takes,
+ *  and after it: they define a word where it takes the same. Nothing, of loops without branches. */
+void begin_as_compiled(loop_text *loop, buffer *out);
+void end_as_compiled(const loop_text *loop, buffer *out);
+bool has_branches(const loop_text *loop);
+
 #endif

@@ -8,12 +8,15 @@
  * The loop has no such form where an update cannot be taken apart so, or where its body may not be
  * executed before its reads are compared with what it writes (stale.c).
  */
+#include "emit/bins.h"
+
 #include <assert.h>
 #include <string.h>
 
 #include "analysis/base/expression.h"
-#include "emit/bins.h"
+#include "emit/bins_form.h"
 #include "emit/print.h"
+#include "emit/stale.h"
 #include "emit/syntax.h"
 
 enum { MOST_TAGS = 16, MOST_SOURCES = 32 };

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "emit/bins.h"
-#include "emit/origin.h"
+#include "emit/bins_form.h"
+#include "emit/call.h"
+#include "emit/outline.h"
 
 static bool is_floating(const char *type) {
     return strcmp(type, "float") == 0 || strcmp(type, "double") == 0;

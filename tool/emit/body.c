@@ -5,13 +5,19 @@
  * are guarded. Statements that a macro makes up are printed from the IR where something in them
  * must change; all others keep every byte.
  */
+#include "emit/body.h"
+
 #include <string.h>
 
+#include "emit/bins_form.h"
 #include "emit/edit.h"
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/outline.h"
 #include "emit/print.h"
 #include "emit/syntax.h"
+#include "emit/turns.h"
+#include "emit/unconditional.h"
+#include "emit/unroll.h"
+#include "emit/values.h"
 
 typedef struct body_copy {
     printer printer; /* first: the printer's hook gets at the rest through it */

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
-#include "emit/loop.h"
-
-#include "emit/origin.h"
-#include "ir/ir_position.h"
 #include <assert.h>
+
+#include "emit/bins_form.h"
+#include "emit/call.h"
+#include "emit/hoist.h"
+#include "emit/tell.h"
+#include "emit/values.h"
+#include "ir/ir_position.h"
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {

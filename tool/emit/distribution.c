@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Stores that are made after all iterations (analysis/reduction/distribution.h). */
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/values.h"
 
 static const char *spelled(loop_text *loop, const ir_node *expression) {
     const char *text = text_expression(loop->arena, expression, NULL, NULL);

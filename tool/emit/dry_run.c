@@ -12,9 +12,14 @@
  * what the loop reads, as far as that is known, or read of what it has updated. Up to there nothing
  * is stale. What is read before the first iteration has no such guard: the loop is left alone.
  */
+#include "emit/dry_run.h"
+
 #include "analysis/base/expression.h"
+#include "emit/slice.h"
 #include "emit/stale.h"
 #include "emit/syntax.h"
+#include "emit/tell.h"
+#include "emit/values.h"
 
 /* ---- the slice ----------------------------------------------------------------------------- */
 

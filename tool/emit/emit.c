@@ -7,7 +7,8 @@
 #include "analysis/invariants.h"
 #include "emit/as_compiled.h"
 #include "emit/contract.h"
-#include "emit/loop.h"
+#include "emit/macro_names.h"
+#include "emit/write_loop.h"
 #include "ir/ir_position.h"
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";

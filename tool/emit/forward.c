@@ -4,11 +4,10 @@
  * redcc__forward_N, of the element's type. Each thread that executes the iteration computes it;
  * only the owner of the element stores it there.
  */
-#include "emit/loop.h"
-
-#include "emit/origin.h"
-#include "emit/syntax.h"
 #include <assert.h>
+
+#include "emit/syntax.h"
+#include "emit/values.h"
 
 static unsigned number_of(const loop_facts *facts, const forwarded_store *store) {
     assert(store >= facts->forwards && store < facts->forwards + facts->forward_count);

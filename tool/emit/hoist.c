@@ -9,9 +9,11 @@
  * each such part must be found again in the loop's header, or in its body where every first
  * iteration passes.
  */
+#include "emit/hoist.h"
+
 #include "analysis/base/counted.h"
-#include "emit/loop.h"
 #include "emit/syntax.h"
+#include "emit/tell.h"
 
 /* ---- where the loop is certain to pass ----------------------------------------------------- */
 

@@ -7,8 +7,7 @@
  */
 #include <string.h>
 
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/body.h"
 
 /** Options that change from function to function may forbid to inline one into another. */
 static bool has_compiler_pragmas(const ir_unit *unit) {

@@ -6,9 +6,13 @@
  */
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
-#include "emit/origin.h"
+#include "emit/body.h"
+#include "emit/prefetch.h"
+#include "emit/slice.h"
 #include "emit/syntax.h"
 #include "emit/tell.h"
+#include "emit/unconditional.h"
+#include "emit/values.h"
 
 static bool is_declared_in_block(const ir_node *node) {
     return node->kind == IR_DECLARATOR && node->parent->kind == IR_DECLARATION &&

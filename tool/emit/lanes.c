@@ -7,8 +7,11 @@
  */
 #include "emit/lanes.h"
 
-#include "emit/origin.h"
+#include "emit/lifter.h"
+#include "emit/outline.h"
 #include "emit/print.h"
+#include "emit/unroll.h"
+#include "emit/values.h"
 
 static bool has_place(ir_range range) {
     return range.begin < range.end;

@@ -1,147 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
- * written once more for vectors.
- *
- * A body is taken apart into what computes and what updates. Each variable of the iteration is of a
- * class; expressions follow from the classes of what they mention. Control is the same for all
- * lanes, but for conditions around updates, which are made lane by lane.
- */
+/** The form for several iterations at once (redcc/lanes.h). */
 #ifndef EMIT_LANES_H
 #define EMIT_LANES_H
 
 #include "emit/loop.h"
 
-typedef enum lane_class {
-    LANE_UNIFORM, /* the same in all lanes: a scalar */
-    LANE_VARYING, /* an integer or pointer of each lane: an array of them */
-    LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
-    LANE_LIFTED /* a double or float, or an array of them, of each lane: vectors */
-} lane_class;
-
-/** A function written for vectors, with parameters of these classes. */
-typedef struct lane_clone {
-    const ir_function *function;
-    const lane_class *classes; /* [parameter_count] */
-    bool is_masked;            /* its first parameter is the mask of the lanes that call it */
-    const char *name;
-} lane_clone;
-
-typedef VECTOR(lane_clone) lane_clone_list;
-
-typedef struct lifter {
-    loop_text *loop;
-    const ir_function *function; /* that is being written; NULL: the loop's body */
-    const ir_node *scope;        /* its body */
-    lane_class *class_of;        /* by variable */
-    lane_clone_list *clones;
-    writer *front; /* functions that must stand in front */
-    writer *out;
-    unsigned depth;        /* of calls */
-    bool *is_kept;         /* by variable: in some lanes it keeps what it held */
-    const char *mask;      /* of the lanes that do what is being written; NULL: all do */
-    const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
-    bool may_be_none;      /* perhaps there is no such lane */
-    unsigned *mask_count;
-    ir_range place; /* of the last statement that stands in the file itself */
-} lifter;
-
-/** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
- * that is the same for all lanes. */
-typedef struct lifted {
-    const char *text;
-    bool is_vector;
-} lifted;
-
-/** Records why the body cannot be written for vectors, unless there is a reason already; `node`:
- * what stands in the way; NULL: the place kept. */
-void lane_problem(const lifter *l, lane_reason why, const ir_node *node);
-/** Keeps the place of what is being written. */
-void lane_note_place(lifter *l, const ir_node *node);
-
-/** lanes_class.c: gives each variable of the scope its class. */
-void lane_classify(lifter *l);
-/** Is it a variable of the iteration, or of the function being written? */
-bool lane_is_own(const lifter *l, const ir_variable *variable);
-bool lane_is_uniform(const lifter *l, const ir_node *node);
-/** No call, no assignment in it. */
-bool lane_is_plain(const ir_node *node);
-/** Is a lifted variable mentioned other than for one of its elements? */
-bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
-bool lane_mentions_lifted(const lifter *l, const ir_node *node);
-/** The lifted variable whose element or value this is, the same one in all lanes, or NULL. */
-const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);
-/** The same where each lane may have another element: its subscripts are integers of the lane. */
-const ir_variable *lane_lifted_element(const lifter *l, const ir_node *node);
-/** A double or a float: what has vectors. */
-bool lane_is_real(const ir_type *type);
-
-/** lanes_real.c: what is called one way for doubles and another way for floats. */
-typedef struct lane_words {
-    const char *vector; /* the type of their vectors */
-    const char *gather; /* makes one of a lane's text */
-    const char *same;   /* makes one of a scalar */
-    const char *select; /* of two, by a mask */
-    const char *mask;   /* makes one of a comparison */
-    const char *of;     /* makes one of a vector of the others */
-    const char *scalar; /* the type of one */
-} lane_words;
-
-/** Those of a type that lane_is_real. */
-const lane_words *lane_words_of(const ir_type *type);
-/** The expression's value, computed in its own type, in that of `to`, as C converts it. */
-lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to);
-/** The type in which an operator computes: double where one operand is, else float; NULL where
- *  neither is any of these, or one is no number of lanes. */
-const ir_type *lane_common(const ir_type *left, const ir_type *right);
-/** The value as a vector, also where all lanes are the same. */
-const char *lane_spread(lifter *l, lifted value, const ir_type *type);
-
-/** lanes_expression.c: the expression for all lanes, converted to a type that lane_is_real. */
-lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to);
-/** The same as a vector, also where all lanes are the same. */
-const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to);
-/** May it be evaluated where the program does not? */
-bool lane_is_safe(const lifter *l, const ir_node *node);
-/** Is it one of the arithmetic operators of vectors, + - * and /? */
-bool lane_has_operator(ir_operator op);
-/** Why an operand that is not plain is none. */
-lane_reason lane_effect_of(const ir_node *node);
-/** The text of lane redcc__l; of a uniform expression its own. */
-const char *lane_scalar(lifter *l, const ir_node *node);
-/** The text of a uniform condition, without parentheses around it. */
-const char *lane_condition(lifter *l, const ir_node *node);
-/** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
-const char *lane_rename(const ir_node *node, void *context);
-/** The call of a function written for vectors. */
-const char *lane_call(lifter *l, const ir_node *call);
-
-/** lanes_mask.c: which lanes a condition holds for. */
-const char *lane_mask(lifter *l, const ir_node *node);
-/** Writes a variable for the lanes of l->mask of which the condition holds as well; its name. */
-const char *lane_new_mask(lifter *l, const char *condition);
-/** The text of one lane's value; 0 in lanes that do not evaluate it, where it may not be. */
-const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
-/** Do lanes that do not execute an assignment to the variable need its old value? */
-bool lane_needs_select(const lifter *l, const ir_variable *variable);
-/** Writes an `if` whose condition is not the same for all lanes. */
-void lane_masked_if(lifter *l, const ir_node *node);
-
-/** lanes.c: does the `for` give the variable its first value? */
-bool lane_begins_with(const ir_node *loop, const ir_variable *variable);
-/** Is each mention of the variable within a `for` that gives it its first value? */
-bool lane_is_counter_only(const ir_node *node, const ir_variable *variable);
-
-/** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
-void lane_declare(lifter *l, const ir_variable *variable);
-/** The type without qualifiers of its own. */
-const char *lane_type(lifter *l, const ir_type *type);
-/** Writes what stands in a block that is open, and closes it. */
-void lane_part(lifter *l, const ir_node *part);
-/** Writes what the statement computes, for all lanes. */
-void lane_statement(lifter *l, const ir_node *statement);
-
-/** lanes_loop.c: writes a `for` in a block, which begins with what the `for` declares. */
-void lane_for(lifter *l, const ir_node *loop);
+/** lanes.c: may the loop have a form for several iterations at once, as far as it is known before
+ *  its body is written? Sets the outcome. */
+bool may_have_lanes(const loop_text *loop);
+/** The function that executes several iterations at once, where it is asked for and the body can be
+ *  written so; sets loop->lanes and the outcome. */
+void write_lanes(loop_text *loop, writer *out);
 
 #endif

@@ -6,8 +6,7 @@
  */
 #include <string.h>
 
-#include "emit/lanes.h"
-#include "emit/origin.h"
+#include "emit/lifter.h"
 #include "ir/ir_words.h"
 
 static const lifted nothing = {"0.0", false};

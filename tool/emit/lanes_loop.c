@@ -2,7 +2,8 @@
 /**
  * Loops inside what is written for vectors: their iterations are the same for all lanes.
  */
-#include "emit/lanes.h"
+#include "emit/lifter.h"
+#include "emit/unroll.h"
 
 static bool is_uniform_step(lifter *l, const ir_node *node) {
     if (node->kind == IR_EMPTY)

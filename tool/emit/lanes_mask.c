@@ -3,8 +3,7 @@
  * What only some lanes do: conditions as masks, and statements below them. What is read from memory
  * is read in lanes that do it alone, and what a variable of the others held is selected back.
  */
-#include "emit/lanes.h"
-#include "emit/origin.h"
+#include "emit/lifter.h"
 #include "ir/ir_words.h"
 
 const char *lane_guarded(lifter *l, const ir_node *node, const char *text) {

@@ -3,7 +3,7 @@
  * Doubles and floats: the vectors of each, and how C converts one to the other. A vector of floats
  * has as many lanes as one of doubles: what an iteration computes stays in its lane.
  */
-#include "emit/lanes.h"
+#include "emit/lifter.h"
 
 bool lane_is_real(const ir_type *type) {
     return type && type->kind == IR_FLOATING && (type->size == 8 || type->size == 4);

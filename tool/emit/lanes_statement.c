@@ -5,8 +5,8 @@
  */
 #include <string.h>
 
-#include "emit/lanes.h"
-#include "emit/origin.h"
+#include "emit/lifter.h"
+#include "emit/outline.h"
 #include "ir/ir_words.h"
 
 enum { MOST_DEPTH = 8 /* of calls */ };

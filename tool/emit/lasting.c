@@ -5,8 +5,7 @@
  * in redcc__own_N and redcc__when_N; of all threads' the one with the highest number counts.
  * Several threads that execute an iteration note the same.
  */
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/values.h"
 
 bool has_sought_values(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/loop.h"
-#include "emit/origin.h"
 
 #include <assert.h>
 #include <stdarg.h>
@@ -9,7 +8,18 @@
 
 #include "analysis/base/distributed.h"
 #include "analysis/base/loop_text.h"
+#include "emit/as_compiled.h"
+#include "emit/bins_form.h"
+#include "emit/body.h"
+#include "emit/call.h"
+#include "emit/lanes.h"
+#include "emit/macro_names.h"
+#include "emit/outline.h"
+#include "emit/region.h"
+#include "emit/setup.h"
 #include "emit/syntax.h"
+#include "emit/values.h"
+#include "emit/write_loop.h"
 #include "ir/ir_position.h"
 
 /* ---- helpers of the parts ------------------------------------------------------------------ */

@@ -4,11 +4,10 @@
  * (`worker.first`), keywords, and the user's own names where they are written once more may all be
  * names of macros. Of the user's own bytes, copied, all macros mean what they did.
  */
+#include "emit/macro_names.h"
+
 #include <ctype.h>
 #include <string.h>
-
-#include "emit/loop.h"
-#include "emit/origin.h"
 
 static bool is_name_start(char c) {
     return isalpha((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;

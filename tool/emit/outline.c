@@ -7,12 +7,22 @@
  * be declared there or handed over, each type have a name. Where that is not so the loop is written
  * in place.
  */
+#include "emit/outline.h"
+
 #include <string.h>
 
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/as_compiled.h"
+#include "emit/bins_form.h"
+#include "emit/body.h"
+#include "emit/lanes.h"
+#include "emit/macro_names.h"
 #include "emit/place.h"
+#include "emit/prefetch.h"
+#include "emit/region.h"
+#include "emit/setup.h"
+#include "emit/slice.h"
 #include "emit/syntax.h"
+#include "emit/values.h"
 #include "ir/ir_position.h"
 
 enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };

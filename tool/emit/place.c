@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "emit/loop.h"
+#include "emit/macro_names.h"
 #include "support/attributes.h"
 
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {

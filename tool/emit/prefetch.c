@@ -5,10 +5,9 @@
  * only where that waits for memory all the time. A static estimate decides what is compiled; the
  * runtime measures whether it pays.
  */
+#include "emit/prefetch.h"
+
 #include "analysis/base/counted.h"
-#include "emit/loop.h"
-#include "emit/origin.h"
-#include "emit/syntax.h"
 #include "support/map.h"
 #include "support/vector.h"
 

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The parallel region: each thread inspects its iterations, then executes what it is handed. */
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/region.h"
+
+#include "emit/bins_form.h"
+#include "emit/body.h"
+#include "emit/slice.h"
+#include "emit/values.h"
 
 /* ---- variables of the region --------------------------------------------------------------- */
 

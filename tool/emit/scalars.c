@@ -6,8 +6,7 @@
  * written only where an iteration would have written it. Where several threads execute an
  * iteration, each for its own elements, all of them store the same, indivisibly.
  */
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/values.h"
 #include "ir/ir_words.h"
 
 static const char *type_of(const scalar_update *update) {

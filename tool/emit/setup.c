@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Before a loop is written: what things will be called, what the runtime is told of, and what
  *  forbids writing it at all. */
+#include "emit/setup.h"
+
 #include <ctype.h>
 #include <string.h>
 
 #include "analysis/loop/executed.h"
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/dry_run.h"
+#include "emit/hoist.h"
+#include "emit/macro_names.h"
 #include "emit/syntax.h"
 
 /* ---- names --------------------------------------------------------------------------------- */

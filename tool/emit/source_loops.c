@@ -2,7 +2,7 @@
 /** The inspector's own copies of loops of functions that the user's loop calls, around what these
  *  read: `for (; redcc__each_0 < 4; redcc__each_0++)`. */
 #include "analysis/base/expression.h"
-#include "emit/loop.h"
+#include "emit/slice.h"
 #include "ir/ir_words.h"
 
 const char *source_loop_counter(arena *a, unsigned depth) {

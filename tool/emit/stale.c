@@ -3,6 +3,8 @@
 
 #include "analysis/base/expression.h"
 #include "emit/syntax.h"
+#include "emit/tell.h"
+#include "emit/unconditional.h"
 
 enum { DEEPEST_CALL = 6 };
 

@@ -56,4 +56,7 @@ bool stale_condition(const staleness *s, const ir_node *node);
 /** Sets is_harmful where evaluating the node with stale values may do harm. */
 void stale_check(staleness *s, const ir_node *node, control how);
 
+/** stale.c: may the body be executed before what it reads is compared with what it writes? */
+bool is_harmless_when_stale(loop_text *loop);
+
 #endif

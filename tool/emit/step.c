@@ -4,10 +4,9 @@
  * of iteration redcc__k begins with the value on entry, redcc__from_N, and redcc__k steps. Words of
  * 64 bits wrap around, and give after conversion what the sequential loop has.
  */
-#include "emit/loop.h"
-
-#include "emit/origin.h"
 #include <assert.h>
+
+#include "emit/values.h"
 
 /** By how much an iteration moves it, in words. */
 static const char *stride_text(loop_text *loop, const private_variable *item) {

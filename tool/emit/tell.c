@@ -5,8 +5,11 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
-#include "emit/origin.h"
+#include "emit/hoist.h"
+#include "emit/slice.h"
 #include "emit/syntax.h"
+#include "emit/unconditional.h"
+#include "emit/values.h"
 #include "ir/ir_position.h"
 
 /** The printer's hook for spellings: notes the variables. */

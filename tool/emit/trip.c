@@ -9,12 +9,12 @@
  * original loop to run. So do a stride that is no constant and less than 1, and those by which a do
  * loop has one iteration only: its first value does not meet the condition.
  */
-#include "emit/loop.h"
-#include "emit/origin.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "emit/call.h"
+#include "emit/region.h"
 
 enum {
     INT_SIZE = 4,  /* of every target that OpenMP runs on */

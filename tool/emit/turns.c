@@ -14,9 +14,12 @@
  * add to variables that are read by updates outside of the loop alone, as in `p += e; ... f[i] +=
  * p;`: then the thread must not own their rows either.
  */
+#include "emit/turns.h"
+
 #include "analysis/base/expression.h"
-#include "emit/loop.h"
 #include "emit/syntax.h"
+#include "emit/unconditional.h"
+#include "emit/values.h"
 
 /* A question is asked once more of each turn: for how many operations on floating values, and how
  * many rows at the most. */

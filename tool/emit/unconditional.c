@@ -4,9 +4,10 @@
  * in the loop, or before it. What they give there does not matter, but they must have a meaning:
  * signed arithmetic wraps around, and addresses are numbers, which may lie outside of every object.
  */
+#include "emit/unconditional.h"
+
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
-#include "emit/loop.h"
 #include "emit/origin.h"
 #include "ir/ir_words.h"
 

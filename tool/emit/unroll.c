@@ -5,12 +5,13 @@
  * elements of arrays of vectors stand in registers. By -O2 the assembly of a cloth's forces by
  * lanes took two thirds of the time (script/bench lanes).
  */
+#include "emit/unroll.h"
+
 #include <string.h>
 
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
-#include "emit/loop.h"
 #include "emit/syntax.h"
 
 enum {

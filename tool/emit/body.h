@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The user's body for one iteration. */
+#ifndef EMIT_BODY_H
+#define EMIT_BODY_H
+
+#include "emit/loop.h"
+
+/** inline.c: keeps inlined what the compiler inlines in the sequential program because it is called
+ *  at one place only. */
+void declare_inlined(loop_text *loop, writer *out);
+
+/** body.c: the user's body for one iteration, with the counter and private variables declared. */
+void write_iteration(loop_text *loop, writer *out);
+/** The declaration of a private variable, of an iteration or of its slice. */
+const char *private_declaration(loop_text *loop, const ir_variable *variable);
+bool body_reads(const loop_facts *facts, const ir_variable *variable);
+/** The increment at the end of a while or do loop's body, which is the executor's own: copies of
+ * the body do not have it. NULL: there is none. */
+const ir_node *body_increment(const loop_facts *facts);
+
+#endif

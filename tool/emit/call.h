@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** One execution as the runtime is told of it: how many iterations, which arrays, what they read.
+ */
+#ifndef EMIT_CALL_H
+#define EMIT_CALL_H
+
+#include "emit/loop.h"
+
+/** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
+ * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */
+const char *write_trip_count(loop_text *loop, writer *out);
+
+/** describe.c: the static objects that describe the loop; the key of one execution. */
+void write_description(loop_text *loop, writer *out);
+/** May the runtime update private copies of the array? They hold elements side by side, so not
+ * where other things lie between them; nor where updates of copies could not be brought together.
+ */
+bool may_be_copied(const loop_text *loop, const reduction_array *array);
+unsigned key_length(const loop_text *loop);
+void fill_key(loop_text *loop, writer *out);
+
+/** extents.c: redcc__known, for the sources whose place is known before the inspection; */
+bool has_affine_extents(const loop_text *loop);
+void declare_extents(loop_text *loop, writer *out);
+void fill_extents(loop_text *loop, writer *out);
+/** what must hold of them for the parallel form to be entered, or NULL. */
+const char *extents_are_known(const loop_text *loop);
+
+#endif

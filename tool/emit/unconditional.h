@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Texts that may be evaluated where the program does not come to them. */
+#ifndef EMIT_UNCONDITIONAL_H
+#define EMIT_UNCONDITIONAL_H
+
+#include "analysis/overlap/row_address.h"
+#include "emit/loop.h"
+
+/** unconditional.c: texts that may be evaluated where the program does not come to them. Does the
+ *  inspector come to this statement where the program may not? */
+bool is_bare(const loop_facts *facts, const ir_node *statement);
+/** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
+ *  none of these. A rename and its context as ir_c_expression takes them. */
+const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
+/** Does it begin with & of an object? An array needs none, nor a pointer in its place. */
+bool needs_address(const row_address *address);
+/** The address as a number, redcc_size. `counter`: one of its subscripts steps with it (spans), and
+ *  is computed in 64 bits, as if its type were as wide; or NULL. NULL: cannot be spelled. */
+const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
+                           ir_c_rename rename, void *context);
+
+#endif
