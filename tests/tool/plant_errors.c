@@ -7,9 +7,9 @@
 #include "emit/emit.h"
 
 emit_result __real_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                             const emit_options *options);
+                             const plan_options *options);
 emit_result __wrap_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                             const emit_options *options);
+                             const plan_options *options);
 
 static const struct {
     const char *word, *right, *wrong;
@@ -34,7 +34,7 @@ static void spoil(char *text, size_t length) {
 }
 
 emit_result __wrap_emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                             const emit_options *options) {
+                             const plan_options *options) {
     emit_result result = __real_emit_file(a, unit, analysis, options);
     char *text = (char *)arena_copy(a, result.text, result.length);
     for (unsigned i = 0; i < result.loop_count; i++)

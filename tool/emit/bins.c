@@ -16,8 +16,9 @@
 #include "analysis/base/expression.h"
 #include "emit/bins_form.h"
 #include "emit/print.h"
-#include "emit/stale.h"
-#include "emit/syntax.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+#include "plan/unverified.h"
 
 enum { MOST_TAGS = 16, MOST_SOURCES = 32 };
 
@@ -33,7 +34,7 @@ static bool contains(const ir_node *node, const ir_node *target) {
 }
 
 static bool mentions_array(const loop_text *loop, const ir_node *node) {
-    if (loop_array_of_base(loop, node) >= 0)
+    if (loop_array_of_base(loop->facts, node) >= 0)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (mentions_array(loop, node->children[i]))
@@ -141,8 +142,8 @@ static bool decides(const ir_node *node) {
            (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR));
 }
 
-static bool gather(const loop_text *loop, bins_record *record, const ir_node *target,
-                   const ir_node *node, bool is_certain) {
+static bool gather_operands(const loop_text *loop, bins_record *record, const ir_node *target,
+                            const ir_node *node, bool is_certain) {
     if (syntax_same(node, target) || (ir_is_expression(node) && is_constant(node)))
         return true;
     if (ir_is_expression(node) && !contains(node, target))
@@ -150,8 +151,8 @@ static bool gather(const loop_text *loop, bins_record *record, const ir_node *ta
     if (!may_hold_target(node))
         return false;
     for (unsigned i = node->kind == IR_CALL; i < node->child_count; i++)
-        if (!gather(loop, record, target, node->children[i],
-                    is_certain && (i == 0 || !decides(node))))
+        if (!gather_operands(loop, record, target, node->children[i],
+                             is_certain && (i == 0 || !decides(node))))
             return false;
     return true;
 }
@@ -260,7 +261,7 @@ static bool can_be_stream(const loop_text *loop, unsigned number) {
 static bool is_read_elsewhere(const loop_text *loop, const ir_node *node) {
     if (loop_update_at(loop->facts, node))
         return false;
-    if (ir_is_expression(node) && loop_array_of_base(loop, node) >= 0)
+    if (ir_is_expression(node) && loop_array_of_base(loop->facts, node) >= 0)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
         if (is_read_elsewhere(loop, node->children[i]))
@@ -274,19 +275,19 @@ static bool take_apart(loop_text *loop, struct bins_text *bins, bins_record *rec
         const ir_node *statement = update->statement;
         if (update->last || !is_in_step(loop, bins, update) ||
             (statement->kind != IR_EXPRESSION && statement->kind != IR_IF) ||
-            !gather(loop, record, update->target, statement, true))
+            !gather_operands(loop, record, update->target, statement, true))
             return false;
     }
     return fits_stream(bins, record);
 }
 
 static bool find_told_sources(const loop_text *loop, struct bins_text *bins) {
-    if (loop->source_count > MOST_SOURCES)
+    if (loop->plan->source_count > MOST_SOURCES)
         return false;
     for (unsigned i = 0; i < loop->facts->source_count; i++) {
         const loop_source *read = &loop->facts->sources[i];
         if (read->needs_guard && read->extent == EXTENT_TOUCHED)
-            bins->told_sources |= (uint32_t)1 << loop->source_number[i];
+            bins->told_sources |= (uint32_t)1 << loop->plan->source_number[i];
     }
     return true;
 }
@@ -335,7 +336,7 @@ void find_bins(loop_text *loop) {
     bins->nests = ARENA_ARRAY(loop->arena, bins_nest, facts->update_count + 1);
     if (loop->unit->dialect.is_sanitized || facts->forward_count > 0 || facts->scalar_count > 0 ||
         is_read_elsewhere(loop, facts->counted.body) || !find_told_sources(loop, bins) ||
-        !is_harmless_when_stale(loop))
+        !is_harmless_when_unverified(loop->plan))
         return;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!can_be_stream(loop, i))

@@ -7,6 +7,7 @@
  * first statement.
  */
 #include "emit/bins.h"
+#include "plan/lookup.h"
 
 typedef struct grouping {
     const loop_text *loop;

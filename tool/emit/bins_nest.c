@@ -9,7 +9,8 @@
 
 #include "analysis/base/counted.h"
 #include "emit/bins.h"
-#include "emit/syntax.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 
 /* ---- the loops ----------------------------------------------------------------------------- */
 

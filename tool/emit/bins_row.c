@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "emit/bins.h"
-#include "emit/syntax.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 
 /* Fewer rows than this fit the cache at a time, if they are larger. */
 enum { MOST_ROW_BYTES = 1024 };
@@ -47,8 +48,8 @@ const ir_node *outermost_row(const loop_text *loop, const reduction_update *upda
                              const bins_nest *nest) {
     const ir_node *row = update->target;
     int64_t offset = 0;
-    while (loop_array_of_base(loop, row) < 0 &&
-           loop_array_of_base(loop, row->children[0]) != (int)update->array &&
+    while (loop_array_of_base(loop->facts, row) < 0 &&
+           loop_array_of_base(loop->facts, row->children[0]) != (int)update->array &&
            is_known_part(nest, row, &offset))
         row = row->children[0];
     return row;
@@ -150,7 +151,7 @@ const char *part_of_row_text(const loop_text *loop, const struct bins_text *bins
 static bool is_aligned(const loop_text *loop, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;
-    for (; loop_array_of_base(loop, node) != (int)update->array; node = node->children[0]) {
+    for (; loop_array_of_base(loop->facts, node) != (int)update->array; node = node->children[0]) {
         if (node->kind != IR_MEMBER)
             continue;
         const ir_type *whole = node->children[0]->type;
@@ -170,7 +171,7 @@ bool is_in_step(const loop_text *loop, const struct bins_text *bins,
     if (!ir_type_equal(update->target->type, loop->facts->arrays[update->array].element) ||
         offset % element_size(loop, update->array) != 0 || !is_aligned(loop, update))
         return false;
-    for (; loop_array_of_base(loop, node) != (int)update->array; node = node->children[0]) {
+    for (; loop_array_of_base(loop->facts, node) != (int)update->array; node = node->children[0]) {
         const bool is_step = node->kind == IR_INDEX || node->kind == IR_MEMBER ||
                              (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
         if (!is_step || node->type->size <= 0 || node->type->size % size != 0 ||
@@ -188,9 +189,9 @@ bool is_same_row(const loop_text *loop, const struct bins_text *bins, const redu
     const ir_node *left = row_of(loop, bins, a, &offset);
     const ir_node *right = row_of(loop, bins, b, &offset);
     for (;; left = left->children[0], right = right->children[0]) {
-        const bool ends = loop_array_of_base(loop, left) == (int)a->array;
-        if (ends || loop_array_of_base(loop, right) == (int)b->array)
-            return ends && loop_array_of_base(loop, right) == (int)b->array;
+        const bool ends = loop_array_of_base(loop->facts, left) == (int)a->array;
+        if (ends || loop_array_of_base(loop->facts, right) == (int)b->array)
+            return ends && loop_array_of_base(loop->facts, right) == (int)b->array;
         if (left->kind != right->kind || left->child_count == 0 || right->child_count == 0)
             return false;
         if (left->kind == IR_INDEX && (left->type->size / size != right->type->size / other_size ||

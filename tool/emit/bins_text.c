@@ -5,8 +5,8 @@
 
 #include "emit/bins.h"
 #include "emit/bins_form.h"
-#include "emit/call.h"
 #include "emit/outline.h"
+#include "plan/execution.h"
 
 static bool is_floating(const char *type) {
     return strcmp(type, "float") == 0 || strcmp(type, "double") == 0;
@@ -233,7 +233,7 @@ void write_bins(loop_text *loop, writer *out) {
 static bool is_exact(const loop_text *loop, const bins_stream *stream) {
     for (unsigned part = 0; part < stream->array_count; part++) {
         const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
-        if (!may_be_copied(loop, array) || array->element->kind != IR_INTEGER)
+        if (!may_be_copied(loop->plan, array) || array->element->kind != IR_INTEGER)
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)

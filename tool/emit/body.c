@@ -13,11 +13,12 @@
 #include "emit/edit.h"
 #include "emit/outline.h"
 #include "emit/print.h"
-#include "emit/syntax.h"
 #include "emit/turns.h"
 #include "emit/unconditional.h"
-#include "emit/unroll.h"
 #include "emit/values.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+#include "plan/unroll.h"
 
 typedef struct body_copy {
     printer printer; /* first: the printer's hook gets at the rest through it */
@@ -31,7 +32,7 @@ typedef struct body_copy {
 
 static const char *local_name(const ir_node *node, void *context) {
     const loop_text *loop = context;
-    const int array = loop_array_of_base(loop, node);
+    const int array = loop_array_of_base(loop->facts, node);
     return array >= 0 ? loop->arrays[array].local : forward_read_name(loop, node);
 }
 
@@ -188,7 +189,7 @@ static void print_instead(body_copy *copy, const ir_node *statement) {
 
 /** Another name for this very node: NULL, with *is_base set where it is an array's own. */
 static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
-    const int array = loop_array_of_base(loop, node);
+    const int array = loop_array_of_base(loop->facts, node);
     *is_base = array >= 0;
     if (array >= 0)
         return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
@@ -217,31 +218,6 @@ static void print_name_in_macro(body_copy *copy, const ir_node *node, const char
 static void replace_name(body_copy *copy, const ir_node *node, const char *name) {
     if (!is_printed(copy, node))
         replace_bytes(copy, node->range.begin, node->range.end, name);
-}
-
-static bool contains_base(const loop_text *loop, const ir_node *node, unsigned array) {
-    if (loop_array_of_base(loop, node) == (int)array)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (contains_base(loop, node->children[i], array))
-            return true;
-    return false;
-}
-
-/** An update that does not spell its array would write past the thread's own copy. */
-static void check_updates(loop_text *loop) {
-    const loop_facts *facts = loop->facts;
-    for (unsigned i = 0; i < facts->update_count; i++) {
-        const reduction_update *update = &facts->updates[i];
-        if (!facts->arrays[update->array].order_is_kept &&
-            !contains_base(loop, update->statement, update->array))
-            loop_obstacle(loop, update->statement->range,
-                          "an update does not name '%s', the array it goes to",
-                          facts->arrays[update->array].name);
-        for (unsigned other = 0; other < i; other++)
-            if (facts->updates[other].statement == update->statement)
-                loop_obstacle(loop, update->statement->range, "two updates stand in one statement");
-    }
 }
 
 /* ---- guards -------------------------------------------------------------------------------- */
@@ -313,9 +289,9 @@ static void ask_for_turns(body_copy *copy, const ir_node *node) {
 }
 
 static void unroll_loops(body_copy *copy, const ir_node *node) {
-    const char *unrolled = unrolled_in_body(node);
-    if (*unrolled && !is_printed(copy, node) && takes_pragma(copy->loop, node))
-        edit_insert(copy->loop->arena, &copy->edits, node->range.begin, unrolled);
+    if (is_unrolled_in_body(node) && !is_printed(copy, node) &&
+        takes_pragma(copy->loop->plan, node))
+        edit_insert(copy->loop->arena, &copy->edits, node->range.begin, "REDCC_UNROLLED ");
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
         unroll_loops(copy, node->children[i]);
 }
@@ -347,13 +323,6 @@ static const char *printed_text(body_copy *copy, const ir_node *statement) {
     copy->printer.out = &line;
     print_statement(&copy->printer, statement);
     return writer_text(copy->loop->arena, &line);
-}
-
-const ir_node *body_increment(const loop_facts *facts) {
-    const counted_loop *counted = &facts->counted;
-    return counted->steps_inside || !ir_contains(counted->body, counted->increment)
-               ? NULL
-               : counted->increment;
 }
 
 static void drop_increment(body_copy *copy) {
@@ -463,15 +432,18 @@ static void declare_variables(loop_text *loop, writer *out) {
     declare_repeated_operands(loop, out);
 }
 
+static const char *pragma_in_body(const ir_node *loop) {
+    return is_unrolled_in_body(loop) ? "REDCC_UNROLLED " : "";
+}
+
 void write_iteration(loop_text *loop, writer *out) {
     const ir_node *body = loop->facts->counted.body;
     body_copy copy = {.printer = {.arena = loop->arena,
                                   .rename = local_name,
                                   .context = loop,
                                   .before = print_guard,
-                                  .in_front_of_for = unrolled_in_body},
+                                  .in_front_of_for = pragma_in_body},
                       .loop = loop};
-    check_updates(loop);
     if (loop->outline.done)
         writer_fill(out, true);
     declare_variables(loop, out);

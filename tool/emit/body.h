@@ -14,8 +14,5 @@ void write_iteration(loop_text *loop, writer *out);
 /** The declaration of a private variable, of an iteration or of its slice. */
 const char *private_declaration(loop_text *loop, const ir_variable *variable);
 bool body_reads(const loop_facts *facts, const ir_variable *variable);
-/** The increment at the end of a while or do loop's body, which is the executor's own: copies of
- * the body do not have it. NULL: there is none. */
-const ir_node *body_increment(const loop_facts *facts);
 
 #endif

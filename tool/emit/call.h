@@ -12,11 +12,7 @@ const char *write_trip_count(loop_text *loop, writer *out);
 
 /** describe.c: the static objects that describe the loop; the key of one execution. */
 void write_description(loop_text *loop, writer *out);
-/** May the runtime update private copies of the array? They hold elements side by side, so not
- * where other things lie between them; nor where updates of copies could not be brought together.
- */
-bool may_be_copied(const loop_text *loop, const reduction_array *array);
-unsigned key_length(const loop_text *loop);
+
 void fill_key(loop_text *loop, writer *out);
 
 /** extents.c: redcc__known, for the sources whose place is known before the inspection; */

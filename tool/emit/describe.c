@@ -4,10 +4,8 @@
 
 #include "emit/bins_form.h"
 #include "emit/call.h"
-#include "emit/hoist.h"
-#include "emit/tell.h"
-#include "emit/values.h"
 #include "ir/ir_position.h"
+#include "plan/execution.h"
 
 /** Of arrays whose order is kept the runtime needs no operator: it makes no copies of them. */
 static const char *operator_name(const reduction_array *array) {
@@ -49,14 +47,8 @@ static const char *element_name(const ir_type *type) {
     return "REDCC_OTHER_TYPE";
 }
 
-bool may_be_copied(const loop_text *loop, const reduction_array *array) {
-    const bool may_overflow = array->element->kind == IR_INTEGER && array->element->is_signed;
-    return !array->is_interleaved && !array->order_is_kept &&
-           !(may_overflow && loop->unit->dialect.is_sanitized);
-}
-
 static const char *runtime_type(const loop_text *loop, const reduction_array *array) {
-    return may_be_copied(loop, array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
+    return may_be_copied(loop->plan, array) ? element_name(array->element) : "REDCC_OTHER_TYPE";
 }
 
 /** Bytes of the array's row, as text: `sizeof(double[3])` where that can be said. */
@@ -91,72 +83,23 @@ static void write_arrays(loop_text *loop, writer *out) {
 }
 
 static void write_sources(loop_text *loop, writer *out) {
-    if (loop->source_count == 0)
+    if (loop->plan->source_count == 0)
         return;
     writer_fill(out, true);
     writer_line(out, "static const redcc_source redcc__sources[] =");
-    for (unsigned i = 0; i < loop->source_count; i++)
+    for (unsigned i = 0; i < loop->plan->source_count; i++)
         writer_line(out, "    %s{%s, %d}%s", i == 0 ? "{" : "",
-                    text_quoted(loop->arena, loop->sources[i].fact->name),
-                    loop->sources[i].is_subscript ? 1 : 0, i + 1 < loop->source_count ? "," : "};");
+                    text_quoted(loop->arena, loop->plan->sources[i].fact->name),
+                    loop->plan->sources[i].is_subscript ? 1 : 0,
+                    i + 1 < loop->plan->source_count ? "," : "};");
     writer_fill(out, false);
 }
 
 /* ---- the key ------------------------------------------------------------------------------- */
 
-/** How a key's value gets into words of 64 bits. */
-typedef enum key_form { KEY_INTEGER, KEY_POINTER, KEY_BYTES, KEY_UNFIT } key_form;
-
-static key_form form_of_key(const ir_type *type) {
-    switch (type->kind) {
-    case IR_BOOLEAN:
-    case IR_INTEGER:
-        return KEY_INTEGER;
-    case IR_POINTER:
-    case IR_ARRAY:
-        return KEY_POINTER;
-    case IR_FLOATING: /* a long double has bytes that mean nothing */
-        return type->size <= 8 && type->spelling ? KEY_BYTES : KEY_UNFIT;
-    default:
-        return KEY_UNFIT;
-    }
-}
-
-/** May a plan be kept? Only while it can be told where what it knows of has moved to. */
-static bool is_verifiable(const loop_facts *facts) {
-    if (!facts->slice.is_verifiable)
-        return false;
-    for (unsigned i = 0; i < facts->source_count; i++) {
-        const loop_source *fact = &facts->sources[i];
-        if (fact->extent == EXTENT_TOUCHED && fact->base && !can_be_read_ahead(facts, fact->base))
-            return false;
-    }
-    for (unsigned i = 0; i < facts->inspector.key_count; i++)
-        if (form_of_key(facts->inspector.key[i]->type) == KEY_UNFIT)
-            return false;
-    return true;
-}
-
-/** The stride, and variables stepped with the counter, of which the slice asks the value. */
-static unsigned stepped_count(const loop_facts *facts) {
-    unsigned count = facts->counted.stride ? 1 : 0;
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped && facts->variables.privates[i].is_in_slice)
-            count += facts->variables.privates[i].by ? 2 : 1;
-    return count;
-}
-
-static unsigned key_count(const loop_facts *facts) {
-    return 1 + (is_verifiable(facts) ? facts->inspector.key_count + stepped_count(facts) : 0);
-}
-
-unsigned key_length(const loop_text *loop) {
-    return key_count(loop->facts);
-}
-
 void fill_key(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    if (!is_verifiable(facts))
+    if (!loop->plan->execution.keeps_plan)
         return;
     unsigned number = 1 + facts->inspector.key_count;
     if (facts->counted.stride)
@@ -192,37 +135,20 @@ void fill_key(loop_text *loop, writer *out) {
     }
 }
 
-static bool has_values_beside(const loop_facts *facts) {
-    return facts->scalar_count > 0 || has_sought_values(facts);
-}
-
-/** What an iteration leaves beside its updates must be there, also if it makes none. */
-static bool needs_every_iteration(const loop_facts *facts) {
-    return has_values_beside(facts) || facts->sets_errno;
-}
-
-static bool needs_order(const loop_facts *facts) {
-    if (has_values_beside(facts))
-        return true;
-    for (unsigned i = 0; i < facts->array_count; i++)
-        if (facts->arrays[i].order_is_kept)
-            return true;
-    return false;
-}
-
 static const char *flags_text(const loop_text *loop) {
+    const bool prefetches = loop->outline.done && loop->plan->prefetch.ahead > 0;
     const struct {
         bool is_set;
         const char *name;
-    } flags[] = {{is_verifiable(loop->facts), "REDCC_VERIFIABLE"},
+    } flags[] = {{loop->plan->execution.keeps_plan, "REDCC_VERIFIABLE"},
                  {loop->options->order_is_explicit, "REDCC_ORDER_EXPLICIT"},
-                 {needs_order(loop->facts), "REDCC_ORDER_NEEDED"},
-                 {needs_every_iteration(loop->facts), "REDCC_EVERY_ITERATION"},
-                 {loop->dry_run != DRY_RUN_NONE, "REDCC_DRY_RUN"},
-                 {loop->dry_run == DRY_RUN_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
+                 {loop->plan->execution.needs_order, "REDCC_ORDER_NEEDED"},
+                 {loop->plan->execution.needs_every_iteration, "REDCC_EVERY_ITERATION"},
+                 {loop->plan->precheck != PRECHECK_NONE, "REDCC_DRY_RUN"},
+                 {loop->plan->precheck == PRECHECK_OF_ALL, "REDCC_DRY_RUN_OF_READS"},
                  {loop->bins != NULL, "REDCC_BINS_FLAG"},
-                 {loop->prefetch.ahead > 0 && !loop->prefetch.is_light, "REDCC_PREFETCHES"},
-                 {loop->prefetch.is_light, "REDCC_LIGHT"},
+                 {prefetches && !loop->plan->prefetch.is_light, "REDCC_PREFETCHES"},
+                 {prefetches && loop->plan->prefetch.is_light, "REDCC_LIGHT"},
                  {loop->lanes.name != NULL, "REDCC_LANES"}};
     const char *text = NULL;
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
@@ -236,7 +162,7 @@ static const char *flags_text(const loop_text *loop) {
 static void write_loop_object(loop_text *loop, writer *out) {
     static const char *const orders[] = {"REDCC_ORDER_SERIAL", "REDCC_ORDER_FIXED",
                                          "REDCC_ORDER_ANY"};
-    _Static_assert(sizeof orders / sizeof *orders == EMIT_ORDER_ANY + 1, "all orders");
+    _Static_assert(sizeof orders / sizeof *orders == ORDER_ANY + 1, "all orders");
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     writer_fill(out, true);
     writer_line(out, "static redcc_%s redcc__loop =", loop->bins ? "binned" : "loop");
@@ -247,8 +173,8 @@ static void write_loop_object(loop_text *loop, writer *out) {
         loop->bins ? arena_format(loop->arena, "}, %u, redcc__streams", bins_stream_count(loop))
                    : "";
     writer_line(out, "    %u, redcc__arrays, %u, %s, %u, 0%s};", loop->facts->array_count,
-                loop->source_count, loop->source_count > 0 ? "redcc__sources" : "0",
-                key_count(loop->facts), streams);
+                loop->plan->source_count, loop->plan->source_count > 0 ? "redcc__sources" : "0",
+                loop->plan->execution.key_count, streams);
     writer_fill(out, false);
 }
 

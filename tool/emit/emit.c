@@ -6,10 +6,11 @@
 
 #include "analysis/invariants.h"
 #include "emit/as_compiled.h"
-#include "emit/contract.h"
-#include "emit/macro_names.h"
+#include "emit/unfused.h"
 #include "emit/write_loop.h"
 #include "ir/ir_position.h"
+#include "plan/contraction.h"
+#include "plan/macros.h"
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
@@ -195,7 +196,7 @@ static bool add_loop(const loop_text *start, const loop_verdict *verdict, unsign
                      loop_list *loops, reason *why) {
     arena *a = start->arena;
     const ir_unit *unit = start->unit;
-    const emit_options *options = start->options;
+    const plan_options *options = start->options;
     const unsigned left = options->leave ? options->leave[number] : 0;
     loop_form form = left >= (options->lanes ? 2 : 1)  ? FORM_IN_PLACE
                      : options->lanes > 0 && left == 0 ? FORM_LANES
@@ -297,7 +298,7 @@ static void assert_pieces(const ir_unit *unit, const analysis_result *analysis,
 }
 
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                      const emit_options *options) {
+                      const plan_options *options) {
     reason *obstacles = ARENA_ARRAY(a, reason, analysis->verdict_count + 1);
     lanes_outcome *lanes =
         options->lanes ? ARENA_ARRAY(a, lanes_outcome, analysis->verdict_count + 1) : NULL;
@@ -318,14 +319,19 @@ emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *anal
         if (obstacle)
             obstacles[i] = (reason){.message = obstacle, .range = verdict->loop->range};
         else {
+            const loop_plan *plan = plan_loop(a, unit, seen, verdict->facts, options);
             const loop_text start = {.arena = a,
                                      .whole = unit,
                                      .unit = seen,
                                      .facts = verdict->facts,
+                                     .plan = plan,
                                      .options = options,
                                      .is_unfused = is_unfused[i],
                                      .lanes.outcome = lanes ? &lanes[i] : NULL};
-            add_loop(&start, verdict, i, &loops, &obstacles[i]);
+            if (plan->obstacle.message)
+                obstacles[i] = plan->obstacle;
+            else
+                add_loop(&start, verdict, i, &loops, &obstacles[i]);
         }
     }
     unfuse_functions(a, unit, analysis, is_unfused, &loops);

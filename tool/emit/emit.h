@@ -9,19 +9,7 @@
 #include "analysis/analysis.h"
 #include "emit/lane_reason.h"
 #include "emit/origin.h"
-
-/** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
-typedef enum emit_order { EMIT_ORDER_SERIAL, EMIT_ORDER_FIXED, EMIT_ORDER_ANY } emit_order;
-
-typedef struct emit_options {
-    emit_order order;
-    bool order_is_explicit; /* asked for explicitly, not just the default */
-    const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
-    unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
-    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:
-                                   nor move slice and body in front of the function. Without
-                                   `lanes` 1 is as 2. NULL: 0 everywhere */
-} emit_options;
+#include "plan/options.h"
 
 /** A loop as it was written, or what of it stands in front of its function. */
 typedef struct written_loop {
@@ -49,6 +37,6 @@ typedef struct emit_result {
 /** Writes all loops whose verdict is VERDICT_TRANSFORM. Everything returned lives in the arena (or
  *  is the source's). */
 emit_result emit_file(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                      const emit_options *options);
+                      const plan_options *options);
 
 #endif

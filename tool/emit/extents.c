@@ -3,20 +3,19 @@
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
 #include "emit/call.h"
-#include "emit/hoist.h"
 #include "emit/unconditional.h"
 
 bool has_affine_extents(const loop_text *loop) {
-    for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == EXTENT_AFFINE)
+    for (unsigned i = 0; i < loop->plan->source_count; i++)
+        if (loop->plan->sources[i].fact->extent == EXTENT_AFFINE)
             return true;
     return false;
 }
 
 static bool has_extents(const loop_text *loop, bool is_checked) {
-    for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == EXTENT_AFFINE &&
-            loop->sources[i].fact->is_checked == is_checked)
+    for (unsigned i = 0; i < loop->plan->source_count; i++)
+        if (loop->plan->sources[i].fact->extent == EXTENT_AFFINE &&
+            loop->plan->sources[i].fact->is_checked == is_checked)
             return true;
     return false;
 }
@@ -49,13 +48,13 @@ static const char *address_text(loop_text *loop, const loop_source *fact) {
 }
 
 static void fill_fixed_extents(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->source_count; i++) {
-        const loop_source *fact = loop->sources[i].fact;
+    for (unsigned i = 0; i < loop->plan->source_count; i++) {
+        const loop_source *fact = loop->plan->sources[i].fact;
         if (fact->extent == EXTENT_INVARIANT) {
             writer_line(out, "redcc_known_row(&redcc__known[%u], %s, sizeof(%s));", i,
                         address_text(loop, fact), loop_operand(loop, fact->row));
         } else if (fact->extent == EXTENT_TOUCHED && fact->base &&
-                   can_be_read_ahead(loop->facts, fact->base)) {
+                   loop->plan->has_ready_base[fact - loop->facts->sources]) {
             writer_line(out, "redcc__known[%u].first = (const char *)%s%s;", i,
                         is_address(fact->base->type) ? "" : "&", loop_operand(loop, fact->base));
         } else if (fact->extent == EXTENT_TOUCHED && !fact->base) {
@@ -78,10 +77,11 @@ static void fill_affine_extents(loop_text *loop, writer *out) {
     writer_line(out, "%s %s = (%s)REDCC_AN_END(%s);", loop->counter_type,
                 origin_declarator(loop->arena, counted->counter), loop->counter_type,
                 loop_step(loop));
-    for (unsigned i = 0; i < loop->source_count; i++) {
-        if (loop->sources[i].fact->extent != EXTENT_AFFINE || loop->sources[i].fact->is_checked)
+    for (unsigned i = 0; i < loop->plan->source_count; i++) {
+        if (loop->plan->sources[i].fact->extent != EXTENT_AFFINE ||
+            loop->plan->sources[i].fact->is_checked)
             continue;
-        const char *row = loop_operand(loop, loop->sources[i].fact->row);
+        const char *row = loop_operand(loop, loop->plan->sources[i].fact->row);
         writer_line(out, "REDCC_KNOWN_ROW(%u, %s);", i, macro_argument(loop->arena, row));
     }
     out->depth--;
@@ -183,7 +183,7 @@ static void write_limit(loop_text *loop, writer *out, const counter_limit *limit
 }
 
 static void fill_checked_extent(loop_text *loop, writer *out, unsigned number) {
-    const loop_source *fact = loop->sources[number].fact;
+    const loop_source *fact = loop->plan->sources[number].fact;
     const bool descends = loop->facts->counted.step < 0;
     const char *last = arena_format(
         loop->arena, descends ? "redcc__final - (%s)" : "redcc__final - %s", loop_step(loop));
@@ -223,8 +223,9 @@ void fill_extents(loop_text *loop, writer *out) {
     fill_fixed_extents(loop, out);
     writer_fill(out, false);
     fill_affine_extents(loop, out);
-    for (unsigned i = 0; i < loop->source_count; i++)
-        if (loop->sources[i].fact->extent == EXTENT_AFFINE && loop->sources[i].fact->is_checked)
+    for (unsigned i = 0; i < loop->plan->source_count; i++)
+        if (loop->plan->sources[i].fact->extent == EXTENT_AFFINE &&
+            loop->plan->sources[i].fact->is_checked)
             fill_checked_extent(loop, out, i);
 }
 

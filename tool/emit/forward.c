@@ -6,19 +6,12 @@
  */
 #include <assert.h>
 
-#include "emit/syntax.h"
 #include "emit/values.h"
+#include "ir/ir_syntax.h"
 
 static unsigned number_of(const loop_facts *facts, const forwarded_store *store) {
     assert(store >= facts->forwards && store < facts->forwards + facts->forward_count);
     return (unsigned)(store - facts->forwards);
-}
-
-const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->forward_count; i++)
-        if (facts->forwards[i].statement == statement)
-            return &facts->forwards[i];
-    return NULL;
 }
 
 const char *forward_read_name(const loop_text *loop, const ir_node *node) {

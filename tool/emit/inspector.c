@@ -7,12 +7,12 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
 #include "emit/body.h"
-#include "emit/prefetch.h"
 #include "emit/slice.h"
-#include "emit/syntax.h"
 #include "emit/tell.h"
-#include "emit/unconditional.h"
 #include "emit/values.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+#include "plan/unconditional.h"
 
 static bool is_declared_in_block(const ir_node *node) {
     return node->kind == IR_DECLARATOR && node->parent->kind == IR_DECLARATION &&
@@ -33,8 +33,8 @@ static bool before_statement(printer *p, const ir_node *statement) {
     inspector *self = (inspector *)p;
     const loop_facts *facts = self->loop->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
-        const int number = self->loop->source_number[i];
-        if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_TOLD &&
+        const int number = self->loop->plan->source_number[i];
+        if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&
             is_place(facts, &facts->sources[i], statement)) {
             tell_read(self, &facts->sources[i], number);
             self->source_told[i] = true;
@@ -59,13 +59,6 @@ static bool before_statement(printer *p, const ir_node *statement) {
 
 /* ---- loops told at once -------------------------------------------------------------------- */
 
-const loop_span *span_of(const loop_facts *facts, const ir_node *loop) {
-    for (unsigned i = 0; i < facts->inspector.span_count; i++)
-        if (facts->inspector.spans[i].loop == loop)
-            return &facts->inspector.spans[i];
-    return NULL;
-}
-
 static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
@@ -85,8 +78,8 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
     row_list rows = {0};
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
-        const int number = self->loop->source_number[i];
-        if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_TOLD || !read->place ||
+        const int number = self->loop->plan->source_number[i];
+        if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_LOGGED || !read->place ||
             !ir_contains(body, read->place))
             continue;
         list_row(self, &rows, (told_row){read->row, number, 0, source_is_bare(facts, read)});
@@ -96,9 +89,9 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
         const reduction_update *update = &facts->updates[i];
         if (!ir_contains(body, update->statement))
             continue;
-        list_row(
-            self, &rows,
-            (told_row){update->row, SOURCE_NOT_TOLD, update->array, update_is_bare(facts, update)});
+        list_row(self, &rows,
+                 (told_row){update->row, SOURCE_NOT_LOGGED, update->array,
+                            update_is_bare(facts, update)});
         self->update_told[i] = true;
     }
     return rows;
@@ -143,7 +136,7 @@ static void check_all_told(inspector *self) {
                           facts->arrays[facts->updates[i].array].name);
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].extent == EXTENT_TOUCHED && !self->source_told[i] &&
-            self->loop->source_number[i] != SOURCE_NOT_TOLD)
+            self->loop->plan->source_number[i] != SOURCE_NOT_LOGGED)
             loop_obstacle(self->loop, facts->sources[i].row->range,
                           "the inspector cannot reach a read of '%s'", facts->sources[i].name);
 }
@@ -179,6 +172,21 @@ static void declare_variables(const inspector *self, writer *out) {
             writer_line(out, "%s%s;", private_declaration(loop, variable), stepped_value(loop, i));
     }
     declare_forwards(loop, out, true);
+}
+
+/** Rows that an iteration reads without logging them, at the end of the slice. */
+static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
+    const prefetch_plan *prefetch = &loop->plan->prefetch;
+    writer_fill(out, true);
+    for (unsigned i = 0; i < prefetch->gather_count; i++) {
+        const gather *one = &prefetch->gathers[i];
+        if (!is_mentioned[one->subscript->id])
+            continue;
+        is_mentioned[one->base->id] = true;
+        writer_line(out, "REDCC_AHEAD(%s, %s);", origin_variable(loop->arena, one->base),
+                    origin_variable(loop->arena, one->subscript));
+    }
+    writer_fill(out, false);
 }
 
 static void tell_gathers(printer *p) {
@@ -256,7 +264,7 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
         writer_line(out, "    break;");
     } else {
         writer_line(out, "redcc_iteration_done(&redcc__worker);");
-        if (loop->dry_run != DRY_RUN_NONE)
+        if (loop->plan->precheck != PRECHECK_NONE)
             writer_line(out, "%s:;", dry_run_end(loop));
     }
 }

@@ -10,8 +10,8 @@
 #include "emit/lifter.h"
 #include "emit/outline.h"
 #include "emit/print.h"
-#include "emit/unroll.h"
-#include "emit/values.h"
+#include "plan/lookup.h"
+#include "plan/unroll.h"
 
 static bool has_place(ir_range range) {
     return range.begin < range.end;
@@ -183,6 +183,10 @@ static bool print_update(printer *p, const ir_node *statement) {
     return true;
 }
 
+static const char *pragma_of_updates(const ir_node *loop) {
+    return is_unrolled_lane_update(loop) ? "REDCC_UNROLLED_PLAIN " : "";
+}
+
 static void write_update(lifter *l, const ir_node *statement, writer *out) {
     update_check check = {l, l->scope};
     lane_note_place(l, statement);
@@ -191,7 +195,7 @@ static void write_update(lifter *l, const ir_node *statement, writer *out) {
                            .l = l};
     self.printer.rename = lane_rename;
     self.printer.context = l;
-    self.printer.in_front_of_for = unrolled_lane_updates;
+    self.printer.in_front_of_for = pragma_of_updates;
     print_statement(&self.printer, statement);
     if (self.printer.problem)
         lane_problem(l, NO_LANES_SPELLING, statement);
@@ -219,8 +223,8 @@ static bool has_other_values(const loop_facts *facts) {
 bool may_have_lanes(const loop_text *loop) {
     const loop_facts *facts = loop->facts;
     const lane_reason why =
-        has_other_values(facts)                  ? NO_LANES_OTHER_VALUES
-        : loop->options->order == EMIT_ORDER_ANY ? NO_LANES_ANY_ORDER
+        has_other_values(facts)             ? NO_LANES_OTHER_VALUES
+        : loop->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
         : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
             ? NO_LANES_COUNTER
         : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Which variables are the same for all lanes, and what becomes of the others. */
 #include "emit/lifter.h"
-#include "emit/outline.h"
+#include "plan/lookup.h"
 
 bool lane_is_own(const lifter *l, const ir_variable *variable) {
     const loop_facts *facts = l->loop->facts;

@@ -8,6 +8,7 @@
 
 #include "emit/lifter.h"
 #include "ir/ir_words.h"
+#include "plan/lookup.h"
 
 static const lifted nothing = {"0.0", false};
 
@@ -29,7 +30,7 @@ static const char *operand(lifter *l, const ir_node *node, ir_c_rename rename) {
 static const char *rename_integer(const ir_node *node, void *context) {
     lifter *l = context;
     arena *a = l->loop->arena;
-    const int array = loop_array_of_base(l->loop, node);
+    const int array = loop_array_of_base(l->loop->facts, node);
     if (array >= 0 && !l->function)
         return l->loop->arrays[array].local;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VARYING)

@@ -3,7 +3,7 @@
  * Loops inside what is written for vectors: their iterations are the same for all lanes.
  */
 #include "emit/lifter.h"
-#include "emit/unroll.h"
+#include "plan/unroll.h"
 
 static bool is_uniform_step(lifter *l, const ir_node *node) {
     if (node->kind == IR_EMPTY)
@@ -37,7 +37,8 @@ void lane_for(lifter *l, const ir_node *node) {
     const char *next = step->kind == IR_EMPTY ? "" : text_expression(a, step, lane_rename, l);
     if (!next)
         lane_problem(l, NO_LANES_SPELLING, node);
-    writer_line(l->out, "%sfor (%s; %s; %s) {", unrolled_computation(node), begin,
+    writer_line(l->out, "%sfor (%s; %s; %s) {",
+                is_unrolled_computation(node) ? "REDCC_UNROLLED " : "", begin,
                 lane_condition(l, condition), next ? next : "");
     lane_part(l, node->children[3]);
     l->out->depth--;

@@ -6,13 +6,7 @@
  * Several threads that execute an iteration note the same.
  */
 #include "emit/values.h"
-
-bool has_sought_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_last_sought)
-            return true;
-    return false;
-}
+#include "plan/lookup.h"
 
 void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
@@ -23,19 +17,6 @@ void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
         writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
         writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
     }
-}
-
-int sought_value_of(const loop_facts *facts, const ir_node *statement) {
-    const ir_node *assignment = statement->kind == IR_EXPRESSION ? ir_child(statement, 0) : NULL;
-    const ir_node *target =
-        assignment && (assignment->kind == IR_ASSIGN || ir_is_increment(assignment))
-            ? ir_child(assignment, 0)
-            : NULL;
-    for (unsigned i = 0; target && i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_last_sought && target->kind == IR_VARIABLE &&
-            target->variable == facts->variables.privates[i].variable)
-            return (int)i;
-    return -1;
 }
 
 void write_note(loop_text *loop, writer *out, unsigned number) {

@@ -14,13 +14,14 @@
 #include "emit/call.h"
 #include "emit/lanes.h"
 #include "emit/macro_names.h"
+#include "emit/names.h"
 #include "emit/outline.h"
 #include "emit/region.h"
-#include "emit/setup.h"
-#include "emit/syntax.h"
 #include "emit/values.h"
 #include "emit/write_loop.h"
 #include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 
 /* ---- helpers of the parts ------------------------------------------------------------------ */
 
@@ -78,24 +79,10 @@ const char *loop_step(loop_text *loop) {
     return arena_format(loop->arena, "%lld", (long long)counted->step);
 }
 
-int loop_array_of_base(const loop_text *loop, const ir_node *node) {
-    for (unsigned i = 0; i < loop->facts->array_count; i++)
-        if (!loop->facts->arrays[i].is_scattered && syntax_same(loop->facts->arrays[i].base, node))
-            return (int)i;
-    return -1;
-}
-
-const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->update_count; i++)
-        if (facts->updates[i].statement == statement)
-            return &facts->updates[i];
-    return NULL;
-}
-
 /* ---- the block ----------------------------------------------------------------------------- */
 
 static void write_execution(loop_text *loop, writer *out) {
-    writer_line(out, "if (REDCC_ENTER(%s))%s", loop->source_count > 0 ? "redcc__known" : "0",
+    writer_line(out, "if (REDCC_ENTER(%s))%s", loop->plan->source_count > 0 ? "redcc__known" : "0",
                 loop->outline.done ? "" : " {");
     if (!loop->outline.done)
         writer_fill(out, false);
@@ -111,10 +98,10 @@ static void write_execution(loop_text *loop, writer *out) {
 /** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
 static void write_attempt(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
-    writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->source_count,
-                key_length(loop));
-    if (loop->prefetch.ahead > 0)
-        writer_line(out, "REDCC_PREFETCH(%u);", loop->prefetch.ahead);
+    writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->plan->source_count,
+                loop->plan->execution.key_count);
+    if (loop->outline.done && loop->plan->prefetch.ahead > 0)
+        writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
     declare_extents(loop, out);
     declare_operands(loop, out);
     declare_entry_values(loop, out, false);
@@ -193,8 +180,8 @@ static void open_block(loop_text *loop, writer *out) {
     static const char *const promises[] = {"with the bits of the sequential loop",
                                            "with the same bits at every thread count",
                                            "in any order"};
-    _Static_assert(sizeof promises / sizeof *promises == EMIT_ORDER_ANY + 1, "all orders");
-    assert(loop->options->order <= EMIT_ORDER_ANY);
+    _Static_assert(sizeof promises / sizeof *promises == ORDER_ANY + 1, "all orders");
+    assert(loop->options->order <= ORDER_ANY);
     if (has_branches(loop)) {
         buffer_byte(&out->out, '\n');
         begin_as_compiled(loop, &out->out);
@@ -299,7 +286,7 @@ bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *
     const ir_node *whole = loop.facts->loop;
     writer out = {0};
     distributed_take_out(loop.facts->distribution);
-    prepare_loop(&loop);
+    name_things(&loop);
     write_front(&loop, form, front);
     block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
                                  syntax_statement_end(loop.unit->source, whole)};

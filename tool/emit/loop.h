@@ -10,6 +10,7 @@
 
 #include "emit/emit.h"
 #include "emit/text.h"
+#include "plan/plan.h"
 #include "support/vector.h"
 
 /** How a reduction array is called in the generated text. */
@@ -22,14 +23,6 @@ typedef struct array_text {
     const char *owner;      /* the local that redcc_owns is asked with */
     bool is_shadowed;
 } array_text;
-
-/** A source as the runtime is told of it: one or more of the facts' that move together. */
-typedef struct source_text {
-    const loop_source *fact; /* the first of them */
-    bool is_subscript;
-} source_text;
-
-enum { SOURCE_NOT_TOLD = -1 };
 
 /** A function for several iterations at once (lanes.c). */
 typedef struct lanes_text {
@@ -47,40 +40,23 @@ typedef struct outline_text {
     const char *body_parameters, *body_arguments; /* ", ..." but for the counter */
 } outline_text;
 
-/** Whether all iterations are told in order before they are inspected (dry_run.c). */
-typedef enum dry_run {
-    DRY_RUN_NONE,
-    DRY_RUN_OF_UPDATES, /* what must not be updated meanwhile is known before */
-    DRY_RUN_OF_ALL      /* or it is told as the iterations read it */
-} dry_run;
-
-/* What its executor prefetches (prefetch.c). */
-typedef struct prefetch_text {
-    unsigned ahead; /* iterations; 0: nothing */
-    bool is_light;  /* an iteration; then only where they come in no order */
-} prefetch_text;
-
 typedef struct loop_text {
     arena *arena;
     const ir_unit *whole; /* with all that the file holds; */
     const ir_unit *unit;  /* without what its loops leave out (as_compiled.h) */
     const loop_facts *facts;
-    const emit_options *options;
+    const loop_plan *plan;
+    const plan_options *options;
     const char *obstacle; /* the first; NULL: none so far */
     ir_range obstacle_range;
 
     const array_text *arrays; /* indexed as facts->arrays */
-    unsigned source_count;
-    const source_text *sources;
-    const int *source_number; /* of each of the facts' sources: index into sources */
     const char *counter_type; /* as it is spelled in a declaration or cast of the counter */
 
     bool is_unfused; /* contraction is turned off in its functions and its block */
     outline_text outline;
     struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
     lanes_text lanes;
-    prefetch_text prefetch;
-    dry_run dry_run;
 } loop_text;
 
 /** Records why this loop cannot be written, unless there is a reason already. */
@@ -98,10 +74,6 @@ const char *loop_step(loop_text *loop);
 
 /** The counter's value in iteration redcc__k: "REDCC_COUNTER(int, 2 * redcc__k)". */
 const char *loop_counter_value(loop_text *loop);
-/** The array whose base this node says, or -1. */
-int loop_array_of_base(const loop_text *loop, const ir_node *node);
-/** The first update that this statement makes, or NULL. */
-const reduction_update *loop_update_at(const loop_facts *facts, const ir_node *statement);
 
 /** loop.c: the #if around what is there only where the loop may run in parallel; behind what
  *  begin_as_compiled writes. */

@@ -5,17 +5,6 @@
 
 #include "emit/loop.h"
 
-/** macro_names.c: the name of a macro of the program that is used in the text; NULL: there is none.
- */
-const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length);
-/** The name of a macro, defined before the program's file begins, that the head of the written file
- *  uses (the runtime's header, pragmas); NULL: there is none. */
-const char *macro_name_in_head(const ir_unit *unit);
-/** A name of the runtime's, or of OpenMP's, that is written into the text and that the program
- * gives to something of its own; NULL: there is none. */
-const char *taken_name(const ir_unit *unit);
-/** Would a macro of the program change what the macros of the runtime's header say? */
-bool has_macro_of_header_words(const loop_text *loop);
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);
 

@@ -16,14 +16,13 @@
 #include "emit/body.h"
 #include "emit/lanes.h"
 #include "emit/macro_names.h"
-#include "emit/place.h"
-#include "emit/prefetch.h"
-#include "emit/region.h"
-#include "emit/setup.h"
 #include "emit/slice.h"
-#include "emit/syntax.h"
-#include "emit/values.h"
 #include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+#include "plan/macros.h"
+#include "plan/place.h"
+#include "plan/stand_in.h"
 
 enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
 
@@ -61,7 +60,7 @@ static bool may_name_function(const loop_text *loop) {
     static const char *const words[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
     const ir_node *body = loop->facts->counted.body;
     const source *file = loop->unit->source;
-    const bool anywhere = has_macro(loop);
+    const bool anywhere = has_macro(loop->plan);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (holds_word(file, anywhere ? 0 : body->range.begin,
                        anywhere ? (uint32_t)file->length : body->range.end, words[i]))
@@ -75,16 +74,6 @@ static bool is_of_file(const ir_variable *variable) {
     return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
 }
 
-bool is_declared_in(const loop_facts *facts, const ir_variable *variable) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].variable == variable)
-            return true;
-    const ir_range body = facts->counted.body->range;
-    return variable->function == facts->function && variable->storage == IR_LOCAL &&
-           variable->range.begin < variable->range.end && variable->range.begin >= body.begin &&
-           variable->range.begin < body.end;
-}
-
 static bool has_address_taken(const ir_node *node, const ir_variable *variable) {
     if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
         node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == variable)
@@ -95,21 +84,14 @@ static bool has_address_taken(const ir_node *node, const ir_variable *variable) 
     return false;
 }
 
-/** Is it one that the loop only reads, and whose address is nothing to it? */
-static bool is_captured(const loop_facts *facts, const ir_variable *variable) {
-    for (unsigned i = 0; i < facts->variables.captured_count; i++)
-        if (facts->variables.captured[i] == variable)
-            return true;
-    return false;
-}
-
 /** Of an array a pointer is handed over. */
 static bool can_be_handed(loop_text *loop, const ir_variable *variable) {
     const ir_type *type = variable->type;
     if (variable->storage == IR_THREAD_LOCAL || type->is_volatile || type->is_atomic)
         return false;
     if (type->kind == IR_ARRAY)
-        return type->target->spelling && type->target->size > 0 && can_be_pointer(loop, variable) &&
+        return type->target->spelling && type->target->size > 0 &&
+               can_be_pointer(loop->plan, variable) &&
                !has_address_taken(loop->facts->counted.body, variable);
     return is_captured(loop->facts, variable) && type->spelling && type->kind != IR_OTHER_TYPE &&
            is_copied_in(variable);
@@ -187,7 +169,7 @@ static const char *parameter_text(loop_text *loop, const ir_variable *variable) 
 
 /** Marks each variable that the user's body mentions, what is replaced in it left out. */
 static void mark_mentioned(const loop_text *loop, const ir_node *node, bool *is_mentioned) {
-    const int array = loop_array_of_base(loop, node);
+    const int array = loop_array_of_base(loop->facts, node);
     if (node == body_increment(loop->facts))
         return;
     if (array >= 0 && !loop->arrays[array].is_shadowed)
@@ -323,15 +305,14 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
     loop->outline.possible = !has_values_to_leave(facts) && !facts->counted.steps_inside &&
                              facts->array_count <= MOST_ARRAYS && !has_thread_local(facts) &&
-                             !has_macro_of_header_words(loop) && has_place(loop) &&
-                             !may_name_function(loop);
+                             !has_macro_of_header_words(loop->arena, loop->unit) &&
+                             has_place(loop) && !may_name_function(loop);
     if (!loop->outline.possible)
         return NULL;
     writer out = {0};
     const bool is_in_line = place_in_front(loop->unit, facts->function, place);
     buffer_text(&out.out, is_in_line ? "\n" : "");
     loop->outline.done = true;
-    loop->prefetch = prefetch_of(loop);
     begin_as_compiled(loop, &out.out);
     buffer_text(&out.out, loop_condition(loop));
     writer_fill(&out, true);
@@ -345,8 +326,6 @@ const char *write_outlined(loop_text *loop, uint32_t *place) {
     write_slice(loop, &out);
     write_body(loop, &out);
     loop->outline.done = loop->outline.possible && !loop->obstacle;
-    if (!loop->outline.done)
-        loop->prefetch = (prefetch_text){0};
     buffer_text(&out.out, "#endif\n");
     end_as_compiled(loop, &out.out);
     if (!loop->is_unfused) /* else the function's own piece says it */

@@ -12,8 +12,7 @@ const char *write_outlined(loop_text *loop, uint32_t *place);
 const char *outlined_name(loop_text *loop, const char *part);
 /** The declaration of a private variable in one of these functions. */
 const char *outlined_declaration(loop_text *loop, const ir_variable *variable);
-/** outline.c: is it the iteration's own, or declared in the body? */
-bool is_declared_in(const loop_facts *facts, const ir_variable *variable);
+
 /** outline.c: what the name of that function ends with. */
 const char *loop_lanes_name(loop_text *loop);
 

@@ -6,24 +6,9 @@
 #include "emit/body.h"
 #include "emit/slice.h"
 #include "emit/values.h"
+#include "plan/lookup.h"
 
 /* ---- variables of the region --------------------------------------------------------------- */
-
-enum { LARGEST_COPIED_RECORD = 64 };
-
-/** A copy of each thread's own lets the compiler keep it in a register. */
-bool is_copied_in(const ir_variable *variable) {
-    const ir_type *type = variable->type;
-    if (type->kind == IR_RECORD) {
-        const ir_record *record = type->record;
-        const ir_field *last =
-            record && record->field_count > 0 ? &record->fields[record->field_count - 1] : NULL;
-        const bool may_go_on = last && last->type->kind == IR_ARRAY && last->type->count <= 1;
-        return type->size >= 0 && type->size <= LARGEST_COPIED_RECORD && !may_go_on &&
-               !variable->address_taken;
-    }
-    return ir_type_is_scalar(type) || type->kind == IR_COMPLEX;
-}
 
 static bool is_thread_local(const ir_variable *variable) {
     return variable->storage == IR_THREAD_LOCAL;
@@ -62,17 +47,6 @@ void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
 }
 
 /* ---- last values --------------------------------------------------------------------------- */
-
-bool counter_outlives(const loop_facts *facts) {
-    return facts->counter_is_live_after && !facts->counted.counter_is_declared_in_header;
-}
-
-bool has_last_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_live_after)
-            return true;
-    return false;
-}
 
 /** A value to start with, for the compiler's flow analysis: that does not know that the loop has
  *  iterations, and that each of them assigns one. */

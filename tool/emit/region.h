@@ -7,11 +7,8 @@
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);
-/** Has each thread a copy of its own? */
-bool is_copied_in(const ir_variable *variable);
+
 /** Copies of thread-local scalars: before the region, or in it, under their own names. */
 void write_thread_local_copies(loop_text *loop, writer *out, bool in_region);
-/** Is the counter another variable than the loop's own, with a value after it that is wanted? */
-bool counter_outlives(const loop_facts *facts);
 
 #endif

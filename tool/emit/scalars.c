@@ -110,13 +110,6 @@ void write_operand(loop_text *loop, writer *out, unsigned number, const char *va
     store_operand(loop, out, number, operand);
 }
 
-int scalar_update_at(const loop_facts *facts, const ir_node *statement) {
-    for (unsigned i = 0; i < facts->scalar_count; i++)
-        if (facts->scalars[i].statement == statement)
-            return (int)i;
-    return -1;
-}
-
 static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
     const scalar_update *update = &loop->facts->scalars[number];
     arena *a = loop->arena;

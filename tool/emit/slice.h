@@ -8,8 +8,7 @@
 /** inspector.c: the statements of one iteration, counter and private variables declared: they tell
  *  its addresses, or probe them and leave the loop around them where they must be told. */
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
-/** inspector.c: the inner loop, where the slice tells its rows at once; or NULL. */
-const loop_span *span_of(const loop_facts *facts, const ir_node *loop);
+
 /** The same by the macros of loop.h, which do either; sets is_mentioned for each variable, by its
  *  number, that is named. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);

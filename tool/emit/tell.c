@@ -5,12 +5,12 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/base/row_steps.h"
-#include "emit/hoist.h"
 #include "emit/slice.h"
-#include "emit/syntax.h"
 #include "emit/unconditional.h"
 #include "emit/values.h"
 #include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
+#include "plan/unconditional.h"
 
 /** The printer's hook for spellings: notes the variables. */
 const char *inspector_note_variable(const ir_node *node, void *context) {
@@ -122,7 +122,7 @@ static void tell_either(inspector *self, const ir_node *row, bool is_update, uns
 
 static bool is_guarded(const loop_text *loop, unsigned number) {
     for (unsigned i = 0; i < loop->facts->source_count; i++)
-        if (loop->source_number[i] == (int)number && loop->facts->sources[i].needs_guard)
+        if (loop->plan->source_number[i] == (int)number && loop->facts->sources[i].needs_guard)
             return true;
     return false;
 }
@@ -136,8 +136,8 @@ const char *dry_run_end(loop_text *loop) {
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
     loop_text *loop = self->loop;
     writer *out = self->printer.out;
-    if (is_update ? loop->dry_run == DRY_RUN_NONE
-                  : loop->dry_run != DRY_RUN_OF_ALL || !is_guarded(loop, number))
+    if (is_update ? loop->plan->precheck == PRECHECK_NONE
+                  : loop->plan->precheck != PRECHECK_OF_ALL || !is_guarded(loop, number))
         return;
     if (self->is_either && is_update)
         writer_line(out, "REDCC_RETURN_IF_OVER");
@@ -177,7 +177,7 @@ void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned numb
 }
 
 bool told_is_update(const told_row *item) {
-    return item->source == SOURCE_NOT_TOLD;
+    return item->source == SOURCE_NOT_LOGGED;
 }
 
 /** Of the array that is updated, or of the source. */
@@ -261,16 +261,8 @@ static void tell_in_loops(inspector *self, const loop_source *read, unsigned num
     self->recent.count = 0;
 }
 
-bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
-    return update->statement->kind == IR_IF || is_bare(facts, update->statement);
-}
-
-bool source_is_bare(const loop_facts *facts, const loop_source *read) {
-    return read->is_ahead || !read->place || is_bare(facts, read->place);
-}
-
 void tell_update(inspector *self, const reduction_update *update) {
-    const told_row item = {update->row, SOURCE_NOT_TOLD, update->array, false};
+    const told_row item = {update->row, SOURCE_NOT_LOGGED, update->array, false};
     if (was_just_told(self, item))
         return;
     self->is_bare = update_is_bare(self->loop->facts, update);
@@ -282,7 +274,8 @@ void tell_read(inspector *self, const loop_source *read, int number) {
     const told_row item = {read->row, number, 0, false};
     if (!read->loop_count && was_just_told(self, item))
         return;
-    const bool is_fixed = read->base && can_be_read_ahead(self->loop->facts, read->base);
+    const bool is_fixed =
+        read->base && self->loop->plan->has_ready_base[read - self->loop->facts->sources];
     self->is_bare = source_is_bare(self->loop->facts, read);
     if (read->loop_count) {
         tell_in_loops(self, read, (unsigned)number, is_fixed ? read->base : NULL);

@@ -10,7 +10,7 @@
 /** A row whose address is told. */
 typedef struct told_row {
     const ir_node *row;
-    int source; /* or SOURCE_NOT_TOLD, for an update */
+    int source; /* or SOURCE_NOT_LOGGED, for an update */
     unsigned array;
     bool is_bare;
 } told_row;
@@ -37,10 +37,6 @@ bool told_same(const told_row *a, const told_row *b);
 bool told_is_update(const told_row *item);
 /** The number of the array that is updated, or of the source. */
 unsigned told_number(const told_row *item);
-
-/** May the program not come to where it updates, or reads, this? Then the address is a number. */
-bool update_is_bare(const loop_facts *facts, const reduction_update *update);
-bool source_is_bare(const loop_facts *facts, const loop_source *read);
 
 /** The printer's hook for spellings: notes the variables. context: the inspector. */
 const char *inspector_note_variable(const ir_node *node, void *context);

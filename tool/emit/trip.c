@@ -14,12 +14,11 @@
 #include <string.h>
 
 #include "emit/call.h"
-#include "emit/region.h"
+#include "plan/lookup.h"
 
 enum {
-    INT_SIZE = 4,  /* of every target that OpenMP runs on */
-    WIDE_SIZE = 8, /* redcc_int */
-    STEP_BITS = 40 /* longer steps are not written */
+    INT_SIZE = 4, /* of every target that OpenMP runs on */
+    WIDE_SIZE = 8 /* redcc_int */
 };
 
 /** Beyond this, in either direction, counters run sequentially: sums with a step cannot overflow.
@@ -211,24 +210,6 @@ static const char *bound_text(loop_text *loop, const header *h) {
                                                  text, (long long)h->counted->ahead);
 }
 
-static bool is_integer(const ir_type *type) {
-    return (type->kind == IR_INTEGER && type->size <= WIDE_SIZE) || type->kind == IR_BOOLEAN;
-}
-
-static bool can_be_counted(loop_text *loop, const header *h) {
-    const counted_loop *counted = h->counted;
-    if (h->counter->kind == IR_POINTER)
-        return true; /* lower and bound are addresses */
-    if (h->counter->kind != IR_INTEGER || h->counter->size > WIDE_SIZE || !is_integer(h->bound))
-        loop_obstacle(loop, loop->facts->loop->range, "its counter or bound is not an integer");
-    else if (counted->lower && !is_integer(counted->lower->type) &&
-             counted->lower->type->kind != IR_FLOATING)
-        loop_obstacle(loop, counted->lower->range, "the counter's first value is not an integer");
-    else if (counted->step >> STEP_BITS != (h->ascends ? 0 : -1))
-        loop_obstacle(loop, loop->facts->loop->range, "its step is too long");
-    return loop->obstacle == NULL;
-}
-
 /** An expression of the user's is evaluated only where the loop would come to it. */
 static void write_count(loop_text *loop, writer *out, const header *h, const char *ends) {
     const char *count = count_text(loop->arena, h);
@@ -244,8 +225,6 @@ static void write_count(loop_text *loop, writer *out, const header *h, const cha
 
 const char *write_trip_count(loop_text *loop, writer *out) {
     const header h = header_of(loop->arena, &loop->facts->counted);
-    if (!can_be_counted(loop, &h))
-        return "0";
     conditions ends = {0};
     require_of_ends(&ends, &h);
     require(&ends, "%s", comparison_text(&h));

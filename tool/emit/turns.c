@@ -17,9 +17,9 @@
 #include "emit/turns.h"
 
 #include "analysis/base/expression.h"
-#include "emit/syntax.h"
 #include "emit/unconditional.h"
-#include "emit/values.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 
 /* A question is asked once more of each turn: for how many operations on floating values, and how
  * many rows at the most. */
@@ -210,7 +210,7 @@ static bool await_variable(turn *t, const ir_variable *variable) {
 }
 
 static bool await_variables(turn *t, const ir_node *node) {
-    if (node->kind == IR_VARIABLE && loop_array_of_base(t->loop, node) < 0 &&
+    if (node->kind == IR_VARIABLE && loop_array_of_base(t->loop->facts, node) < 0 &&
         !await_variable(t, node->variable))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)

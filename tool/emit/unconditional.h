@@ -6,9 +6,6 @@
 #include "analysis/overlap/row_address.h"
 #include "emit/loop.h"
 
-/** unconditional.c: texts that may be evaluated where the program does not come to them. Does the
- *  inspector come to this statement where the program may not? */
-bool is_bare(const loop_facts *facts, const ir_node *statement);
 /** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
  *  none of these. A rename and its context as ir_c_expression takes them. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);

@@ -19,32 +19,26 @@ void note_no_operands(loop_text *loop, writer *out);
 void write_operand(loop_text *loop, writer *out, unsigned number, const char *value);
 /** after the loop, the updates themselves. */
 void apply_operands(loop_text *loop, writer *out);
-/** The number of the scalar update that is this statement, or -1. */
-int scalar_update_at(const loop_facts *facts, const ir_node *statement);
 
 /** forward.c: variables for what an iteration stores and reads again, of the slice only or all; */
 void declare_forwards(loop_text *loop, writer *out, bool of_slice);
 /** the variable that this node is to be read from, or NULL; */
 const char *forward_read_name(const loop_text *loop, const ir_node *node);
-/** the stored value that this statement makes, or NULL; its assignment to the variable, and from
- *  there to the element, which is a statement of its own. */
-const forwarded_store *forward_stored_by(const loop_facts *facts, const ir_node *statement);
+/** the assignment of the stored value to the variable, and from there to the element, which is a
+ *  statement of its own. */
 void write_forward(loop_text *loop, writer *out, const forwarded_store *store, ir_c_rename rename,
                    void *context);
 void write_forwarded_store(loop_text *loop, writer *out, const forwarded_store *store,
                            ir_c_rename rename, void *context);
 
-bool has_last_values(const loop_facts *facts);
 void declare_last_values(loop_text *loop, writer *out);
 /** Stores the last values, of the thread that has them; or from there into the user's variables. */
 void write_last_values(loop_text *loop, writer *out, bool into_variables);
 
 /** lasting.c: private variables assigned in some iterations only, whose last value is wanted; what
  *  notes the value and when it was assigned, of all threads or of one in the region; */
-bool has_sought_values(const loop_facts *facts);
 void declare_sought_values(loop_text *loop, writer *out, bool in_region);
-/** the number of the private variable that this statement assigns so, or -1; the note after it; */
-int sought_value_of(const loop_facts *facts, const ir_node *statement);
+/** the note after an assignment of private variable `number`; */
 void write_note(loop_text *loop, writer *out, unsigned number);
 /** the latest of all threads', at the end of the region; and from there to the variables. */
 void gather_sought_values(loop_text *loop, writer *out);

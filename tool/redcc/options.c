@@ -157,7 +157,7 @@ static int find_word(const char *const *words, size_t count, const char *word) {
 
 static const char *const order_words[] = {"serial", "fixed", "any"};
 
-const char *options_order_word(emit_order order) {
+const char *options_order_word(result_order order) {
     return order_words[order];
 }
 
@@ -175,7 +175,7 @@ static const char *read_order(arena *a, options *o, const char *value) {
     const int number = find_word(order_words, COUNT(order_words), value);
     if (number < 0)
         return arena_format(a, "--order takes serial, fixed or any, not '%s'", value);
-    o->order = (emit_order)number;
+    o->order = (result_order)number;
     o->order_is_given = true;
     return NULL;
 }
@@ -356,7 +356,7 @@ static const char *check_together(arena *a, const options *o) {
 }
 
 const char *options_read(arena *a, int argc, char **argv, options *result) {
-    *result = (options){.report.form = REPORT_TEXT, .order = EMIT_ORDER_SERIAL};
+    *result = (options){.report.form = REPORT_TEXT, .order = ORDER_SERIAL};
     words w = {argc, argv, 1};
     bool only_flags = false;
     while (w.next < w.count) {

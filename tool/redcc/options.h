@@ -24,9 +24,9 @@ typedef struct options {
     string_list pure;            /* --pure */
     report_options report;
     const char *explain; /* --explain: this reason; NULL: none */
-    emit_order order;
+    result_order order;
     bool order_is_given;
-    unsigned lanes;      /* as of emit_options */
+    unsigned lanes;      /* as of plan_options */
     bool knows_compiler; /* --compiler=known: who asks has looked for what differs between two */
     bool in_process;     /* no process of its own guards against a parser that crashes */
     bool analyze, assume_noalias, require, verify, all, dump_ir, help, version;
@@ -38,6 +38,6 @@ const char *options_read(arena *a, int argc, char **argv, options *result);
 /** The text of --help. */
 extern const char options_help[];
 /** "serial", "fixed", "any". */
-const char *options_order_word(emit_order order);
+const char *options_order_word(result_order order);
 
 #endif

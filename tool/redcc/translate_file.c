@@ -96,7 +96,7 @@ static analysis_options options_of(arena *a, const options *o, const foreign_fun
                               .pure = o->pure.items,
                               .assume_noalias = o->assume_noalias,
                               .report_all = o->all,
-                              .any_order = o->order == EMIT_ORDER_ANY};
+                              .any_order = o->order == ORDER_ANY};
 }
 
 static unsigned long long unknown_pure(const options *o, const ir_unit *unit) {
@@ -247,9 +247,9 @@ static analysis_result without_wrong(arena *a, const analysis_result *analysed,
  * without.
  */
 static emit_result write_checked(arena *a, const ir_unit *unit, const string_list *flags,
-                                 const emit_options *how, bool is_kept, analysis_result *analysed) {
+                                 const plan_options *how, bool is_kept, analysis_result *analysed) {
     unsigned char *leave = ARENA_ARRAY(a, unsigned char, analysed->verdict_count + 1);
-    emit_options own = *how;
+    plan_options own = *how;
     own.leave = leave;
     for (;;) {
         const emit_result written = emit_file(a, unit, analysed, &own);
@@ -273,7 +273,7 @@ static file_outcome translate(arena *a, const options *o, const source *file,
                     "redcc's own header redcc/runtime.h, without which the output cannot "
                     "be checked, lies neither beside this program (PREFIX/bin/redcc and "
                     "PREFIX/include) nor below $REDCC_ROOT; nothing was written");
-    const emit_options how = {.order = o->order,
+    const plan_options how = {.order = o->order,
                               .order_is_explicit = o->order_is_given,
                               .lanes = o->lanes,
                               .obstacle = is_written ? other_runtime_header(a, flags) : NULL};

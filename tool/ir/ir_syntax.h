@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** What the emitter asks of trees and their text: sameness, where a statement ends, macros. */
-#ifndef EMIT_SYNTAX_H
-#define EMIT_SYNTAX_H
+/** Questions about trees and their text: sameness, where a statement ends, macros. */
+#ifndef IR_SYNTAX_H
+#define IR_SYNTAX_H
 
 #include "ir/ir.h"
 
@@ -11,9 +11,6 @@ bool syntax_same(const ir_node *left, const ir_node *right);
 
 /** The offset after a statement's last byte, its `;` included where the `;` is in the text. */
 uint32_t syntax_statement_end(const source *text, const ir_node *statement);
-
-/** Do bytes [begin, end) hold nothing but blanks and comments? */
-bool syntax_is_blank(const source *text, uint32_t begin, uint32_t end);
 
 bool syntax_is_statement(const ir_node *node);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "emit/syntax.h"
+#include "ir/ir_syntax.h"
 
 #include <string.h>
 
@@ -89,10 +89,6 @@ bool syntax_same(const ir_node *left, const ir_node *right) {
 }
 
 /* ---- ends ---------------------------------------------------------------------------------- */
-
-bool syntax_is_blank(const source *text, uint32_t begin, uint32_t end) {
-    return source_skip_blanks(text, begin, end) == end;
-}
 
 /** After the `;` that follows `at`, or `at` where none does (a macro's body has it). */
 static uint32_t after_semicolon(const source *s, uint32_t at) {

@@ -1,11 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Which executors prefetch what iterations to come touch (redcc/prefetch.h), and how far ahead. The
- * slice is evaluated once more for it: little beside a long iteration; beside a light one, little
- * only where that waits for memory all the time. A static estimate decides what is compiled; the
- * runtime measures whether it pays.
- */
-#include "emit/prefetch.h"
+#include "plan/prefetch.h"
 
 #include "analysis/base/counted.h"
 #include "support/map.h"
@@ -81,13 +75,13 @@ static int64_t work_of(const known_work *known, const ir_node *node, int depth) 
     return work < MOST_WORK ? work : MOST_WORK;
 }
 
-static int64_t work_of_iteration(const loop_text *loop) {
-    const unsigned count = loop->unit->function_count;
-    const known_work known = {.of = arena_allocate(loop->arena, (count + 1) * sizeof *known.of)};
+static int64_t work_of_iteration(const loop_plan *plan) {
+    const unsigned count = plan->unit->function_count;
+    const known_work known = {.of = arena_allocate(plan->arena, (count + 1) * sizeof *known.of)};
     for (unsigned i = 0; i < count; i++)
         for (int depth = 0; depth <= MOST_DEPTH; depth++)
             known.of[i][depth] = -1;
-    return work_of(&known, loop->facts->counted.body, 0);
+    return work_of(&known, plan->facts->counted.body, 0);
 }
 
 /** Does the slice hold a loop whose length the text does not say? Twice it may be too expensive. */
@@ -108,27 +102,7 @@ static bool has_source_loop(const loop_facts *facts) {
     return false;
 }
 
-/** Evaluated once more, a slice with floating-point work might set errno where the loop does not.
- */
-prefetch_text prefetch_of(const loop_text *loop) {
-    const loop_facts *facts = loop->facts;
-    const int64_t work = work_of_iteration(loop);
-    if (facts->slice.has_floating_work || has_open_loop(facts, facts->counted.body) ||
-        has_source_loop(facts) || work < LEAST_WORK)
-        return (prefetch_text){0};
-    const int64_t ahead = AWAITED / work;
-    return (prefetch_text){.ahead = (unsigned)(ahead < LEAST_AHEAD  ? LEAST_AHEAD
-                                               : ahead > MOST_AHEAD ? MOST_AHEAD
-                                                                    : ahead),
-                           .is_light = work < LIGHT};
-}
-
-/* ---- gathers that the inspector need not tell ------------------------------------------------ */
-
-/** base[subscript], two variables of the loop's function. */
-typedef struct gather {
-    const ir_variable *base, *subscript;
-} gather;
+/* ---- gathers that the inspector need not log ------------------------------------------------ */
 
 typedef VECTOR(gather) gather_list;
 
@@ -226,7 +200,7 @@ static bool is_row_of(const ir_node *row, const gather *one) {
            row->children[1]->variable == one->subscript;
 }
 
-static bool is_told(const loop_facts *facts, const gather *one) {
+static bool is_logged(const loop_facts *facts, const gather *one) {
     for (unsigned i = 0; i < facts->source_count; i++)
         if (facts->sources[i].extent == EXTENT_TOUCHED && is_row_of(facts->sources[i].row, one))
             return true;
@@ -255,23 +229,44 @@ static bool has_continue(const loop_facts *facts, const ir_node *node) {
     return false;
 }
 
-/** An iteration that goes on with the next one skips the end of the slice. */
-void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
-    const loop_facts *facts = loop->facts;
+/** An iteration that goes on with the next one skips the end of the slice, where gathers stand. */
+static void plan_gathers(const loop_plan *plan, prefetch_plan *prefetch) {
+    const loop_facts *facts = plan->facts;
     const frame top = {.call = facts->loop};
-    gather_search search = {.arena = loop->arena, .visited = map_new(loop->arena)};
-    if (loop->prefetch.ahead == 0 || has_continue(facts, facts->counted.body))
+    gather_search search = {.arena = plan->arena, .visited = map_new(plan->arena)};
+    if (has_continue(facts, facts->counted.body))
         return;
     list_gathers(&search, &top, facts->counted.body);
-    writer_fill(out, true);
+    gather *kept = ARENA_ARRAY(plan->arena, gather, search.list.count + 1);
     for (unsigned i = 0; i < search.list.count; i++) {
         const gather *one = &search.list.items[i];
-        if (!is_rows(facts, one->base) || !is_mentioned[one->subscript->id] ||
-            !is_computed(facts, one->subscript) || is_told(facts, one))
-            continue;
-        is_mentioned[one->base->id] = true;
-        writer_line(out, "REDCC_AHEAD(%s, %s);", origin_variable(loop->arena, one->base),
-                    origin_variable(loop->arena, one->subscript));
+        if (is_rows(facts, one->base) && is_computed(facts, one->subscript) &&
+            !is_logged(facts, one))
+            kept[prefetch->gather_count++] = *one;
     }
-    writer_fill(out, false);
+    prefetch->gathers = kept;
+}
+
+/* ---- all of it ----------------------------------------------------------------------------- */
+
+static const char *why_not(const loop_facts *facts, int64_t work) {
+    return facts->slice.has_floating_work ? "what its subscripts depend on may set errno"
+           : has_open_loop(facts, facts->counted.body) || has_source_loop(facts)
+               ? "its subscripts are computed in a loop of unknown length"
+           : work < LEAST_WORK ? "an iteration is too short"
+                               : NULL;
+}
+
+void plan_prefetch(loop_plan *plan) {
+    const int64_t work = work_of_iteration(plan);
+    prefetch_plan *const prefetch = &plan->prefetch;
+    prefetch->declined = why_not(plan->facts, work);
+    if (prefetch->declined)
+        return;
+    const int64_t ahead = AWAITED / work;
+    prefetch->ahead = (unsigned)(ahead < LEAST_AHEAD  ? LEAST_AHEAD
+                                 : ahead > MOST_AHEAD ? MOST_AHEAD
+                                                      : ahead);
+    prefetch->is_light = work < LIGHT;
+    plan_gathers(plan, prefetch);
 }

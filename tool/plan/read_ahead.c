@@ -9,11 +9,10 @@
  * each such part must be found again in the loop's header, or in its body where every first
  * iteration passes.
  */
-#include "emit/hoist.h"
+#include "plan/read_ahead.h"
 
 #include "analysis/base/counted.h"
-#include "emit/syntax.h"
-#include "emit/tell.h"
+#include "ir/ir_syntax.h"
 
 /* ---- where the loop is certain to pass ----------------------------------------------------- */
 
@@ -322,27 +321,27 @@ static bool base_is_safe(const loop_facts *facts, const ir_node *base) {
     return base->type->kind == IR_ARRAY ? address_is_safe(facts, base) : value_is_safe(facts, base);
 }
 
-bool can_be_read_ahead(const loop_facts *facts, const ir_node *base) {
-    return base_is_safe(facts, base);
-}
-
-void check_what_is_read_ahead(loop_text *loop) {
-    const loop_facts *facts = loop->facts;
+void plan_reads_ahead(loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
     for (unsigned i = 0; i < facts->array_count; i++)
         if (!facts->arrays[i].is_scattered && !base_is_safe(facts, facts->arrays[i].base))
-            loop_obstacle(loop, facts->arrays[i].base->range,
+            plan_obstacle(plan, facts->arrays[i].base->range,
                           "'%s' is read in some iterations only, and may not be valid before",
                           facts->arrays[i].name);
-    for (unsigned i = 0; i < loop->source_count; i++) {
-        const loop_source *fact = loop->sources[i].fact;
+    for (unsigned i = 0; i < plan->source_count; i++) {
+        const loop_source *fact = plan->sources[i].fact;
         if (fact->extent != EXTENT_TOUCHED && !address_is_safe(facts, fact->row))
-            loop_obstacle(loop, fact->row->range,
+            plan_obstacle(plan, fact->row->range,
                           "'%s' is read in some iterations only, and may not be valid before",
                           fact->name);
     }
     for (unsigned i = 0; i < facts->inspector.key_count; i++)
         if (!base_is_safe(facts, facts->inspector.key[i]))
-            loop_obstacle(loop, facts->inspector.key[i]->range,
+            plan_obstacle(plan, facts->inspector.key[i]->range,
                           "what the subscripts depend on is read in some iterations only, and may "
                           "not be valid before");
+    bool *has_ready_base = ARENA_ARRAY(plan->arena, bool, facts->source_count + 1);
+    for (unsigned i = 0; i < facts->source_count; i++)
+        has_ready_base[i] = facts->sources[i].base && base_is_safe(facts, facts->sources[i].base);
+    plan->has_ready_base = has_ready_base;
 }

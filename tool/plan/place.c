@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "emit/place.h"
+#include "plan/place.h"
 
 #include <string.h>
 
-#include "emit/macro_names.h"
+#include "plan/macros.h"
 #include "support/attributes.h"
 
 bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragmas_only) {

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "emit/stale.h"
+#include "plan/unverified.h"
 
 #include "analysis/base/expression.h"
-#include "emit/syntax.h"
-#include "emit/tell.h"
-#include "emit/unconditional.h"
+#include "ir/ir_syntax.h"
+#include "plan/unconditional.h"
 
 enum { DEEPEST_CALL = 6 };
 
-/* ---- what is stale ------------------------------------------------------------------------- */
+/* ---- what is unverified -------------------------------------------------------------------------
+ */
 
-static bool any_child_is_stale(const staleness *s, const ir_node *node) {
+static bool any_child_is_unverified(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++)
-        if (stale_value(s, node->children[i]))
+        if (unverified_value(s, node->children[i]))
             return true;
     return false;
 }
 
 /** Is it, or a part that it begins with, read as something that may overlap a reduction array? */
-static bool hangs_on_guarded(const staleness *s, const ir_node *path, bool is_whole) {
-    const loop_facts *facts = s->loop->facts;
+static bool hangs_on_guarded(const unverified_reads *s, const ir_node *path, bool is_whole) {
+    const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->source_count; i++) {
         const loop_source *read = &facts->sources[i];
         if (s->is_suspect[i] && (!read->base || syntax_same(path, read->row) ||
@@ -43,8 +43,8 @@ static bool is_of_row(const ir_node *path, const ir_node *row) {
 }
 
 /** All that the slice reads is a source, or a key that nothing can overlap. */
-static bool is_known_fresh(const staleness *s, const ir_node *path) {
-    const loop_facts *facts = s->loop->facts;
+static bool is_known_fresh(const unverified_reads *s, const ir_node *path) {
+    const loop_facts *facts = s->plan->facts;
     bool is_known = false;
     for (unsigned i = 0; i < facts->source_count; i++)
         if (is_of_row(path, facts->sources[i].row)) {
@@ -57,19 +57,19 @@ static bool is_known_fresh(const staleness *s, const ir_node *path) {
     return is_known;
 }
 
-static bool may_read_stale(const staleness *s, const ir_node *path) {
+static bool may_read_unverified(const unverified_reads *s, const ir_node *path) {
     return hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path));
 }
 
-static bool is_captured(const staleness *s, const ir_variable *variable) {
-    for (unsigned i = 0; i < s->loop->facts->variables.captured_count; i++)
-        if (s->loop->facts->variables.captured[i] == variable)
+static bool is_captured(const unverified_reads *s, const ir_variable *variable) {
+    for (unsigned i = 0; i < s->plan->facts->variables.captured_count; i++)
+        if (s->plan->facts->variables.captured[i] == variable)
             return true;
     return false;
 }
 
 /** A pointer that the iteration has computed: where it leads is not looked for. */
-static bool begins_with_private_pointer(const staleness *s, const ir_node *path) {
+static bool begins_with_private_pointer(const unverified_reads *s, const ir_node *path) {
     const ir_variable *root = ir_root_variable(path);
     return !root || (root->type->kind == IR_POINTER && !is_captured(s, root));
 }
@@ -98,9 +98,9 @@ static const ir_function *callee_of(const ir_node *call) {
 
 /** In a function that is called: may it be read where a source is? What the slice reads there is
  * one in the caller's terms, of which the type is known to be the same. */
-static bool callee_may_read_stale(const staleness *s, const ir_type *type) {
-    for (unsigned i = 0; i < s->loop->facts->source_count; i++) {
-        const ir_type *row = ir_type_innermost(s->loop->facts->sources[i].row->type);
+static bool callee_may_read_unverified(const unverified_reads *s, const ir_type *type) {
+    for (unsigned i = 0; i < s->plan->facts->source_count; i++) {
+        const ir_type *row = ir_type_innermost(s->plan->facts->sources[i].row->type);
         if (s->is_suspect[i] &&
             (row->kind == IR_RECORD || (row->kind == type->kind && row->size == type->size)))
             return true;
@@ -108,23 +108,23 @@ static bool callee_may_read_stale(const staleness *s, const ir_type *type) {
     return !s->in_slice;
 }
 
-/** Does what a function computes depend on memory that may be stale? */
-static bool has_stale_read(const staleness *s, const ir_node *node) {
+/** Does what a function computes depend on memory that may be unverified? */
+static bool has_unverified_read(const unverified_reads *s, const ir_node *node) {
     const ir_variable *variable = node->kind == IR_VARIABLE ? node->variable : NULL;
     if (node->kind == IR_CALL || node->kind == IR_OPAQUE)
         return true;
     if ((reads_memory(node) ||
          (variable && variable->storage != IR_LOCAL && variable->storage != IR_PARAMETER)) &&
-        callee_may_read_stale(s, node->type))
+        callee_may_read_unverified(s, node->type))
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (has_stale_read(s, node->children[i]))
+        if (has_unverified_read(s, node->children[i]))
             return true;
     return false;
 }
 
 /** Does it lead the function to what the iteration has computed, which may be of another type? */
-static bool passes_private_memory(const staleness *s, const ir_node *call) {
+static bool passes_private_memory(const unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];
         const ir_variable *root =
@@ -137,112 +137,114 @@ static bool passes_private_memory(const staleness *s, const ir_node *call) {
     return false;
 }
 
-static bool call_is_stale(const staleness *s, const ir_node *call) {
+static bool call_is_unverified(const unverified_reads *s, const ir_node *call) {
     const ir_function *callee = callee_of(call);
-    if (!callee || (callee->body && has_stale_read(s, callee->body)))
+    if (!callee || (callee->body && has_unverified_read(s, callee->body)))
         return true;
     const bool sees_memory = !callee->body || !s->in_slice || passes_private_memory(s, call);
     for (unsigned i = 1; i < call->child_count; i++)
         if ((sees_memory && is_address_like(call->children[i]->type)) ||
-            stale_value(s, call->children[i]))
+            unverified_value(s, call->children[i]))
             return true;
     return false;
 }
 
-static bool variable_is_stale(const staleness *s, const ir_node *node) {
+static bool variable_is_unverified(const unverified_reads *s, const ir_node *node) {
     const ir_variable *variable = node->variable;
-    if (s->is_stale[variable->id])
+    if (s->is_unverified[variable->id])
         return true;
     if (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER)
         return variable->address_taken && !is_captured(s, variable);
-    return s->in_callee ? callee_may_read_stale(s, node->type) : may_read_stale(s, node);
+    return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 
 /** Of an object only the address: what it is computed from. */
-static bool stale_address(const staleness *s, const ir_node *object) {
+static bool unverified_address(const unverified_reads *s, const ir_node *object) {
     if (object->kind == IR_VARIABLE)
         return false;
     if (!is_access(object))
-        return stale_value(s, object);
+        return unverified_value(s, object);
     const ir_node *first = object->children[0];
     const bool is_inside = first->type && first->type->kind != IR_POINTER;
-    return (is_inside ? stale_address(s, first) : stale_value(s, first)) ||
-           (object->kind == IR_INDEX && stale_value(s, object->children[1]));
+    return (is_inside ? unverified_address(s, first) : unverified_value(s, first)) ||
+           (object->kind == IR_INDEX && unverified_value(s, object->children[1]));
 }
 
-bool stale_value(const staleness *s, const ir_node *node) {
+bool unverified_value(const unverified_reads *s, const ir_node *node) {
     if (node->kind == IR_VARIABLE)
-        return variable_is_stale(s, node);
+        return variable_is_unverified(s, node);
     if (node->kind == IR_OPAQUE)
         return true;
     if (node->kind == IR_CALL)
-        return call_is_stale(s, node);
+        return call_is_unverified(s, node);
     if (is_address_of(node))
-        return stale_address(s, node->children[0]);
+        return unverified_address(s, node->children[0]);
     if (is_access(node) && !reads_memory(node))
-        return stale_address(s, node);
+        return unverified_address(s, node);
     if (reads_memory(node) &&
-        (s->in_callee
-             ? callee_may_read_stale(s, node->type)
-             : may_read_stale(s, node) || (!s->in_slice && begins_with_private_pointer(s, node))))
+        (s->in_callee ? callee_may_read_unverified(s, node->type)
+                      : may_read_unverified(s, node) ||
+                            (!s->in_slice && begins_with_private_pointer(s, node))))
         return true;
-    return any_child_is_stale(s, node);
+    return any_child_is_unverified(s, node);
 }
 
 /* ---- marking ------------------------------------------------------------------------------- */
 
 /** What is written through a pointer is no variable's, or of one whose address was taken. */
-static void mark(staleness *s, const ir_node *lvalue) {
+static void mark(unverified_reads *s, const ir_node *lvalue) {
     const ir_variable *root = ir_root_variable(lvalue);
     const bool is_behind = root && root->type->kind == IR_POINTER && lvalue->kind != IR_VARIABLE;
-    if (root && !is_behind && !s->is_stale[root->id]) {
-        s->is_stale[root->id] = true;
+    if (root && !is_behind && !s->is_unverified[root->id]) {
+        s->is_unverified[root->id] = true;
         s->changed = true;
     }
 }
 
 /** What a call may write to through its arguments. What a pointer leads to is not a variable's. */
-static void mark_arguments(staleness *s, const ir_node *call) {
+static void mark_arguments(unverified_reads *s, const ir_node *call) {
     for (unsigned i = 1; i < call->child_count; i++) {
         const ir_node *argument = call->children[i];
         if ((is_address_of(argument) || (argument->type && argument->type->kind == IR_ARRAY)) &&
-            call_is_stale(s, call))
+            call_is_unverified(s, call))
             mark(s, is_address_of(argument) ? argument->children[0] : argument);
     }
 }
 
-bool stale_condition(const staleness *s, const ir_node *node) {
+bool unverified_condition(const unverified_reads *s, const ir_node *node) {
     switch (node->kind) {
     case IR_IF:
     case IR_CONDITIONAL:
     case IR_SWITCH:
     case IR_WHILE:
-        return stale_value(s, node->children[0]);
+        return unverified_value(s, node->children[0]);
     case IR_FOR:
     case IR_DO:
-        return node->children[1]->kind != IR_EMPTY && stale_value(s, node->children[1]);
+        return node->children[1]->kind != IR_EMPTY && unverified_value(s, node->children[1]);
     case IR_BINARY:
-        return (node->op == IR_OP_AND || node->op == IR_OP_OR) && stale_value(s, node->children[0]);
+        return (node->op == IR_OP_AND || node->op == IR_OP_OR) &&
+               unverified_value(s, node->children[0]);
     default:
         return false;
     }
 }
 
-static void spread(staleness *s, const ir_node *node, bool control_is_stale) {
+static void spread(unverified_reads *s, const ir_node *node, bool control_is_unverified) {
     const ir_node *written = expression_written(node);
-    if (written && (control_is_stale || stale_value(s, node->children[node->child_count - 1])))
+    if (written &&
+        (control_is_unverified || unverified_value(s, node->children[node->child_count - 1])))
         mark(s, written);
-    if (node->kind == IR_DECLARATOR && node->child_count > 0 && stale_value(s, node->children[0]) &&
-        !s->is_stale[node->variable->id])
-        s->is_stale[node->variable->id] = s->changed = true;
+    if (node->kind == IR_DECLARATOR && node->child_count > 0 &&
+        unverified_value(s, node->children[0]) && !s->is_unverified[node->variable->id])
+        s->is_unverified[node->variable->id] = s->changed = true;
     if (node->kind == IR_CALL)
         mark_arguments(s, node);
-    const bool below = control_is_stale || stale_condition(s, node);
+    const bool below = control_is_unverified || unverified_condition(s, node);
     for (unsigned i = 0; i < node->child_count; i++)
         spread(s, node->children[i], below);
 }
 
-static void stale_spread(staleness *s, const ir_node *body) {
+static void unverified_spread(unverified_reads *s, const ir_node *body) {
     do {
         s->changed = false;
         spread(s, body, false);
@@ -251,7 +253,7 @@ static void stale_spread(staleness *s, const ir_node *body) {
 
 /* ---- what does harm ------------------------------------------------------------------------ */
 
-static bool is_evaluated_anyway(const staleness *s, const ir_node *node) {
+static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) {
     for (unsigned i = 0; i < s->certain.count; i++)
         if (syntax_same(s->certain.items[i], node))
             return true;
@@ -259,8 +261,8 @@ static bool is_evaluated_anyway(const staleness *s, const ir_node *node) {
 }
 
 /** The inspector reads the subscripts of such an update in each iteration as well. */
-static bool is_subscript_of_bare_update(const staleness *s, const ir_node *node) {
-    const loop_facts *facts = s->loop->facts;
+static bool is_subscript_of_bare_update(const unverified_reads *s, const ir_node *node) {
+    const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (ir_contains(facts->updates[i].target, node))
             return is_bare(facts, facts->updates[i].statement);
@@ -279,18 +281,18 @@ static bool is_fixed_part(const ir_node *node) {
     return node->variable->storage == IR_LOCAL;
 }
 
-static void check_access(staleness *s, const ir_node *node, control how) {
+static void check_access(unverified_reads *s, const ir_node *node, control how) {
     for (unsigned i = 0; i < node->child_count; i++) {
         const ir_node *child = node->children[i];
         const bool is_address = child->type && child->type->kind == IR_POINTER;
         const bool is_subscript = node->kind == IR_INDEX && i == 1;
-        s->is_harmful |= (is_address || is_subscript) && stale_value(s, child);
+        s->is_harmful |= (is_address || is_subscript) && unverified_value(s, child);
     }
     if (!reads_memory(node) || (node->parent && is_address_of(node->parent)))
         return;
     if (how.is_certain)
-        VECTOR_PUSH(s->loop->arena, &s->certain, node);
-    else if (how.is_stale && !is_fixed_part(node))
+        VECTOR_PUSH(s->plan->arena, &s->certain, node);
+    else if (how.is_unverified && !is_fixed_part(node))
         s->is_harmful |= !is_evaluated_anyway(s, node) && !is_subscript_of_bare_update(s, node);
 }
 
@@ -300,57 +302,57 @@ static bool is_division(const ir_node *node) {
            node->type->kind == IR_INTEGER;
 }
 
-static void check_division(staleness *s, const ir_node *node, control how) {
+static void check_division(unverified_reads *s, const ir_node *node, control how) {
     const ir_node *divisor = node->children[1];
     const bool is_safe =
         (divisor->flags & IR_HAS_VALUE) && divisor->value != 0 && divisor->value != -1;
-    s->is_harmful |= !is_safe && (how.is_stale || any_child_is_stale(s, node));
+    s->is_harmful |= !is_safe && (how.is_unverified || any_child_is_unverified(s, node));
 }
 
-/** In the callee all memory is stale; of its parameters those with stale arguments. */
-static void check_callee(staleness *s, const ir_node *call) {
+/** In the callee all memory is unverified; of its parameters those with unverified arguments. */
+static void check_callee(unverified_reads *s, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     const unsigned count = callee->parameter_count;
     if (s->depth == DEEPEST_CALL || callee->is_variadic || call->child_count != count + 1) {
         s->is_harmful = true;
         return;
     }
-    staleness inner = {.loop = s->loop,
-                       .is_suspect = s->is_suspect,
-                       .is_stale =
-                           ARENA_ARRAY(s->loop->arena, bool, s->loop->unit->variable_count + 1),
-                       .in_callee = true,
-                       .in_slice = s->in_slice && !passes_private_memory(s, call),
-                       .depth = s->depth + 1};
+    unverified_reads inner = {
+        .plan = s->plan,
+        .is_suspect = s->is_suspect,
+        .is_unverified = ARENA_ARRAY(s->plan->arena, bool, s->plan->unit->variable_count + 1),
+        .in_callee = true,
+        .in_slice = s->in_slice && !passes_private_memory(s, call),
+        .depth = s->depth + 1};
     for (unsigned i = 0; i < count; i++)
-        inner.is_stale[callee->parameters[i]->id] =
+        inner.is_unverified[callee->parameters[i]->id] =
             callee->parameters[i]->type->kind != IR_POINTER &&
-            stale_value(s, call->children[i + 1]);
-    stale_spread(&inner, callee->body);
-    stale_check(&inner, callee->body, (control){false, false});
+            unverified_value(s, call->children[i + 1]);
+    unverified_spread(&inner, callee->body);
+    unverified_check(&inner, callee->body, (control){false, false});
     s->is_harmful |= inner.is_harmful;
 }
 
 /** A function that is not seen: of the system's, on numbers, any will do; others may do what they
- *  like with what is stale. */
-static bool is_harmless_unseen(const staleness *s, const ir_node *call, control how) {
+ *  like with what is unverified. */
+static bool is_harmless_unseen(const unverified_reads *s, const ir_node *call, control how) {
     const bool is_known = callee_of(call)->is_from_system;
     for (unsigned i = 1; i < call->child_count; i++)
         if (is_address_like(call->children[i]->type) ||
-            (!is_known && stale_value(s, call->children[i])))
+            (!is_known && unverified_value(s, call->children[i])))
             return false;
-    return is_known || !how.is_stale;
+    return is_known || !how.is_unverified;
 }
 
-static void check_call(staleness *s, const ir_node *call, control how) {
+static void check_call(unverified_reads *s, const ir_node *call, control how) {
     const ir_function *callee = callee_of(call);
-    if (!callee || (how.is_stale && callee->body)) {
+    if (!callee || (how.is_unverified && callee->body)) {
         s->is_harmful = true;
         return;
     }
     for (unsigned i = 1; i < call->child_count; i++)
         s->is_harmful |= call->children[i]->type && call->children[i]->type->kind == IR_POINTER &&
-                         stale_value(s, call->children[i]);
+                         unverified_value(s, call->children[i]);
     if (callee->body)
         check_callee(s, call);
     else
@@ -363,42 +365,42 @@ static bool is_jump(const ir_node *node) {
 }
 
 /** How control comes to the parts of a node: `first` is evaluated with it. */
-control stale_below(const staleness *s, const ir_node *node, control how, bool first) {
+control unverified_below(const unverified_reads *s, const ir_node *node, control how, bool first) {
     const bool decides =
         node->kind == IR_IF || node->kind == IR_CONDITIONAL || node->kind == IR_SWITCH ||
         ir_is_loop(node) ||
         (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR));
     if (!decides || (first && node->kind != IR_DO))
         return how;
-    return (control){how.is_stale || stale_condition(s, node), false};
+    return (control){how.is_unverified || unverified_condition(s, node), false};
 }
 
 /** `continue` of the loop itself. */
-static bool is_next_iteration(const staleness *s, const ir_node *node) {
+static bool is_next_iteration(const unverified_reads *s, const ir_node *node) {
     if (node->kind != IR_CONTINUE || s->in_callee)
         return false;
     while (!ir_is_loop(node))
         node = node->parent;
-    return node == s->loop->facts->loop;
+    return node == s->plan->facts->loop;
 }
 
-void stale_check(staleness *s, const ir_node *node, control how) {
-    how.is_stale |= s->may_have_left;
+void unverified_check(unverified_reads *s, const ir_node *node, control how) {
+    how.is_unverified |= s->may_have_left;
     if (ir_is_loop(node))
-        s->is_harmful |= stale_condition(s, node);
+        s->is_harmful |= unverified_condition(s, node);
     if (is_access(node))
         check_access(s, node, how);
     else if (is_division(node))
         check_division(s, node, how);
     else if (node->kind == IR_CALL)
         check_call(s, node, how);
-    else if (s->in_slice && how.is_stale && is_next_iteration(s, node))
+    else if (s->in_slice && how.is_unverified && is_next_iteration(s, node))
         s->may_have_left = true; /* or not, where the loop goes on */
-    else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_stale) ||
+    else if (node->kind == IR_OPAQUE || (is_jump(node) && how.is_unverified) ||
              (node->kind == IR_DECLARATOR && node->variable->type->size < 0))
         s->is_harmful = true;
     for (unsigned i = 0; i < node->child_count && !s->is_harmful; i++)
-        stale_check(s, node->children[i], stale_below(s, node, how, i == 0));
+        unverified_check(s, node->children[i], unverified_below(s, node, how, i == 0));
 }
 
 /** A jump may pass by what stands below it: nothing is certain then. */
@@ -411,39 +413,40 @@ static bool holds_jump(const ir_node *node) {
     return false;
 }
 
-bool *guarded_sources(const loop_text *loop) {
-    const loop_facts *facts = loop->facts;
-    bool *is_guarded = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1);
+bool *guarded_sources(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    bool *is_guarded = ARENA_ARRAY(plan->arena, bool, facts->source_count + 1);
     for (unsigned i = 0; i < facts->source_count; i++)
         is_guarded[i] = facts->sources[i].needs_guard;
     return is_guarded;
 }
 
-bool stale_has_suspects(const loop_text *loop, const bool *is_suspect) {
-    for (unsigned i = 0; i < loop->facts->source_count; i++)
+bool unverified_has_suspects(const loop_plan *plan, const bool *is_suspect) {
+    for (unsigned i = 0; i < plan->facts->source_count; i++)
         if (is_suspect[i])
             return true;
     return false;
 }
 
-staleness stale_begin(loop_text *loop, const bool *is_suspect, bool in_slice) {
-    staleness s = {.loop = loop,
-                   .is_suspect = is_suspect,
-                   .is_stale = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1),
-                   .in_slice = in_slice};
-    stale_spread(&s, loop->facts->counted.body);
+unverified_reads unverified_begin(const loop_plan *plan, const bool *is_suspect, bool in_slice) {
+    unverified_reads s = {.plan = plan,
+                          .is_suspect = is_suspect,
+                          .is_unverified =
+                              ARENA_ARRAY(plan->arena, bool, plan->unit->variable_count + 1),
+                          .in_slice = in_slice};
+    unverified_spread(&s, plan->facts->counted.body);
     return s;
 }
 
-control stale_in_iteration(const loop_text *loop) {
-    return (control){false, !holds_jump(loop->facts->counted.body)};
+control unverified_in_iteration(const loop_plan *plan) {
+    return (control){false, !holds_jump(plan->facts->counted.body)};
 }
 
-bool is_harmless_when_stale(loop_text *loop) {
-    const bool *is_suspect = guarded_sources(loop);
-    if (!stale_has_suspects(loop, is_suspect))
+bool is_harmless_when_unverified(const loop_plan *plan) {
+    const bool *is_suspect = guarded_sources(plan);
+    if (!unverified_has_suspects(plan, is_suspect))
         return true;
-    staleness s = stale_begin(loop, is_suspect, false);
-    stale_check(&s, loop->facts->counted.body, stale_in_iteration(loop));
+    unverified_reads s = unverified_begin(plan, is_suspect, false);
+    unverified_check(&s, plan->facts->counted.body, unverified_in_iteration(plan));
     return !s.is_harmful;
 }

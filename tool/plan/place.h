@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** The place in front of a function of the main file, where declarations may be put. */
-#ifndef EMIT_PLACE_H
-#define EMIT_PLACE_H
+#ifndef PLAN_PLACE_H
+#define PLAN_PLACE_H
 
 #include "ir/ir.h"
 

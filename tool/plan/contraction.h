@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Where the written text forbids to contract a multiplication and an addition into one rounding.
  */
-#ifndef EMIT_CONTRACT_H
-#define EMIT_CONTRACT_H
+#ifndef PLAN_CONTRACTION_H
+#define PLAN_CONTRACTION_H
 
-#include "emit/emit.h"
+#include "analysis/analysis.h"
+#include "plan/options.h"
 
 typedef enum contraction {
     CONTRACTION_ALLOWED,
@@ -16,14 +17,9 @@ typedef enum contraction {
  * forbidden in the loop itself: something in it, or in what it calls, could be contracted, perhaps
  * with what stands outside. */
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const emit_options *options, bool *is_forbidden);
+                           const plan_options *options, bool *is_forbidden);
 
-/** The directives that turn it off from the head of the file on. has_targets: functions are
- * compiled for several processors. */
-const char *contraction_directives(arena *a, const ir_unit *unit, bool has_targets);
-
-/** What goes in front of a function with loops: text, and its place. */
-const char *unfused_function(arena *a, const ir_unit *unit, const ir_function *function,
-                             uint32_t *place);
+/** May functions be compiled for processors that the file's head knows nothing of? */
+bool may_name_targets(const ir_unit *unit);
 
 #endif

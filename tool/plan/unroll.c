@@ -5,14 +5,14 @@
  * elements of arrays of vectors stand in registers. By -O2 the assembly of a cloth's forces by
  * lanes took two thirds of the time (script/bench lanes).
  */
-#include "emit/unroll.h"
+#include "plan/unroll.h"
 
 #include <string.h>
 
 #include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
-#include "emit/syntax.h"
+#include "ir/ir_syntax.h"
 
 enum {
     MOST_ITERATIONS = 16, /* as in REDCC_UNROLLED of redcc/loop.h */
@@ -78,16 +78,16 @@ static bool has_at_most(const ir_node *loop, int64_t most) {
     return true;
 }
 
-const char *unrolled_computation(const ir_node *loop) {
-    return has_at_most(loop, MOST_COMPUTED) ? "REDCC_UNROLLED " : "";
+bool is_unrolled_computation(const ir_node *loop) {
+    return has_at_most(loop, MOST_COMPUTED);
 }
 
-const char *unrolled_lane_updates(const ir_node *loop) {
-    return has_at_most(loop, MOST_LANE_UPDATES) ? "REDCC_UNROLLED_PLAIN " : "";
+bool is_unrolled_lane_update(const ir_node *loop) {
+    return has_at_most(loop, MOST_LANE_UPDATES);
 }
 
-const char *unrolled_in_body(const ir_node *loop) {
-    return has_at_most(loop, MOST_BODY) ? "REDCC_UNROLLED " : "";
+bool is_unrolled_in_body(const ir_node *loop) {
+    return has_at_most(loop, MOST_BODY);
 }
 
 /** Does an attribute end in front of it, [[...]] or __attribute__((...))? Or perhaps a comment. */
@@ -99,11 +99,11 @@ static bool has_attribute(const char *text, const ir_node *node) {
            (text[at - 1] == ']' || (text[at - 1] == ')' && node->parent->kind == IR_BLOCK));
 }
 
-bool takes_pragma(const loop_text *loop, const ir_node *node) {
-    const char *const text = loop->unit->source->text, *const at = text + node->range.begin;
+bool takes_pragma(const loop_plan *plan, const ir_node *node) {
+    const char *const text = plan->unit->source->text, *const at = text + node->range.begin;
     const ir_kind parent = node->parent->kind;
     return (parent == IR_BLOCK || parent == IR_FOR || parent == IR_IF) &&
            source_starts_with(at, "for") && !source_is_name_byte(at[strlen("for")]) &&
-           loop_text_begin(loop->whole, node) == node->range.begin && !has_attribute(text, node) &&
-           syntax_editable_statement(node, loop->facts->counted.body) == node;
+           loop_text_begin(plan->whole, node) == node->range.begin && !has_attribute(text, node) &&
+           syntax_editable_statement(node, plan->facts->counted.body) == node;
 }

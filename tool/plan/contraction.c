@@ -10,12 +10,11 @@
  * contracted. Then it is forbidden in the whole file. So it is where there is no place for it in
  * front of a function.
  */
-#include "emit/contract.h"
+#include "plan/contraction.h"
 
 #include <string.h>
 
-#include "emit/loop.h"
-#include "emit/place.h"
+#include "plan/place.h"
 
 /** What functions reached from a loop do, themselves and in what they call. */
 typedef struct reach {
@@ -105,8 +104,7 @@ static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function 
            !has_directive(unit, begin, function->body->range.begin, false);
 }
 
-/** May functions be compiled for processors that the file's head knows nothing of? */
-static bool may_name_targets(const ir_unit *unit) {
+bool may_name_targets(const ir_unit *unit) {
     bool is_found = unit->text.names_target ||
                     has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
@@ -124,7 +122,7 @@ static bool has_macro_of_pragma(const ir_unit *unit) {
 }
 
 contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result *analysis,
-                           const emit_options *options, bool *is_forbidden) {
+                           const plan_options *options, bool *is_forbidden) {
     bool matters = false;
     bool is_local = !options->lanes && !may_name_targets(unit) && !has_macro_of_pragma(unit);
     for (unsigned i = 0; i < analysis->verdict_count; i++) {
@@ -132,7 +130,7 @@ contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result 
         if (analysis->verdicts[i].kind != VERDICT_TRANSFORM || !may_be_contracted(a, unit, facts))
             continue;
         is_forbidden[i] = true;
-        matters |= options->order != EMIT_ORDER_ANY || facts->slice.has_floating_work;
+        matters |= options->order != ORDER_ANY || facts->slice.has_floating_work;
         is_local = is_local && !calls_what_contracts(a, unit, facts) &&
                    may_have_attribute(a, unit, facts->function);
     }
@@ -140,25 +138,4 @@ contraction contraction_of(arena *a, const ir_unit *unit, const analysis_result 
         return CONTRACTION_OFF_IN_LOOPS;
     memset(is_forbidden, 0, sizeof *is_forbidden * analysis->verdict_count);
     return matters ? CONTRACTION_OFF_IN_FILE : CONTRACTION_ALLOWED;
-}
-
-/* ---- text ---------------------------------------------------------------------------------- */
-
-const char *contraction_directives(arena *a, const ir_unit *unit, bool has_targets) {
-    return arena_format(a,
-                        "#if defined(__clang__)\n"
-                        "#pragma clang fp contract(off)\n"
-                        "#elif defined(%s)\n"
-                        "#pragma GCC optimize(\"fp-contract=off\")\n"
-                        "#endif\n",
-                        has_targets || may_name_targets(unit) ? "__GNUC__" : "__FP_FAST_FMA");
-}
-
-const char *unfused_function(arena *a, const ir_unit *unit, const ir_function *function,
-                             uint32_t *place) {
-    loop_text start = {.arena = a, .unit = unit};
-    const bool is_in_line = place_in_front(unit, function, place);
-    return arena_format(a, "%sREDCC_UNFUSED\n%s\n%s", is_in_line ? "\n" : "",
-                        loop_line_directive(&start, function->range.begin),
-                        is_in_line ? loop_column_blanks(&start, *place) : "");
 }

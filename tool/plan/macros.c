@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Macros of the program that would change generated text: the runtime's names for what it tells
+ * (`worker.first`), keywords, and the user's own names where they are written once more may all be
+ * names of macros. Of the user's own bytes, copied, all macros mean what they did.
+ */
+#include "plan/macros.h"
+
+#include <ctype.h>
+#include <string.h>
+
+static bool is_name_start(char c) {
+    return isalpha((unsigned char)c) || c == '_' || c == '$' || (unsigned char)c >= 0x80;
+}
+
+static const char *skip_quoted(const char *at, const char *end) {
+    const char quote = *at++;
+    while (at < end && *at != quote)
+        at += *at == '\\' && at + 1 < end ? 2 : 1;
+    return at < end ? at + 1 : end;
+}
+
+/** To the text of `#pragma omp`, in which macros are replaced; past other directives. */
+static const char *skip_directive(const char *at, const char *end) {
+    static const char openmp[] = "#pragma omp ";
+    if ((size_t)(end - at) >= sizeof openmp && strncmp(at, openmp, sizeof openmp - 1) == 0)
+        return at + sizeof openmp - 1;
+    const char *line_end = memchr(at, '\n', (size_t)(end - at));
+    return line_end ? line_end : end;
+}
+
+static const char *skip_comment(const char *at, const char *end) {
+    for (at += 2; at + 1 < end; at++)
+        if (at[0] == '*' && at[1] == '/')
+            return at + 2;
+    return end;
+}
+
+/** The one macro of the compiler's own that generated text is meant to use (scalars.c). */
+static bool is_meant(const char *word, size_t length) {
+    static const char meant[] = "__ATOMIC_RELAXED";
+    return length == sizeof meant - 1 && memcmp(word, meant, length) == 0;
+}
+
+/** Is this word, which ends at `after`, replaced by the preprocessor? */
+static bool is_replaced(const map *macros, const char *word, const char *after, const char *end) {
+    if (is_meant(word, (size_t)(after - word)))
+        return false;
+    const void *kind = map_get(macros, word, (size_t)(after - word));
+    while (after < end && isspace((unsigned char)*after))
+        after++;
+    return kind == IR_MACRO_AS_OBJECT ||
+           (kind == IR_MACRO_AS_FUNCTION && (after == end || *after == '('));
+}
+
+const char *macro_name_in(arena *a, const ir_unit *unit, const char *text, size_t length) {
+    const char *at = text, *const end = text + length;
+    while (unit->text.macros && at < end) {
+        const char *const word = at;
+        if (*at == '"' || *at == '\'') {
+            at = skip_quoted(at, end);
+        } else if (*at == '#' && (at == text || at[-1] == '\n')) {
+            at = skip_directive(at, end);
+        } else if (*at == '/' && at + 1 < end && at[1] == '*') {
+            at = skip_comment(at, end);
+        } else if (source_is_name_byte(*at)) { /* numbers too: no macro is named so */
+            while (at < end && source_is_name_byte(*at))
+                at++;
+            if (is_name_start(*word) && is_replaced(unit->text.macros, word, at, end))
+                return arena_copy(a, word, (size_t)(at - word));
+        } else {
+            at++;
+        }
+    }
+    return NULL;
+}
+
+/** All words of the runtime's header; emit's CMakeLists.txt reads them from it. */
+static const char *const words_of_header[] = {
+#include "header_words.inc"
+};
+
+const char *macro_name_in_head(const ir_unit *unit) {
+    for (size_t i = 0;
+         unit->text.macros_before && i < sizeof words_of_header / sizeof *words_of_header; i++)
+        if (map_get(unit->text.macros_before, words_of_header[i], strlen(words_of_header[i])))
+            return words_of_header[i];
+    return NULL;
+}
+
+/** Does the text hold the word, as a whole? */
+static bool has_name(const source *s, const char *name) {
+    const size_t length = strlen(name);
+    const char *end = s->text + s->length;
+    for (const char *at = s->text; (at = strstr(at, name)) != NULL; at += length)
+        if ((at == s->text || !source_is_name_byte(at[-1])) &&
+            (at + length >= end || !source_is_name_byte(at[length])))
+            return true;
+    return false;
+}
+
+/** Has a variable or a function of the program this name? */
+static bool is_own(const ir_unit *unit, const char *name) {
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    for (unsigned i = 0; i < unit->function_count; i++) {
+        const ir_function *function = unit->functions[i];
+        if ((function->body || function->linkage.is_static) && strcmp(function->name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
+static const void *meaning_of(const map *names, const char *name) {
+    return names ? map_get(names, name, strlen(name)) : NULL;
+}
+
+/** Does the program, or one of its headers, give one of the runtime's names to anything? */
+static bool is_taken_from_runtime(const ir_unit *unit, const char *name, bool is_searched) {
+    return meaning_of(unit->text.names, name) || meaning_of(unit->text.macros, name) ||
+           is_own(unit, name) || (is_searched && has_name(unit->source, name));
+}
+
+/** OpenMP's functions that the runtime's header declares, `int name(void)`, may be declared again.
+ */
+static bool is_taken_from_openmp(const ir_unit *unit, const char *name) {
+    return meaning_of(unit->text.names, name) == IR_NAME_AS_OTHER || is_own(unit, name);
+}
+
+const char *taken_name(const ir_unit *unit) {
+    const bool is_searched = strstr(unit->source->text, "redcc_") != NULL;
+    for (size_t i = 0; i < sizeof words_of_header / sizeof *words_of_header; i++) {
+        const char *word = words_of_header[i];
+        if ((source_starts_with(word, "redcc_") || source_starts_with(word, "REDCC_"))
+                ? is_taken_from_runtime(unit, word, is_searched)
+                : source_starts_with(word, "omp_") && is_taken_from_openmp(unit, word))
+            return word;
+    }
+    return NULL;
+}
+
+/** The words of which the macros of loop.h are made; those of the runtime's apart. */
+static const char *const words_of_macros[] = {
+#include "macro_words.inc"
+};
+
+bool has_macro_of_header_words(arena *a, const ir_unit *unit) {
+    for (size_t i = 0; i < sizeof words_of_macros / sizeof *words_of_macros; i++)
+        if (macro_name_in(a, unit, words_of_macros[i], strlen(words_of_macros[i])))
+            return true;
+    return false;
+}

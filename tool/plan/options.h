@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the user asks for, as far as it decides the form of the loops that are written. */
+#ifndef PLAN_OPTIONS_H
+#define PLAN_OPTIONS_H
+
+#include <stdbool.h>
+
+/** What a result may differ in from the sequential loop's (REDCC_ORDER_... of the runtime). */
+typedef enum result_order { ORDER_SERIAL, ORDER_FIXED, ORDER_ANY } result_order;
+
+typedef struct plan_options {
+    result_order order;
+    bool order_is_explicit; /* asked for explicitly, not just the default */
+    const char *obstacle;   /* why nothing may be written; NULL: nothing forbids it */
+    unsigned lanes;         /* iterations at once: 0: one by one; 1: as many as a register holds */
+    const unsigned char *leave; /* by verdict: 1: write nothing for several iterations at once; 2:
+                                   nor move slice and body in front of the function. Without
+                                   `lanes` 1 is as 2. NULL: 0 everywhere */
+} plan_options;
+
+#endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/plan.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "analysis/base/distributed.h"
+#include "plan/execution.h"
+#include "plan/precheck.h"
+#include "plan/prefetch.h"
+#include "plan/read_ahead.h"
+#include "plan/rewritable.h"
+#include "plan/sources.h"
+#include "plan/stand_in.h"
+
+void plan_obstacle(loop_plan *plan, ir_range range, const char *format, ...) {
+    if (plan->obstacle.message)
+        return;
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    plan->obstacle = (reason){.message = arena_string(plan->arena, text), .range = range};
+}
+
+static void plan_stand_ins(loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    bool *is_shadowed = ARENA_ARRAY(plan->arena, bool, facts->array_count + 1);
+    for (unsigned i = 0; i < facts->array_count; i++)
+        is_shadowed[i] =
+            !facts->arrays[i].is_scattered && can_be_shadowed(plan, facts->arrays[i].base);
+    plan->is_shadowed = is_shadowed;
+}
+
+/** The forms, of a loop that can be written. */
+static void plan_form(loop_plan *plan) {
+    plan_stand_ins(plan);
+    plan_execution(plan);
+    plan_prefetch(plan);
+}
+
+const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,
+                           const loop_facts *facts, const plan_options *options) {
+    loop_plan *plan = ARENA_NEW(a, loop_plan);
+    *plan =
+        (loop_plan){.arena = a, .whole = whole, .unit = unit, .facts = facts, .options = options};
+    distributed_take_out(facts->distribution);
+    plan_sources(plan);
+    check_place(plan);
+    plan_reads_ahead(plan);
+    plan_precheck(plan);
+    check_iterations(plan);
+    if (!plan->obstacle.message)
+        plan_form(plan);
+    distributed_put_back(facts->distribution);
+    return plan;
+}

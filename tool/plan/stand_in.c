@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/stand_in.h"
+
+#include "plan/macros.h"
+
+static bool has_sizeof(const ir_node *node) {
+    if (node->kind == IR_SIZEOF || node->kind == IR_OPAQUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (has_sizeof(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Does the tree name the variable at `at`, a place in the file? Macros have no places. */
+static bool is_named_at(const ir_node *node, const ir_variable *variable, uint32_t at) {
+    if (node->kind == IR_VARIABLE && node->variable == variable && node->range.begin == at &&
+        !(node->flags & IR_FROM_MACRO))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_named_at(node->children[i], variable, at))
+            return true;
+    return false;
+}
+
+static bool is_named_by_macro(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_VARIABLE && node->variable == variable && node->flags & IR_FROM_MACRO)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_named_by_macro(node->children[i], variable))
+            return true;
+    return false;
+}
+
+enum { MOST_MENTIONS = 64 }; /* each is looked for in the whole body */
+
+/** Is the variable named in the body by the tree's own nodes alone? What stands in types (the
+ *  length of an array, a typeof) is not in the tree, and may ask for the array's type or size. */
+static bool is_named_by_nodes(const loop_plan *plan, const ir_variable *variable) {
+    const ir_node *body = plan->facts->counted.body;
+    const char *text = plan->unit->source->text;
+    const size_t length = strlen(variable->name);
+    unsigned mentions = 0;
+    for (uint32_t at = body->range.begin; at < body->range.end; at++) {
+        if (text[at] == '\\' || text[at] == '?') { /* words may be spelled otherwise */
+            if (text[at] == '\\' || text[at + 1] == '?')
+                return false;
+            continue;
+        }
+        const bool is_begin =
+            source_is_name_byte(text[at]) && (at == 0 || !source_is_name_byte(text[at - 1]));
+        if (is_begin && strncmp(text + at, variable->name, length) == 0 &&
+            !source_is_name_byte(text[at + length]) &&
+            (++mentions > MOST_MENTIONS || !is_named_at(body, variable, at)))
+            return false;
+    }
+    return !is_named_by_macro(body, variable);
+}
+
+/** A macro may name the variable where the tree shows nothing of it: `#define LIKE typeof(h)`. */
+bool has_macro(const loop_plan *plan) {
+    const ir_range body = plan->facts->counted.body->range;
+    return macro_name_in(plan->arena, plan->unit, plan->unit->source->text + body.begin,
+                         body.end - body.begin) != NULL;
+}
+
+bool can_be_pointer(const loop_plan *plan, const ir_variable *variable) {
+    return !has_sizeof(plan->facts->counted.body) && !has_macro(plan) &&
+           is_named_by_nodes(plan, variable);
+}
+
+/** A pointer of the same name may stand for the variable, unless its type or its size as an array
+ *  may be asked. */
+bool can_be_shadowed(const loop_plan *plan, const ir_node *base) {
+    if (base->kind != IR_VARIABLE)
+        return false;
+    return base->type->kind == IR_POINTER || can_be_pointer(plan, base->variable);
+}

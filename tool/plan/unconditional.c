@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/unconditional.h"
+
+#include "analysis/base/counted.h"
+
+static bool holds_jump(const ir_node *node) {
+    if (node->kind == IR_BREAK || node->kind == IR_CONTINUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (holds_jump(node->children[i]))
+            return true;
+    return false;
+}
+
+/** Not a loop over constants, each of whose iterations is executed. */
+static bool has_condition(const ir_node *node) {
+    const ir_variable *counter;
+    int64_t first, last;
+    if (ir_is_loop(node))
+        return !counted_constant(node, &counter, &first, &last) || holds_jump(node);
+    return node->kind == IR_IF || node->kind == IR_SWITCH;
+}
+
+/** Is there a `continue`, of a loop around `statement` and above it, that the slice leaves out? */
+static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const ir_node *statement) {
+    if (node->kind == IR_CONTINUE)
+        return node->id < statement->id && !facts->slice.holds[node->id];
+    if (node->id >= statement->id || (ir_is_loop(node) && !ir_contains(node, statement)))
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (passes_by_jump(facts, node->children[i], statement))
+            return true;
+    return false;
+}
+
+bool is_bare(const loop_facts *facts, const ir_node *statement) {
+    for (const ir_node *node = statement->parent; node && node != facts->loop; node = node->parent)
+        if (has_condition(node) && !facts->slice.holds[node->id])
+            return true;
+    return passes_by_jump(facts, facts->counted.body, statement);
+}
+
+bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
+    return update->statement->kind == IR_IF || is_bare(facts, update->statement);
+}
+
+bool source_is_bare(const loop_facts *facts, const loop_source *read) {
+    return read->is_ahead || !read->place || is_bare(facts, read->place);
+}

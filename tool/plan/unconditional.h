@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What the inspector does under fewer conditions than the loop. */
+#ifndef PLAN_UNCONDITIONAL_H
+#define PLAN_UNCONDITIONAL_H
+
+#include "analysis/base/facts.h"
+
+/** Does the inspector come to this statement where the program may not? */
+bool is_bare(const loop_facts *facts, const ir_node *statement);
+/** The same of where it logs an update's row, or a read: the address is to be a number then. */
+bool update_is_bare(const loop_facts *facts, const reduction_update *update);
+bool source_is_bare(const loop_facts *facts, const loop_source *read);
+
+#endif
