@@ -5,14 +5,12 @@
 
 #include "emit/loop.h"
 
-/** bins.c: sets loop->bins, where updates can be taken apart and be made later; */
-void find_bins(loop_text *loop);
-/** what goes before an update whose element has this address; */
+/** What goes before an update whose element has this address; */
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address);
-/** bins_text.c: what goes in front of a loop over constants, to append what it adds; NULL: nothing.
+/** What goes in front of a loop over constants, to append what it adds; NULL: nothing.
  */
 const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name);
-/** bins_text.c: what applies records; the streams, and how many; the arguments of
+/** What applies records; the streams, and how many; the arguments of
  *  REDCC_PARALLEL_BINNED that say so. */
 void write_bins(loop_text *loop, writer *out);
 void write_streams(loop_text *loop, writer *out);

@@ -3,20 +3,31 @@
 #include <assert.h>
 #include <string.h>
 
-#include "emit/bins.h"
 #include "emit/bins_form.h"
 #include "emit/outline.h"
+#include "emit/print.h"
+#include "ir/ir_syntax.h"
+#include "plan/bins.h"
 #include "plan/execution.h"
 
-static bool is_floating(const char *type) {
-    return strcmp(type, "float") == 0 || strcmp(type, "double") == 0;
+/** The type of a record's value, by a name that needs no declaration; NULL of VALUE_NONE. */
+static const char *kind_text(value_kind kind) {
+    static const char *const names[] = {
+        [VALUE_INT] = "int",        [VALUE_UNSIGNED] = "redcc_u32",
+        [VALUE_LONG] = "redcc_int", [VALUE_UNSIGNED_LONG] = "redcc_word",
+        [VALUE_FLOAT] = "float",    [VALUE_DOUBLE] = "double"};
+    return names[kind];
+}
+
+static bool is_floating(value_kind kind) {
+    return kind == VALUE_FLOAT || kind == VALUE_DOUBLE;
 }
 
 /** The type of an array's rows. */
 static const char *row_type(loop_text *loop, unsigned array) {
     const ir_type *element = loop->facts->arrays[array].element;
     const char *type = origin_type(loop->arena, element);
-    return is_wide_row(loop, loop->bins, array)
+    return is_wide_row(loop->facts, loop->bins, array)
                ? arena_format(loop->arena, "__typeof__(%s[%lld])", type,
                               (long long)(loop->bins->row_bytes[array] / element->size))
                : type;
@@ -25,19 +36,110 @@ static const char *row_type(loop_text *loop, unsigned array) {
 /** Is it one of the types that the header has, of doubles or floats alone? */
 static bool is_plain_record(const bins_stream *stream) {
     for (unsigned i = 1; i < stream_value_count(stream); i++)
-        if (strcmp(stream->types[i], stream->types[0]) != 0)
+        if (stream->kinds[i] != stream->kinds[0])
             return false;
-    return stream->types[0] && is_floating(stream->types[0]);
+    return is_floating(stream->kinds[0]);
 }
 
 static const char *record_name(loop_text *loop, unsigned stream) {
     const bins_stream *its = &loop->bins->streams[stream];
     const unsigned count = stream_value_count(its);
     if (count < 2)
-        return its->types[0];
+        return kind_text(its->kinds[0]);
     return is_plain_record(its)
-               ? arena_format(loop->arena, "redcc_%s_%u", its->types[0], count)
+               ? arena_format(loop->arena, "redcc_%s_%u", kind_text(its->kinds[0]), count)
                : arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
+}
+
+typedef struct spelling {
+    const loop_text *loop;
+    const bins_record *record;
+    const reduction_update *update;
+    unsigned part; /* of the nest's elements */
+} spelling;
+
+/** The element that the update at hand goes to. */
+static const char *element_in_row(const spelling *its) {
+    static const char *const rows[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
+                                       "(*redcc__to_3)"};
+    const bins_stream *stream = &its->loop->bins->streams[its->record->stream];
+    unsigned array = 0;
+    while (stream->arrays[array] != its->update->array)
+        array++;
+    return is_wide_row(its->loop->facts, its->loop->bins, its->update->array)
+               ? arena_format(
+                     its->loop->arena, "%s[%u]", rows[array],
+                     part_of_row(its->loop->facts, its->loop->bins, its->update, its->part))
+               : rows[array];
+}
+
+/** The printer's hook: the element, and what the record holds. */
+static const char *name_in_record(const ir_node *node, void *context) {
+    const spelling *its = context;
+    if (!ir_is_expression(node))
+        return NULL;
+    if (syntax_same(node, its->update->target))
+        return element_in_row(its);
+    const int number = operand_number(its->record, node);
+    if (number < 0)
+        return NULL;
+    if (stream_value_count(&its->loop->bins->streams[its->record->stream]) == 1)
+        return "redcc__e";
+    const unsigned parts = nest_part_count(its->record->nest);
+    return arena_format(its->loop->arena, "redcc__e.v%u", (unsigned)number * parts + its->part);
+}
+
+/** What a record's updates do, on elements and a record. */
+static const char *record_text(loop_text *loop, const bins_record *record) {
+    writer line = {.on_one_line = true};
+    spelling its = {.loop = loop, .record = record};
+    printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
+    for (unsigned i = 0; i < record->update_count; i++) {
+        its.update = record->updates[i];
+        for (its.part = 0; its.part < nest_part_count(record->nest); its.part++)
+            print_statement(&p, its.update->statement);
+    }
+    if (p.problem)
+        loop_obstacle(loop, record->updates[0]->statement->range, "%s", p.problem);
+    return writer_text(loop->arena, &line);
+}
+
+/* ---- positions ------------------------------------------------------------------------------ */
+
+/** The position of the update's element in its row, as C. */
+static const char *part_of_row_text(const loop_text *loop, const reduction_update *update) {
+    const loop_facts *facts = loop->facts;
+    const bins_nest *nest = nest_of(facts, loop->bins, update);
+    const int64_t size = facts->arrays[update->array].element->size;
+    int64_t offset;
+    const ir_node *row = row_in_bins(facts, loop->bins, update, &offset);
+    const char *text =
+        offset > 0 || !nest ? arena_format(loop->arena, "%lld", (long long)(offset / size)) : NULL;
+    for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
+        if (node->kind != IR_INDEX || !nest_level_of(nest, node->children[1]))
+            continue;
+        const int64_t stride = node->type->size / size;
+        const char *term = text_operand(loop->arena, node->children[1], NULL, NULL);
+        if (value_kind_of(node->children[1]->type) != VALUE_INT)
+            term = arena_format(loop->arena, "(int)%s", term);
+        if (stride > 1)
+            term = arena_format(loop->arena, "%lld * %s", (long long)stride, term);
+        text = text ? arena_format(loop->arena, "%s + %s", term, text) : term;
+    }
+    return text;
+}
+
+/** The counter of a nest where it comes to the part, of its promoted type; NULL: the node is none.
+ */
+static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
+                                     const ir_node *node, unsigned part) {
+    const struct nest_level *level = nest_level_of(nest, node);
+    if (!level)
+        return NULL;
+    const value_kind kind = value_kind_of(level->counter->type);
+    const long long value = nest_counter_value(nest, level, part);
+    return kind == VALUE_INT ? arena_format(loop->arena, "%lld", value)
+                             : arena_format(loop->arena, "((%s)%lld)", kind_text(kind), value);
 }
 
 /* ---- in the body ---------------------------------------------------------------------------- */
@@ -57,20 +159,21 @@ static const char *name_in_part(const ir_node *node, void *context) {
 }
 
 static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,
-                              const char *type) {
+                              value_kind kind) {
     arena *a = loop->arena;
     const unsigned parts = nest_part_count(record->nest);
     if (value >= record->operand_count * parts)
         return "0"; /* others of the stream have it */
     const ir_node *operand = record->operands[value / parts];
     nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
-    const char *text = is_floating(type) ? text_expression(a, operand, name_in_part, &names)
+    const char *text = is_floating(kind) ? text_expression(a, operand, name_in_part, &names)
                                          : text_operand(a, operand, name_in_part, &names);
     if (!text) {
         loop_obstacle(loop, operand->range, "an operand cannot be spelled a second time");
         return "0";
     }
-    return macro_argument(a, is_floating(type) ? text : arena_format(a, "(%s)%s", type, text));
+    return macro_argument(a, is_floating(kind) ? text
+                                               : arena_format(a, "(%s)%s", kind_text(kind), text));
 }
 
 /** The values of this record. */
@@ -82,7 +185,7 @@ static const char *values_text(loop_text *loop, const bins_record *record) {
         buffer_format(&out, "REDCC_VALUES_%u(", count);
     for (unsigned i = 0; i < count; i++)
         buffer_format(&out, "%s%s", i > 0 ? ", " : "",
-                      value_text(loop, record, i, stream->types[i]));
+                      value_text(loop, record, i, stream->kinds[i]));
     if (count > 1)
         buffer_byte(&out, ')');
     const char *text = arena_copy(loop->arena, out.data, out.length);
@@ -90,7 +193,7 @@ static const char *values_text(loop_text *loop, const bins_record *record) {
     return text;
 }
 
-static const bins_record *record_of(const struct bins_text *bins, const reduction_update *update) {
+static const bins_record *record_of(const bins_plan *bins, const reduction_update *update) {
     for (const bins_record *record = bins->records;; record++)
         for (unsigned i = 0; i < record->update_count; i++)
             if (record->updates[i] == update)
@@ -101,16 +204,17 @@ static const bins_record *record_of(const struct bins_text *bins, const reductio
 static const char *place_text(loop_text *loop, const reduction_update *update,
                               const char *address) {
     const char *base = loop->arrays[update->array].local;
-    if (!is_wide_row(loop, loop->bins, update->array))
+    if (!is_wide_row(loop->facts, loop->bins, update->array))
         return arena_format(loop->arena, "%s, %s", base, address);
     return arena_format(loop->arena, "%s, %s, %s, %s", base, address, row_type(loop, update->array),
-                        part_of_row_text(loop, loop->bins, update));
+                        part_of_row_text(loop, update));
 }
 
 const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
     const bins_record *record = record_of(loop->bins, update);
     const bins_stream *stream = &loop->bins->streams[record->stream];
-    const char *macro = is_wide_row(loop, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
+    const char *macro =
+        is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
     const char *place = place_text(loop, update, address);
     if (record->updates[0] != update || record->nest)
         return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
@@ -132,10 +236,10 @@ static const char *append_text(loop_text *loop, const bins_record *record, ir_c_
         loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
     const char *address =
         macro_argument(loop->arena, arena_format(loop->arena, "&%s", target ? target : "0"));
-    const char *place =
-        arena_format(loop->arena, "%u, %u, %u, %s, %s, %s, %u", update->array, record->stream,
-                     record->tag, loop->arrays[update->array].local, address,
-                     row_type(loop, update->array), part_of_row(loop, loop->bins, update, 0));
+    const char *place = arena_format(loop->arena, "%u, %u, %u, %s, %s, %s, %u", update->array,
+                                     record->stream, record->tag, loop->arrays[update->array].local,
+                                     address, row_type(loop, update->array),
+                                     part_of_row(loop->facts, loop->bins, update, 0));
     return has_values ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
                                      record_name(loop, record->stream), values_text(loop, record))
                       : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
@@ -164,7 +268,7 @@ static unsigned tag_bits(const bins_stream *stream) {
 /** The elements of the stream's arrays but for the first; then updates that differ follow their
  *  tags. */
 static const char *updates_text(loop_text *loop, unsigned stream) {
-    const struct bins_text *bins = loop->bins;
+    const bins_plan *bins = loop->bins;
     const bins_stream *its = &bins->streams[stream];
     buffer out = {0};
     for (unsigned part = 1; part < its->array_count; part++)
@@ -175,15 +279,16 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
         const bins_record *record = &bins->records[i];
         if (record->stream != stream || record->tag != tag)
             continue;
+        const char *text = record_text(loop, record);
         tag++;
         if (tag < its->tag_count)
-            buffer_format(&out, "if (redcc__tag == %u) { %s} else ", record->tag, record->text);
+            buffer_format(&out, "if (redcc__tag == %u) { %s} else ", record->tag, text);
         else
-            buffer_format(&out, tag > 1 ? "{ %s}" : "%s", record->text);
+            buffer_format(&out, tag > 1 ? "{ %s}" : "%s", text);
     }
-    const char *text = arena_copy(loop->arena, out.data ? out.data : "", out.length);
+    const char *updates = arena_copy(loop->arena, out.data ? out.data : "", out.length);
     buffer_free(&out);
-    return text;
+    return updates;
 }
 
 static void write_record(loop_text *loop, writer *out, unsigned stream) {
@@ -193,7 +298,7 @@ static void write_record(loop_text *loop, writer *out, unsigned stream) {
         return;
     buffer members = {0};
     for (unsigned i = 0; i < count; i++)
-        buffer_format(&members, "%s v%u; ", its->types[i], i);
+        buffer_format(&members, "%s v%u; ", kind_text(its->kinds[i]), i);
     writer_line(out, "typedef struct { %s} %s;", members.data, record_name(loop, stream));
     buffer_free(&members);
 }
@@ -209,7 +314,7 @@ static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) 
 }
 
 void write_bins(loop_text *loop, writer *out) {
-    const struct bins_text *bins = loop->bins;
+    const bins_plan *bins = loop->bins;
     writer_fill(out, true);
     for (unsigned i = 0; i < bins->stream_count; i++) {
         const bins_stream *its = &bins->streams[i];
@@ -237,7 +342,7 @@ static bool is_exact(const loop_text *loop, const bins_stream *stream) {
             return false;
     }
     for (unsigned i = 0; i < stream_value_count(stream); i++)
-        assert(!is_floating(stream->types[i])); /* added to integers, they keep the order */
+        assert(!is_floating(stream->kinds[i])); /* added to integers, they keep the order */
     return true;
 }
 
@@ -286,5 +391,5 @@ static bool are_all_exact(const loop_text *loop) {
 
 const char *bins_phase(loop_text *loop) {
     return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
-                        loop->bins->told_sources, are_all_exact(loop));
+                        loop->bins->guarded_sources, are_all_exact(loop));
 }

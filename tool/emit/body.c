@@ -13,10 +13,10 @@
 #include "emit/edit.h"
 #include "emit/outline.h"
 #include "emit/print.h"
-#include "emit/turns.h"
 #include "emit/unconditional.h"
 #include "emit/values.h"
 #include "ir/ir_syntax.h"
+#include "plan/inner_iterations.h"
 #include "plan/lookup.h"
 #include "plan/unroll.h"
 
@@ -272,20 +272,42 @@ static void append_nests(body_copy *copy, const ir_node *node) {
         append_nests(copy, node->children[i]);
 }
 
-/** Turns of inner loops that are not the thread's part are left out as soon as that is known. */
-static void ask_for_turns(body_copy *copy, const ir_node *node) {
+/** The address of a row that the program may not come to, as a number. */
+static const char *row_number(loop_text *loop, const ir_node *row) {
+    row_address address;
+    return row_address_of(row, &address)
+               ? address_number(loop->arena, &address, NULL, bare_name, loop)
+               : NULL;
+}
+
+/** What asks whether the thread owns any of the rows; NULL: it cannot be spelled. */
+static const char *skip_question(loop_text *loop, const inner_skip *skip) {
+    const char *question = "";
+    for (unsigned i = 0; i < skip->row_count; i++) {
+        const ir_node *row = skip->rows[i]->row;
+        const char *number = row_number(loop, row);
+        if (!number)
+            return NULL;
+        question = arena_format(loop->arena, "%s%sREDCC_OWNS_ROW(%u, %s, %lld)", question,
+                                i > 0 ? " || " : "", skip->rows[i]->array,
+                                macro_argument(loop->arena, number), (long long)row->type->size);
+    }
+    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
+}
+
+/** Inner iterations that are not the thread's part are left out as soon as that is known. */
+static void skip_inner_iterations(body_copy *copy, const ir_node *node) {
     loop_text *loop = copy->loop;
-    const ir_node *const body = loop->facts->counted.body, *before;
-    const char *question = ir_is_loop(node) && !is_printed(copy, node)
-                               ? turn_question(loop, node, bare_name, &before)
-                               : NULL;
-    if (question && syntax_editable_statement(before, body) == before &&
-        !is_printed(copy, before)) {
-        edit_insert(loop->arena, &copy->edits, before->range.begin, question);
+    const inner_skip *skip = is_printed(copy, node) ? NULL : skip_of(loop->plan, node);
+    const char *question = skip ? skip_question(loop, skip) : NULL;
+    if (question &&
+        syntax_editable_statement(skip->before, loop->facts->counted.body) == skip->before &&
+        !is_printed(copy, skip->before)) {
+        edit_insert(loop->arena, &copy->edits, skip->before->range.begin, question);
         return;
     }
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
-        ask_for_turns(copy, node->children[i]);
+        skip_inner_iterations(copy, node->children[i]);
 }
 
 static void unroll_loops(body_copy *copy, const ir_node *node) {
@@ -363,7 +385,7 @@ static const char *copied_text(body_copy *copy) {
     choose_printed_nests(copy, body);
     visit_names(copy, body, replace_name);
     if (loop->outline.done)
-        ask_for_turns(copy, body);
+        skip_inner_iterations(copy, body);
     append_nests(copy, body);
     guard_updates(copy);
     unroll_loops(copy, body);

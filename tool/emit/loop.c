@@ -9,7 +9,6 @@
 #include "analysis/base/distributed.h"
 #include "analysis/base/loop_text.h"
 #include "emit/as_compiled.h"
-#include "emit/bins_form.h"
 #include "emit/body.h"
 #include "emit/call.h"
 #include "emit/lanes.h"
@@ -266,7 +265,7 @@ static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
         if (*form == FORM_LANES && !may_have_lanes(loop))
             continue;
         if (*form == FORM_BINNED)
-            find_bins(loop);
+            loop->bins = loop->plan->bins;
         if (*form == FORM_BINNED && !loop->bins)
             continue;
         front->text = write_outlined(loop, &front->replaced.begin);

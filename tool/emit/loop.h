@@ -55,7 +55,7 @@ typedef struct loop_text {
 
     bool is_unfused; /* contraction is turned off in its functions and its block */
     outline_text outline;
-    struct bins_text *bins; /* bins.c: its form for binning; NULL: it has none */
+    const struct bins_plan *bins; /* of the plan, where it is written in that form; or NULL */
     lanes_text lanes;
 } loop_text;
 

@@ -70,7 +70,7 @@ const char *tell_address_text(inspector *self, const ir_node *row, const ir_vari
     const char *number = NULL;
     if (self->is_bare && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
-        if (needs_address(&address) && number) /* a pointer may stand for it: another address */
+        if (row_needs_address(&address) && number) /* a pointer may stand for it: another address */
             self->loop->outline.possible = false;
     }
     if (number)

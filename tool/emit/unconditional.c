@@ -10,6 +10,7 @@
 #include "analysis/base/expression.h"
 #include "emit/origin.h"
 #include "ir/ir_words.h"
+#include "plan/unconditional.h"
 
 /* ---- where the program may not come -------------------------------------------------------- */
 
@@ -71,16 +72,12 @@ static const char *wide_number(arena *a, const ir_node *node, const ir_variable 
     return text ? arena_format(a, "(redcc_size)%s", text) : NULL;
 }
 
-bool needs_address(const row_address *address) {
-    return address->base_is_object && address->base->type->kind != IR_ARRAY;
-}
-
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,
                            ir_c_rename rename, void *context) {
     const char *sum = text_operand(a, address->base, rename, context);
     if (!sum)
         return NULL;
-    sum = arena_format(a, "(redcc_size)%s%s", needs_address(address) ? "&" : "", sum);
+    sum = arena_format(a, "(redcc_size)%s%s", row_needs_address(address) ? "&" : "", sum);
     for (unsigned i = 0; i < address->term_count; i++) {
         const row_term *term = &address->terms[i];
         const bool is_down = term->bytes < 0;

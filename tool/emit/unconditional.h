@@ -9,8 +9,7 @@
 /** A signed sum, product or shift as one that wraps around: a primary expression. NULL: the node is
  *  none of these. A rename and its context as ir_c_expression takes them. */
 const char *wrapping_operation(arena *a, const ir_node *node, ir_c_rename rename, void *context);
-/** Does it begin with & of an object? An array needs none, nor a pointer in its place. */
-bool needs_address(const row_address *address);
+
 /** The address as a number, redcc_size. `counter`: one of its subscripts steps with it (spans), and
  *  is computed in 64 bits, as if its type were as wide; or NULL. NULL: cannot be spelled. */
 const char *address_number(arena *a, const row_address *address, const ir_variable *counter,

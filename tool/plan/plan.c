@@ -5,7 +5,9 @@
 #include <stdio.h>
 
 #include "analysis/base/distributed.h"
+#include "plan/bins.h"
 #include "plan/execution.h"
+#include "plan/inner_iterations.h"
 #include "plan/precheck.h"
 #include "plan/prefetch.h"
 #include "plan/read_ahead.h"
@@ -38,6 +40,8 @@ static void plan_form(loop_plan *plan) {
     plan_stand_ins(plan);
     plan_execution(plan);
     plan_prefetch(plan);
+    plan_bins(plan);
+    plan_inner_skips(plan);
 }
 
 const loop_plan *plan_loop(arena *a, const ir_unit *whole, const ir_unit *unit,

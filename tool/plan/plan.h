@@ -67,6 +67,10 @@ typedef struct loop_plan {
     dependence_precheck precheck;
     execution_plan execution;
     prefetch_plan prefetch;
+    const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
+    const char *no_bins;          /* because of this */
+    unsigned skip_count;
+    const struct inner_skip *skips; /* of each inner loop (inner_iterations.h) */
 } loop_plan;
 
 /** Decides the form of a loop that a verdict allows to run in parallel. Lives in the arena, and

@@ -47,3 +47,7 @@ bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
 bool source_is_bare(const loop_facts *facts, const loop_source *read) {
     return read->is_ahead || !read->place || is_bare(facts, read->place);
 }
+
+bool row_needs_address(const row_address *address) {
+    return address->base_is_object && address->base->type->kind != IR_ARRAY;
+}

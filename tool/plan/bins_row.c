@@ -7,15 +7,15 @@
  */
 #include <string.h>
 
-#include "emit/bins.h"
 #include "ir/ir_syntax.h"
+#include "plan/bins_parts.h"
 #include "plan/lookup.h"
 
 /* Fewer rows than this fit the cache at a time, if they are larger. */
 enum { MOST_ROW_BYTES = 1024 };
 
-static int64_t element_size(const loop_text *loop, unsigned array) {
-    return loop->facts->arrays[array].element->size;
+static int64_t element_size(const loop_facts *facts, unsigned array) {
+    return facts->arrays[array].element->size;
 }
 
 /** Are all values of the counter subscripts of the array? */
@@ -44,114 +44,88 @@ static bool is_known_part(const bins_nest *nest, const ir_node *node, int64_t *o
            subscript->value < whole->type->count;
 }
 
-const ir_node *outermost_row(const loop_text *loop, const reduction_update *update,
+const ir_node *outermost_row(const loop_facts *facts, const reduction_update *update,
                              const bins_nest *nest) {
     const ir_node *row = update->target;
     int64_t offset = 0;
-    while (loop_array_of_base(loop->facts, row) < 0 &&
-           loop_array_of_base(loop->facts, row->children[0]) != (int)update->array &&
+    while (loop_array_of_base(facts, row) < 0 &&
+           loop_array_of_base(facts, row->children[0]) != (int)update->array &&
            is_known_part(nest, row, &offset))
         row = row->children[0];
     return row;
 }
 
 /** Are two different elements of the array updated in rows that say the same, or in a nest? */
-static bool has_neighbours(const loop_text *loop, const struct bins_text *bins, unsigned array) {
-    const loop_facts *facts = loop->facts;
+static bool has_neighbours(const loop_facts *facts, const bins_plan *bins, unsigned array) {
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array == array && nest_at(bins, i))
             return true;
         for (unsigned j = 0; j < i && facts->updates[i].array == array; j++)
             if (facts->updates[j].array == array &&
                 !syntax_same(facts->updates[i].target, facts->updates[j].target) &&
-                syntax_same(outermost_row(loop, &facts->updates[i], NULL),
-                            outermost_row(loop, &facts->updates[j], NULL)))
+                syntax_same(outermost_row(facts, &facts->updates[i], NULL),
+                            outermost_row(facts, &facts->updates[j], NULL)))
                 return true;
     }
     return false;
 }
 
 /** Of all of the array's updates the same; otherwise, or where no row has several: an element's. */
-static int64_t wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array) {
-    const loop_facts *facts = loop->facts;
-    const int64_t size = element_size(loop, array);
+static int64_t wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
+    const int64_t size = element_size(facts, array);
     int64_t bytes = 0;
     for (unsigned i = 0; i < facts->update_count; i++) {
         if (facts->updates[i].array != array)
             continue;
-        const int64_t its = outermost_row(loop, &facts->updates[i], nest_at(bins, i))->type->size;
+        const int64_t its = outermost_row(facts, &facts->updates[i], nest_at(bins, i))->type->size;
         if (bytes > 0 && its != bytes)
             return size;
         bytes = its;
     }
     return bytes > size && bytes <= MOST_ROW_BYTES && bytes % size == 0 &&
-                   has_neighbours(loop, bins, array)
+                   has_neighbours(facts, bins, array)
                ? bytes
                : size;
 }
 
-void find_rows(const loop_text *loop, struct bins_text *bins, bool wide) {
-    for (unsigned array = 0; array < loop->facts->array_count; array++)
-        bins->row_bytes[array] = wide ? wide_row(loop, bins, array) : element_size(loop, array);
+void find_rows(const loop_facts *facts, bins_plan *bins, bool wide) {
+    for (unsigned array = 0; array < facts->array_count; array++)
+        bins->row_bytes[array] = wide ? wide_row(facts, bins, array) : element_size(facts, array);
 }
 
-bool is_wide_row(const loop_text *loop, const struct bins_text *bins, unsigned array) {
-    return bins->row_bytes[array] > element_size(loop, array);
+bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array) {
+    return bins->row_bytes[array] > element_size(facts, array);
 }
 
-/** The element's row, and its distance from the row's beginning in bytes: where it is in a nest, if
- *  the counters were 0. */
-static const ir_node *row_of(const loop_text *loop, const struct bins_text *bins,
-                             const reduction_update *update, int64_t *offset) {
+const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
+                           const reduction_update *update, int64_t *offset) {
     *offset = 0;
     const ir_node *row = update->target;
-    if (is_wide_row(loop, bins, update->array))
+    if (is_wide_row(facts, bins, update->array))
         for (; row->type->size != bins->row_bytes[update->array]; row = row->children[0])
-            (void)is_known_part(nest_of(loop, bins, update), row, offset);
+            (void)is_known_part(nest_of(facts, bins, update), row, offset);
     return row;
 }
 
-unsigned part_of_row(const loop_text *loop, const struct bins_text *bins,
-                     const reduction_update *update, unsigned part) {
-    const bins_nest *nest = nest_of(loop, bins, update);
+unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
+                     unsigned part) {
+    const bins_nest *nest = nest_of(facts, bins, update);
     int64_t offset;
-    const ir_node *row = row_of(loop, bins, update, &offset);
+    const ir_node *row = row_in_bins(facts, bins, update, &offset);
     for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
         const struct nest_level *level =
             node->kind == IR_INDEX ? nest_level_of(nest, node->children[1]) : NULL;
         if (level)
             offset += nest_counter_value(nest, level, part) * node->type->size;
     }
-    return (unsigned)(offset / element_size(loop, update->array));
-}
-
-const char *part_of_row_text(const loop_text *loop, const struct bins_text *bins,
-                             const reduction_update *update) {
-    const bins_nest *nest = nest_of(loop, bins, update);
-    const int64_t size = element_size(loop, update->array);
-    int64_t offset;
-    const ir_node *row = row_of(loop, bins, update, &offset);
-    const char *text =
-        offset > 0 || !nest ? arena_format(loop->arena, "%lld", (long long)(offset / size)) : NULL;
-    for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
-        if (node->kind != IR_INDEX || !nest_level_of(nest, node->children[1]))
-            continue;
-        const int64_t stride = node->type->size / size;
-        const char *term = text_operand(loop->arena, node->children[1], NULL, NULL);
-        if (strcmp(kept_type(node->children[1]->type), "int") != 0)
-            term = arena_format(loop->arena, "(int)%s", term);
-        if (stride > 1)
-            term = arena_format(loop->arena, "%lld * %s", (long long)stride, term);
-        text = text ? arena_format(loop->arena, "%s + %s", term, text) : term;
-    }
-    return text;
+    return (unsigned)(offset / element_size(facts, update->array));
 }
 
 /** Is the element aligned as its type is? A member of a packed record need not be. */
-static bool is_aligned(const loop_text *loop, const reduction_update *update) {
+static bool is_aligned(const loop_facts *facts, const reduction_update *update) {
     const int64_t most = _Alignof(struct { double d; }), size = update->target->type->size;
     const ir_node *node = update->target;
-    for (; loop_array_of_base(loop->facts, node) != (int)update->array; node = node->children[0]) {
+    for (; loop_array_of_base(facts, node) != (int)update->array; node = node->children[0]) {
         if (node->kind != IR_MEMBER)
             continue;
         const ir_type *whole = node->children[0]->type;
@@ -163,15 +137,14 @@ static bool is_aligned(const loop_text *loop, const reduction_update *update) {
     return true;
 }
 
-bool is_in_step(const loop_text *loop, const struct bins_text *bins,
-                const reduction_update *update) {
+bool is_in_step(const loop_facts *facts, const bins_plan *bins, const reduction_update *update) {
     const int64_t size = bins->row_bytes[update->array];
     int64_t offset;
-    const ir_node *node = row_of(loop, bins, update, &offset);
-    if (!ir_type_equal(update->target->type, loop->facts->arrays[update->array].element) ||
-        offset % element_size(loop, update->array) != 0 || !is_aligned(loop, update))
+    const ir_node *node = row_in_bins(facts, bins, update, &offset);
+    if (!ir_type_equal(update->target->type, facts->arrays[update->array].element) ||
+        offset % element_size(facts, update->array) != 0 || !is_aligned(facts, update))
         return false;
-    for (; loop_array_of_base(loop->facts, node) != (int)update->array; node = node->children[0]) {
+    for (; loop_array_of_base(facts, node) != (int)update->array; node = node->children[0]) {
         const bool is_step = node->kind == IR_INDEX || node->kind == IR_MEMBER ||
                              (node->kind == IR_UNARY && node->op == IR_OP_DEREFERENCE);
         if (!is_step || node->type->size <= 0 || node->type->size % size != 0 ||
@@ -182,16 +155,16 @@ bool is_in_step(const loop_text *loop, const struct bins_text *bins,
     return true;
 }
 
-bool is_same_row(const loop_text *loop, const struct bins_text *bins, const reduction_update *a,
+bool is_same_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *a,
                  const reduction_update *b) {
     const int64_t size = bins->row_bytes[a->array], other_size = bins->row_bytes[b->array];
     int64_t offset;
-    const ir_node *left = row_of(loop, bins, a, &offset);
-    const ir_node *right = row_of(loop, bins, b, &offset);
+    const ir_node *left = row_in_bins(facts, bins, a, &offset);
+    const ir_node *right = row_in_bins(facts, bins, b, &offset);
     for (;; left = left->children[0], right = right->children[0]) {
-        const bool ends = loop_array_of_base(loop->facts, left) == (int)a->array;
-        if (ends || loop_array_of_base(loop->facts, right) == (int)b->array)
-            return ends && loop_array_of_base(loop->facts, right) == (int)b->array;
+        const bool ends = loop_array_of_base(facts, left) == (int)a->array;
+        if (ends || loop_array_of_base(facts, right) == (int)b->array)
+            return ends && loop_array_of_base(facts, right) == (int)b->array;
         if (left->kind != right->kind || left->child_count == 0 || right->child_count == 0)
             return false;
         if (left->kind == IR_INDEX && (left->type->size / size != right->type->size / other_size ||

@@ -6,12 +6,12 @@
  * while it is executed, for what it writes is written later; so all of them can be kept by its
  * first statement.
  */
-#include "emit/bins.h"
+#include "plan/bins_parts.h"
 #include "plan/lookup.h"
 
 typedef struct grouping {
-    const loop_text *loop;
-    const struct bins_text *bins;
+    const loop_facts *facts;
+    const bins_plan *bins;
     bool wide;             /* rows may be updated several times by one record */
     unsigned member_count; /* updates so far, as they follow in the text: */
     struct member {
@@ -36,11 +36,11 @@ static bool may_join(const grouping *g, unsigned group, const reduction_update *
     bool has_row = false;
     for (unsigned i = 0; i < g->member_count; i++)
         if (g->members[i].group == group) {
-            if (nest_of(g->loop, g->bins, update) ||
-                nest_of(g->loop, g->bins, g->members[i].update))
+            if (nest_of(g->facts, g->bins, update) ||
+                nest_of(g->facts, g->bins, g->members[i].update))
                 return false;
             count++;
-            has_row = has_row || is_same_row(g->loop, g->bins, g->members[i].update, update);
+            has_row = has_row || is_same_row(g->facts, g->bins, g->members[i].update, update);
         }
     return has_row && count < MOST_RECORD_UPDATES;
 }
@@ -66,7 +66,7 @@ static void add_update(grouping *g, const reduction_update *update) {
 
 static void find_groups(grouping *g, const ir_node *node) {
     for (unsigned i = 0; i < node->child_count; i++) {
-        const reduction_update *update = loop_update_at(g->loop->facts, node->children[i]);
+        const reduction_update *update = loop_update_at(g->facts, node->children[i]);
         if (!update || node->kind != IR_BLOCK)
             g->begin = g->count;
         if (update)
@@ -90,9 +90,9 @@ static bool fits_stream(const grouping *g, const bins_stream *stream, unsigned a
            are_always_together(g, stream->arrays[0], array);
 }
 
-static void find_streams(const grouping *g, struct bins_text *bins, bool together) {
+static void find_streams(const grouping *g, bins_plan *bins, bool together) {
     bins->stream_count = 0;
-    for (unsigned array = 0; array < g->loop->facts->array_count; array++) {
+    for (unsigned array = 0; array < g->facts->array_count; array++) {
         unsigned s = 0;
         while (s < bins->stream_count && !(together && fits_stream(g, &bins->streams[s], array)))
             s++;
@@ -102,7 +102,7 @@ static void find_streams(const grouping *g, struct bins_text *bins, bool togethe
     }
 }
 
-static unsigned stream_of(const struct bins_text *bins, unsigned array) {
+static unsigned stream_of(const bins_plan *bins, unsigned array) {
     for (unsigned s = 0;; s++)
         for (unsigned part = 0; part < bins->streams[s].array_count; part++)
             if (bins->streams[s].arrays[part] == array)
@@ -110,24 +110,23 @@ static unsigned stream_of(const struct bins_text *bins, unsigned array) {
 }
 
 /** The record of this stream and group, after those that there are. */
-static void add_record(const grouping *g, struct bins_text *bins, unsigned group, unsigned stream) {
+static void add_record(const grouping *g, bins_plan *bins, unsigned group, unsigned stream) {
     bins_record record = {.stream = stream};
     for (unsigned i = 0; i < g->member_count; i++)
         if (g->members[i].group == group && stream_of(bins, g->members[i].update->array) == stream)
             record.updates[record.update_count++] = g->members[i].update;
     if (record.update_count == 0)
         return;
-    record.nest = nest_of(g->loop, bins, record.updates[0]);
+    record.nest = nest_of(g->facts, bins, record.updates[0]);
     bins->records[bins->record_count++] = record;
 }
 
-bool group_updates(loop_text *loop, struct bins_text *bins, bool wide, bool together) {
-    const loop_facts *facts = loop->facts;
-    grouping g = {.loop = loop,
+bool group_updates(arena *a, const loop_facts *facts, bins_plan *bins, bool wide, bool together) {
+    grouping g = {.facts = facts,
                   .bins = bins,
                   .wide = wide,
-                  .members = ARENA_ARRAY(loop->arena, struct member, facts->update_count + 1)};
-    find_rows(loop, bins, wide);
+                  .members = ARENA_ARRAY(a, struct member, facts->update_count + 1)};
+    find_rows(facts, bins, wide);
     const reduction_update *only = loop_update_at(facts, facts->counted.body);
     if (only)
         add_update(&g, only);

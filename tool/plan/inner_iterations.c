@@ -1,44 +1,30 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * Turns of an inner loop that are not the thread's part. In the guarded form of
- *
- *     for (k = 0; k < n[i]; k++) {
- *         j = list[i][k];
- *         ... much work ...
- *         f[i] += e; f[j] -= e;
- *     }
- *
- * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
- * to the next turn. This is legal where the rest of the turn does nothing but updates, and changes
- * no variable but its own; and where the rows that it updates can be named before it. It may also
- * add to variables that are read by updates outside of the loop alone, as in `p += e; ... f[i] +=
- * p;`: then the thread must not own their rows either.
- */
-#include "emit/turns.h"
+#include "plan/inner_iterations.h"
 
 #include "analysis/base/expression.h"
-#include "emit/unconditional.h"
 #include "ir/ir_syntax.h"
 #include "plan/lookup.h"
+#include "plan/unconditional.h"
 
-/* A question is asked once more of each turn: for how many operations on floating values, and how
- * many rows at the most. */
-enum { WORTH = 4, MOST_ROWS = 4, MOST_SUMS = 12 };
+/* Ownership is checked once more in each inner iteration: from how many operations on floating
+ * values on. */
+enum { WORTH = 4, MOST_SUMS = 12 };
 
-typedef struct turn {
-    loop_text *loop;
-    const ir_node *inner; /* the loop whose turns they are */
+typedef struct inner_rest {
+    const loop_facts *facts;
+    const ir_node *inner; /* the loop */
     const ir_node *block; /* its body */
-    unsigned rest;        /* number of the statement that the rest of a turn begins with */
+    unsigned rest;        /* number of the statement that the rest of an iteration begins with */
     unsigned row_count;
-    const reduction_update *rows[MOST_ROWS]; /* one update of each row */
+    const reduction_update *rows[MOST_SKIP_ROWS]; /* one update of each row */
     unsigned sum_count;
-    const ir_variable *sums[MOST_SUMS]; /* that turns add to */
-} turn;
+    const ir_variable *sums[MOST_SUMS]; /* that inner iterations add to */
+} inner_rest;
 
-/* ---- what the rest of a turn does ---------------------------------------------------------- */
+/* ---- what the rest of an iteration does
+ * ---------------------------------------------------------- */
 
-static bool is_own_variable(const turn *t, const ir_variable *variable) {
+static bool is_own_variable(const inner_rest *t, const ir_variable *variable) {
     for (unsigned i = t->rest; variable && i < t->block->child_count; i++)
         if (ir_declarator_in(t->block->children[i], variable))
             return true;
@@ -53,21 +39,22 @@ static const private_variable *private_of(const loop_facts *facts, const ir_vari
 }
 
 /** Is it private to an iteration, and not live-out? */
-static bool is_of_iteration(const turn *t, const ir_variable *variable) {
-    const private_variable *it = private_of(t->loop->facts, variable);
+static bool is_of_iteration(const inner_rest *t, const ir_variable *variable) {
+    const private_variable *it = private_of(t->facts, variable);
     return it && !it->is_live_after && !it->is_last_sought && !it->is_stepped &&
            !variable->address_taken;
 }
 
 /** Is it in an update, which writes nothing but the element? */
-static bool is_in_update(const turn *t, const ir_node *node) {
+static bool is_in_update(const inner_rest *t, const ir_node *node) {
     for (; node != t->block; node = node->parent)
-        if (loop_update_at(t->loop->facts, node))
+        if (loop_update_at(t->facts, node))
             return true;
     return false;
 }
 
-static bool may_be_written_by_call(const turn *t, const ir_node *argument, const ir_type *type) {
+static bool may_be_written_by_call(const inner_rest *t, const ir_node *argument,
+                                   const ir_type *type) {
     if ((type->kind != IR_POINTER && type->kind != IR_ARRAY) || type->target->is_const)
         return false;
     if (argument->kind == IR_UNARY && argument->op == IR_OP_ADDRESS)
@@ -76,7 +63,7 @@ static bool may_be_written_by_call(const turn *t, const ir_node *argument, const
 }
 
 /** The loop's analysis has seen that no call does more than to write through its arguments. */
-static bool may_write(const turn *t, const ir_node *call) {
+static bool may_write(const inner_rest *t, const ir_node *call) {
     const ir_function *callee = call->children[0]->function;
     for (unsigned i = 1; i < call->child_count; i++) {
         const bool is_named = callee && i <= callee->parameter_count;
@@ -89,7 +76,7 @@ static bool may_write(const turn *t, const ir_node *call) {
 }
 
 /** `p += e`, of a variable that is nobody's but the iteration's: notes it. */
-static bool adds(turn *t, const ir_node *node, const ir_variable *variable) {
+static bool adds(inner_rest *t, const ir_node *node, const ir_variable *variable) {
     if (node->kind != IR_ASSIGN || node->op == IR_OP_NONE || !is_of_iteration(t, variable))
         return false;
     for (unsigned i = 0; i < t->sum_count; i++)
@@ -101,9 +88,9 @@ static bool adds(turn *t, const ir_node *node, const ir_variable *variable) {
     return true;
 }
 
-/** Has it an effect that later turns or statements can see, other than updates and sums?
+/** Has it an effect that later iterations or statements can see, other than updates and sums?
  * `is_inside`: a loop or switch of the rest encloses it. */
-static bool shows(turn *t, const ir_node *node, bool is_inside) {
+static bool shows(inner_rest *t, const ir_node *node, bool is_inside) {
     switch (node->kind) {
     case IR_OPAQUE:
     case IR_GOTO:
@@ -132,8 +119,8 @@ static bool shows(turn *t, const ir_node *node, bool is_inside) {
 }
 
 /** Operations on floating values, and calls, outside of updates: those are asked for anyway. */
-static unsigned work_in(const turn *t, const ir_node *node) {
-    if (loop_update_at(t->loop->facts, node))
+static unsigned work_in(const inner_rest *t, const ir_node *node) {
+    if (loop_update_at(t->facts, node))
         return 0;
     unsigned work = expression_is_floating_work(node) || node->kind == IR_CALL;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -141,7 +128,7 @@ static unsigned work_in(const turn *t, const ir_node *node) {
     return work;
 }
 
-static bool may_be_left_out(turn *t) {
+static bool may_be_left_out(inner_rest *t) {
     unsigned work = 0;
     for (unsigned i = t->rest; i < t->block->child_count; i++) {
         if (shows(t, t->block->children[i], false))
@@ -176,9 +163,9 @@ static unsigned writers_of(const ir_node *node, const ir_variable *variable) {
     return count;
 }
 
-/** Has it a value whenever a turn begins? */
-static bool is_set_before(const turn *t, const ir_variable *variable) {
-    const loop_facts *facts = t->loop->facts;
+/** Has it a value whenever an inner iteration begins? */
+static bool is_set_before(const inner_rest *t, const ir_variable *variable) {
+    const loop_facts *facts = t->facts;
     if (!private_of(facts, variable))
         return true;
     const ir_node *below = t->block;
@@ -194,9 +181,9 @@ static bool is_set_before(const turn *t, const ir_variable *variable) {
     return false;
 }
 
-/** The rest of a turn begins behind what sets this variable. False: it may be without a value, or
- *  have another one when the row is updated. */
-static bool await_variable(turn *t, const ir_variable *variable) {
+/** The rest of an iteration begins behind what sets this variable. False: it may be without a
+ * value, or have another one when the row is updated. */
+static bool await_variable(inner_rest *t, const ir_variable *variable) {
     bool is_set = is_set_before(t, variable);
     for (unsigned i = 0; i < t->block->child_count; i++) {
         is_set |= sets(t->block->children[i], variable);
@@ -209,8 +196,8 @@ static bool await_variable(turn *t, const ir_variable *variable) {
     return is_set && !variable->address_taken;
 }
 
-static bool await_variables(turn *t, const ir_node *node) {
-    if (node->kind == IR_VARIABLE && loop_array_of_base(t->loop->facts, node) < 0 &&
+static bool await_variables(inner_rest *t, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && loop_array_of_base(t->facts, node) < 0 &&
         !await_variable(t, node->variable))
         return false;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -224,11 +211,11 @@ static bool is_same_row(const reduction_update *a, const reduction_update *b) {
 }
 
 /** False: there are too many, or it is not known where it is. */
-static bool add_row(turn *t, const reduction_update *update) {
+static bool add_row(inner_rest *t, const reduction_update *update) {
     for (unsigned i = 0; i < t->row_count; i++)
         if (is_same_row(t->rows[i], update))
             return true;
-    if (t->row_count == MOST_ROWS || update->last || update->row->type->size <= 0 ||
+    if (t->row_count == MOST_SKIP_ROWS || update->last || update->row->type->size <= 0 ||
         expression_has_load(update->row, true) || expression_has_hazard(update->row) ||
         !await_variables(t, update->row))
         return false;
@@ -236,8 +223,8 @@ static bool add_row(turn *t, const reduction_update *update) {
     return true;
 }
 
-static bool find_rows(turn *t) {
-    const loop_facts *facts = t->loop->facts;
+static bool find_rows(inner_rest *t) {
+    const loop_facts *facts = t->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (ir_contains(t->inner, facts->updates[i].statement) && !add_row(t, &facts->updates[i]))
             return false;
@@ -246,9 +233,9 @@ static bool find_rows(turn *t) {
 
 /* ---- sums ---------------------------------------------------------------------------------- */
 
-/** Are its variables what they are in the turn wherever the iteration comes to it? */
-static bool is_fixed(const turn *t, const ir_node *row) {
-    const loop_facts *facts = t->loop->facts;
+/** Are its variables what they are in the inner iteration wherever the iteration comes to it? */
+static bool is_fixed(const inner_rest *t, const ir_node *row) {
+    const loop_facts *facts = t->facts;
     if (row->kind == IR_VARIABLE && private_of(facts, row->variable) &&
         (!is_set_before(t, row->variable) || writers_of(facts->counted.body, row->variable) > 1))
         return false;
@@ -259,18 +246,18 @@ static bool is_fixed(const turn *t, const ir_node *row) {
 }
 
 /** Is the loop executed once in an iteration, at the most? */
-static bool is_executed_once(const turn *t) {
-    const ir_node *const body = t->loop->facts->counted.body;
+static bool is_executed_once(const inner_rest *t) {
+    const ir_node *const body = t->facts->counted.body;
     for (const ir_node *node = t->inner; node != body; node = node->parent)
-        if (ir_is_loop(node->parent) && node->parent != t->loop->facts->loop)
+        if (ir_is_loop(node->parent) && node->parent != t->facts->loop)
             return false;
     return !ir_has_kind(body, IR_LABEL);
 }
 
-static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *sum);
+static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum);
 
 /** The subscripts of p[c][d]. */
-static bool subscripts_flow(turn *t, const ir_node *target, const ir_variable *sum) {
+static bool subscripts_flow(inner_rest *t, const ir_node *target, const ir_variable *sum) {
     for (; target->kind == IR_INDEX || target->kind == IR_MEMBER; target = target->children[0])
         if (target->kind == IR_INDEX && !flows_into_updates(t, target->children[1], sum))
             return false;
@@ -279,10 +266,10 @@ static bool subscripts_flow(turn *t, const ir_node *target, const ir_variable *s
 
 /** Does nothing read the sum but updates outside of the loop, of elements that nothing reads? Adds
  *  their rows. */
-static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *sum) {
-    const reduction_update *update = loop_update_at(t->loop->facts, node);
+static bool flows_into_updates(inner_rest *t, const ir_node *node, const ir_variable *sum) {
+    const reduction_update *update = loop_update_at(t->facts, node);
     if (update && expression_mentions(node, sum))
-        return !ir_contains(t->inner, node) && !forward_stored_by(t->loop->facts, node) &&
+        return !ir_contains(t->inner, node) && !forward_stored_by(t->facts, node) &&
                is_fixed(t, update->row) && add_row(t, update);
     if (update)
         return true;
@@ -297,41 +284,66 @@ static bool flows_into_updates(turn *t, const ir_node *node, const ir_variable *
     return true;
 }
 
-static bool sums_flow_into_updates(turn *t) {
+static bool sums_flow_into_updates(inner_rest *t) {
     if (t->sum_count > 0 && !is_executed_once(t))
         return false;
     for (unsigned i = 0; i < t->sum_count; i++)
-        if (!flows_into_updates(t, t->loop->facts->counted.body, t->sums[i]))
+        if (!flows_into_updates(t, t->facts->counted.body, t->sums[i]))
             return false;
     return true;
 }
 
-/* ---- the question -------------------------------------------------------------------------- */
+/* ---- all inner loops ----------------------------------------------------------------------- */
 
-/** An address as a number: of a row that the program may not come to. */
-static const char *row_number(const turn *t, const ir_node *row, ir_c_rename name) {
+/** Can the row's address be computed as a number, where the program may not come to it? */
+static bool has_number(const reduction_update *update) {
     row_address address;
-    return row_address_of(row, &address) && !needs_address(&address)
-               ? address_number(t->loop->arena, &address, NULL, name, t->loop)
-               : NULL;
+    return row_address_of(update->row, &address) && !row_needs_address(&address);
 }
 
-const char *turn_question(loop_text *loop, const ir_node *inner, ir_c_rename name,
-                          const ir_node **before) {
-    turn t = {.loop = loop, .inner = inner, .block = ir_loop_body(inner)};
-    if (loop->facts->sets_errno || t.block->kind != IR_BLOCK || !find_rows(&t) ||
-        !may_be_left_out(&t) || !sums_flow_into_updates(&t))
-        return NULL;
-    const char *question = "";
-    for (unsigned i = 0; i < t.row_count; i++) {
-        const ir_node *row = t.rows[i]->row;
-        const char *number = row_number(&t, row, name);
-        if (!number)
-            return NULL;
-        question = arena_format(loop->arena, "%s%sREDCC_OWNS_ROW(%u, %s, %lld)", question,
-                                i > 0 ? " || " : "", t.rows[i]->array,
-                                macro_argument(loop->arena, number), (long long)row->type->size);
+static const char *why_not(inner_rest *t) {
+    if (t->block->kind != IR_BLOCK || !find_rows(t))
+        return "the rows that it updates cannot be named before its work";
+    if (!may_be_left_out(t))
+        return "the rest of an iteration is little work, or does something else than updates";
+    if (!sums_flow_into_updates(t))
+        return "a sum that it adds to is read by something else than an update";
+    for (unsigned i = 0; i < t->row_count; i++)
+        if (!has_number(t->rows[i]))
+            return "the address of a row cannot be computed as a number";
+    return NULL;
+}
+
+typedef VECTOR(inner_skip) skip_list;
+
+static void find_skips(const loop_plan *plan, const ir_node *node, skip_list *list) {
+    if (ir_is_loop(node)) {
+        inner_rest t = {.facts = plan->facts, .inner = node, .block = ir_loop_body(node)};
+        inner_skip skip = {.loop = node, .declined = why_not(&t)};
+        if (!skip.declined) {
+            skip.before = t.block->children[t.rest];
+            skip.row_count = t.row_count;
+            for (unsigned i = 0; i < t.row_count; i++)
+                skip.rows[i] = t.rows[i];
+        }
+        VECTOR_PUSH(plan->arena, list, skip);
     }
-    *before = t.block->children[t.rest];
-    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        find_skips(plan, node->children[i], list);
+}
+
+void plan_inner_skips(loop_plan *plan) {
+    skip_list list = {0};
+    if (plan->facts->sets_errno) /* each iteration may be the one that sets it */
+        return;
+    find_skips(plan, plan->facts->counted.body, &list);
+    plan->skip_count = list.count;
+    plan->skips = list.items;
+}
+
+const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop) {
+    for (unsigned i = 0; i < plan->skip_count; i++)
+        if (plan->skips[i].loop == loop && !plan->skips[i].declined)
+            return &plan->skips[i];
+    return NULL;
 }

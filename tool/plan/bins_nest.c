@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "analysis/base/counted.h"
-#include "emit/bins.h"
 #include "ir/ir_syntax.h"
+#include "plan/bins_parts.h"
 #include "plan/lookup.h"
 
 /* ---- the loops ----------------------------------------------------------------------------- */
@@ -21,22 +21,22 @@ static bool is_level(const ir_node *node, struct nest_level *level) {
     int64_t last, step;
     if (node->kind != IR_FOR || !counted_constant(node, &counter, &level->first, &last) ||
         !counted_step(node->children[2], &stepped, &step) || step != 1 || stepped != counter ||
-        !kept_type(counter->type))
+        value_kind_of(counter->type) == VALUE_NONE)
         return false;
     level->counter = counter;
     level->trip = last - level->first + 1;
     return level->first >= 0 && level->trip <= MOST_RECORD_VALUES;
 }
 
-static bool holds_only_updates(const loop_text *loop, const ir_node *node) {
-    const reduction_update *update = loop_update_at(loop->facts, node);
+static bool holds_only_updates(const loop_facts *facts, const ir_node *node) {
+    const reduction_update *update = loop_update_at(facts, node);
     struct nest_level level;
     if (update)
         return !update->last;
     if (node->kind == IR_FOR)
-        return is_level(node, &level) && holds_only_updates(loop, node->children[3]);
+        return is_level(node, &level) && holds_only_updates(facts, node->children[3]);
     for (unsigned i = 0; i < node->child_count; i++)
-        if (!holds_only_updates(loop, node->children[i]))
+        if (!holds_only_updates(facts, node->children[i]))
             return false;
     return node->kind == IR_BLOCK;
 }
@@ -66,9 +66,9 @@ unsigned nest_part_count(const bins_nest *nest) {
 
 /** Is each counter one subscript of the row's parts, and nowhere else in the element's address?
  *  Then the iterations' elements differ, and the row is the same for all. */
-static bool is_one_row(const loop_text *loop, const reduction_update *update,
+static bool is_one_row(const loop_facts *facts, const reduction_update *update,
                        const bins_nest *nest) {
-    const ir_node *row = outermost_row(loop, update, nest);
+    const ir_node *row = outermost_row(facts, update, nest);
     unsigned found[MOST_NEST_DEPTH] = {0};
     for (const ir_node *node = update->target; node != row; node = node->children[0]) {
         const struct nest_level *level =
@@ -83,10 +83,10 @@ static bool is_one_row(const loop_text *loop, const reduction_update *update,
 }
 
 /** The loops around the update from `outermost` on. */
-static bool make_nest(const loop_text *loop, const reduction_update *update,
+static bool make_nest(const loop_facts *facts, const reduction_update *update,
                       const ir_node *outermost, bins_nest *nest) {
     *nest = (bins_nest){.outermost = outermost};
-    if (!syntax_editable_statement(outermost, loop->facts->counted.body))
+    if (!syntax_editable_statement(outermost, facts->counted.body))
         return false; /* a macro's text has more than the loop */
     for (const ir_node *node = outermost; node != update->statement;) {
         const ir_node *next = NULL;
@@ -102,19 +102,19 @@ static bool make_nest(const loop_text *loop, const reduction_update *update,
             return false;
         node = next;
     }
-    return nest_part_count(nest) <= MOST_RECORD_VALUES && is_one_row(loop, update, nest);
+    return nest_part_count(nest) <= MOST_RECORD_VALUES && is_one_row(facts, update, nest);
 }
 
 /** The outermost such loops around the update; outermost is NULL where there are none. */
-static bins_nest find_nest(const loop_text *loop, const reduction_update *update) {
+static bins_nest find_nest(const loop_facts *facts, const reduction_update *update) {
     bins_nest found = {0}, nest;
     for (const ir_node *node = update->statement->parent;
-         node && node != loop->facts->loop && (node->kind == IR_FOR || node->kind == IR_BLOCK);
+         node && node != facts->loop && (node->kind == IR_FOR || node->kind == IR_BLOCK);
          node = node->parent)
         if (node->kind == IR_FOR) {
-            if (!holds_only_updates(loop, node))
+            if (!holds_only_updates(facts, node))
                 break;
-            if (make_nest(loop, update, node, &nest))
+            if (make_nest(facts, update, node, &nest))
                 found = nest;
         }
     return found;
@@ -123,12 +123,12 @@ static bins_nest find_nest(const loop_text *loop, const reduction_update *update
 /* ---- the order of updates ------------------------------------------------------------------ */
 
 /** Do both come to the same parts of their rows in each iteration of one nest? */
-static bool have_equal_parts(const loop_text *loop, const reduction_update *a,
+static bool have_equal_parts(const loop_facts *facts, const reduction_update *a,
                              const bins_nest *of_a, const reduction_update *b,
                              const bins_nest *of_b) {
     const ir_node *left = a->target, *right = b->target;
-    const ir_node *const left_row = outermost_row(loop, a, of_a);
-    const ir_node *const right_row = outermost_row(loop, b, of_b);
+    const ir_node *const left_row = outermost_row(facts, a, of_a);
+    const ir_node *const right_row = outermost_row(facts, b, of_b);
     for (; left != left_row && right != right_row;
          left = left->children[0], right = right->children[0])
         if (left->kind != right->kind ||
@@ -140,35 +140,33 @@ static bool have_equal_parts(const loop_text *loop, const reduction_update *a,
 
 /** The records of a nest's updates are appended in the order of the statements. Two updates of one
  *  array must reach each element in that order too. */
-static bool keeps_order(const loop_text *loop, const bins_nest *nests, unsigned i) {
-    const loop_facts *facts = loop->facts;
+static bool keeps_order(const loop_facts *facts, const bins_nest *nests, unsigned i) {
     for (unsigned j = 0; nests[i].outermost && j < facts->update_count; j++)
         if (facts->updates[j].array == facts->updates[i].array &&
             ir_contains(nests[i].outermost, facts->updates[j].statement) &&
-            !have_equal_parts(loop, &facts->updates[i], &nests[i], &facts->updates[j], &nests[j]))
+            !have_equal_parts(facts, &facts->updates[i], &nests[i], &facts->updates[j], &nests[j]))
             return false;
     return true;
 }
 
-void find_nests(const loop_text *loop, struct bins_text *bins) {
-    const loop_facts *facts = loop->facts;
+void find_nests(const loop_facts *facts, bins_plan *bins) {
     for (unsigned i = 0; i < facts->update_count; i++)
-        bins->nests[i] = find_nest(loop, &facts->updates[i]);
+        bins->nests[i] = find_nest(facts, &facts->updates[i]);
     for (unsigned i = 0; i < facts->update_count; i++)
-        if (!keeps_order(loop, bins->nests, i)) {
+        if (!keeps_order(facts, bins->nests, i)) {
             memset(bins->nests, 0, facts->update_count * sizeof *bins->nests);
             return;
         }
 }
 
-const bins_nest *nest_at(const struct bins_text *bins, unsigned i) {
+const bins_nest *nest_at(const bins_plan *bins, unsigned i) {
     return bins->has_nests && bins->nests[i].outermost ? &bins->nests[i] : NULL;
 }
 
-const bins_nest *nest_of(const loop_text *loop, const struct bins_text *bins,
+const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
                          const reduction_update *update) {
-    return is_wide_row(loop, bins, update->array)
-               ? nest_at(bins, (unsigned)(update - loop->facts->updates))
+    return is_wide_row(facts, bins, update->array)
+               ? nest_at(bins, (unsigned)(update - facts->updates))
                : NULL;
 }
 
@@ -179,15 +177,4 @@ int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level
     for (; &nest->levels[i] != level; i--)
         part /= (unsigned)nest->levels[i].trip;
     return level->first + part % (unsigned)level->trip;
-}
-
-const char *nest_counter_text(const loop_text *loop, const bins_nest *nest, const ir_node *node,
-                              unsigned part) {
-    const struct nest_level *level = nest_level_of(nest, node);
-    if (!level)
-        return NULL;
-    const char *type = kept_type(level->counter->type);
-    const long long value = nest_counter_value(nest, level, part);
-    return strcmp(type, "int") == 0 ? arena_format(loop->arena, "%lld", value)
-                                    : arena_format(loop->arena, "((%s)%lld)", type, value);
 }

@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/bins.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "analysis/base/expression.h"
+#include "ir/ir_syntax.h"
+#include "plan/bins_parts.h"
+#include "plan/lookup.h"
+#include "plan/unverified.h"
+
+enum { MOST_TAGS = 16, MOST_SOURCES = 32 };
+
+/* ---- operands ------------------------------------------------------------------------------ */
+
+static bool contains(const ir_node *node, const ir_node *target) {
+    if (syntax_same(node, target))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (contains(node->children[i], target))
+            return true;
+    return false;
+}
+
+static bool mentions_array(const loop_facts *facts, const ir_node *node) {
+    if (loop_array_of_base(facts, node) >= 0)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (mentions_array(facts, node->children[i]))
+            return true;
+    return false;
+}
+
+static bool writes(const ir_node *node) {
+    if (expression_written(node) || node->kind == IR_OPAQUE)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (writes(node->children[i]))
+            return true;
+    return false;
+}
+
+value_kind value_kind_of(const ir_type *type) {
+    if (!type || type->is_volatile || type->is_atomic)
+        return VALUE_NONE;
+    if (type->kind == IR_BOOLEAN || (type->kind == IR_INTEGER && type->size < 4))
+        return VALUE_INT;
+    if (type->kind == IR_INTEGER && type->size == 4)
+        return type->is_signed ? VALUE_INT : VALUE_UNSIGNED;
+    if (type->kind == IR_INTEGER && type->size == 8)
+        return type->is_signed ? VALUE_LONG : VALUE_UNSIGNED_LONG;
+    if (type->kind == IR_FLOATING)
+        return type->size == 4 ? VALUE_FLOAT : type->size == 8 ? VALUE_DOUBLE : VALUE_NONE;
+    return VALUE_NONE;
+}
+
+static value_kind record_kind(const ir_node *operand) {
+    return operand->kind == IR_MEMBER && operand->field && operand->field->is_bit_field
+               ? VALUE_NONE
+               : value_kind_of(operand->type);
+}
+
+int operand_number(const bins_record *record, const ir_node *node) {
+    for (unsigned i = 0; i < record->operand_count; i++)
+        if (record->operands[i] == node || syntax_same(record->operands[i], node))
+            return (int)i;
+    return -1;
+}
+
+/** A variable that has a value whatever the iteration does. */
+static bool has_value_always(const loop_facts *facts, const ir_node *node) {
+    if (node->kind != IR_VARIABLE)
+        return false;
+    bool is_outer = node->variable == facts->counted.counter;
+    for (unsigned i = 0; i < facts->variables.captured_count; i++)
+        is_outer |= facts->variables.captured[i] == node->variable;
+    const ir_node *declared = ir_declarator_in(facts->counted.body, node->variable);
+    return is_outer || (declared && declared->child_count > 0);
+}
+
+/** An operand that is not evaluated each time may not fail where it is, nor lack a value. */
+static bool add_operand(const loop_facts *facts, bins_record *record, const ir_node *node,
+                        bool is_certain) {
+    if (operand_number(record, node) >= 0)
+        return true;
+    if (record->operand_count == MOST_RECORD_OPERANDS || writes(node) ||
+        mentions_array(facts, node) || record_kind(node) == VALUE_NONE ||
+        (!is_certain && !has_value_always(facts, node)))
+        return false;
+    record->operands[record->operand_count++] = node;
+    return true;
+}
+
+/** The functions that both kinds of copies of the text name alike: of two numbers, by the system.
+ */
+static bool is_extremum(const ir_node *callee) {
+    return callee->kind == IR_FUNCTION && callee->function->is_from_system &&
+           (strncmp(callee->function->name, "fmin", 4) == 0 ||
+            strncmp(callee->function->name, "fmax", 4) == 0);
+}
+
+static bool may_hold_target(const ir_node *node) {
+    switch (node->kind) {
+    case IR_ASSIGN:
+    case IR_BINARY:
+    case IR_CONDITIONAL:
+    case IR_CAST:
+    case IR_IF:
+    case IR_BLOCK:
+    case IR_EXPRESSION:
+        return true;
+    case IR_UNARY:
+        return node->op != IR_OP_ADDRESS && node->op != IR_OP_DEREFERENCE;
+    case IR_CALL:
+        return is_extremum(node->children[0]);
+    default:
+        return false;
+    }
+}
+
+static bool is_constant(const ir_node *node) {
+    return node->kind == IR_NUMBER || (node->flags & IR_HAS_VALUE);
+}
+
+/** Is a part of this node evaluated only where another one says so? */
+static bool decides(const ir_node *node) {
+    return node->kind == IR_CONDITIONAL || node->kind == IR_IF ||
+           (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR));
+}
+
+static bool gather_operands(const loop_facts *facts, bins_record *record, const ir_node *target,
+                            const ir_node *node, bool is_certain) {
+    if (syntax_same(node, target) || (ir_is_expression(node) && is_constant(node)))
+        return true;
+    if (ir_is_expression(node) && !contains(node, target))
+        return add_operand(facts, record, node, is_certain);
+    if (!may_hold_target(node))
+        return false;
+    for (unsigned i = node->kind == IR_CALL; i < node->child_count; i++)
+        if (!gather_operands(facts, record, target, node->children[i],
+                             is_certain && (i == 0 || !decides(node))))
+            return false;
+    return true;
+}
+
+/* ---- records ------------------------------------------------------------------------------- */
+
+unsigned stream_value_count(const bins_stream *stream) {
+    unsigned count = 0;
+    while (count < MOST_RECORD_VALUES && stream->kinds[count] != VALUE_NONE)
+        count++;
+    return count;
+}
+
+/** Records of a stream with equal updates have one tag. */
+static void give_tag(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    for (const bins_record *other = bins->records; other < record; other++)
+        if (other->stream == record->stream && records_are_alike(facts, bins, other, record)) {
+            record->tag = other->tag;
+            return;
+        }
+    record->tag = bins->streams[record->stream].tag_count++;
+}
+
+/** One type of record for all updates of a stream, of which some use the first values only. */
+static bool fits_stream(bins_plan *bins, const bins_record *record) {
+    value_kind *kinds = bins->streams[record->stream].kinds;
+    const unsigned parts = nest_part_count(record->nest);
+    const unsigned values = record->operand_count * parts;
+    for (unsigned i = 0; i < values && values <= MOST_RECORD_VALUES; i++) {
+        const value_kind kind = record_kind(record->operands[i / parts]);
+        if (kinds[i] != VALUE_NONE && kinds[i] != kind)
+            return false;
+        kinds[i] = kind;
+    }
+    return values <= MOST_RECORD_VALUES;
+}
+
+/* ---- may it have the form? ----------------------------------------------------------------- */
+
+static bool is_power_of_two(int64_t size) {
+    return size > 0 && (size & (size - 1)) == 0;
+}
+
+static bool can_be_stream(const loop_facts *facts, unsigned number) {
+    const reduction_array *array = &facts->arrays[number];
+    const ir_type *element = array->element;
+    for (unsigned other = 0; other < number; other++) /* one base is one array */
+        assert(array->is_scattered || facts->arrays[other].is_scattered ||
+               !syntax_same(facts->arrays[other].base, array->base));
+    return !array->is_scattered && element->spelling && is_power_of_two(element->size) &&
+           element->size <= 8 && (element->kind == IR_INTEGER || element->kind == IR_FLOATING);
+}
+
+/** Do the arrays stand nowhere but in their updates? */
+static bool is_read_elsewhere(const loop_facts *facts, const ir_node *node) {
+    if (loop_update_at(facts, node))
+        return false;
+    if (ir_is_expression(node) && loop_array_of_base(facts, node) >= 0)
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (is_read_elsewhere(facts, node->children[i]))
+            return true;
+    return false;
+}
+
+static bool take_apart(const loop_facts *facts, bins_plan *bins, bins_record *record) {
+    for (unsigned i = 0; i < record->update_count; i++) {
+        const reduction_update *update = record->updates[i];
+        const ir_node *statement = update->statement;
+        if (update->last || !is_in_step(facts, bins, update) ||
+            (statement->kind != IR_EXPRESSION && statement->kind != IR_IF) ||
+            !gather_operands(facts, record, update->target, statement, true))
+            return false;
+    }
+    return fits_stream(bins, record);
+}
+
+static void find_guarded_sources(const loop_plan *plan, bins_plan *bins) {
+    for (unsigned i = 0; i < plan->facts->source_count; i++) {
+        const loop_source *read = &plan->facts->sources[i];
+        if (read->needs_guard && read->extent == EXTENT_TOUCHED)
+            bins->guarded_sources |= (uint32_t)1 << plan->source_number[i];
+    }
+}
+
+static bool give_tags(const loop_facts *facts, bins_plan *bins) {
+    for (unsigned i = 0; i < bins->record_count; i++) {
+        bins_record *record = &bins->records[i];
+        give_tag(facts, bins, record);
+        if (bins->streams[record->stream].tag_count > MOST_TAGS)
+            return false;
+    }
+    return true;
+}
+
+static bool can_be_grouped(const loop_plan *plan, bins_plan *bins, bool wide, bool together) {
+    if (!group_updates(plan->arena, plan->facts, bins, wide, together))
+        return false;
+    for (unsigned i = 0; i < bins->record_count; i++)
+        if (!take_apart(plan->facts, bins, &bins->records[i]))
+            return false;
+    return give_tags(plan->facts, bins);
+}
+
+/** As few records as can be. */
+static bool choose_records(const loop_plan *plan, bins_plan *bins) {
+    find_nests(plan->facts, bins);
+    for (unsigned i = 0; i < plan->facts->update_count; i++)
+        bins->has_nests |= bins->nests[i].outermost != NULL;
+    for (;; bins->has_nests = false) {
+        if (can_be_grouped(plan, bins, true, true) || can_be_grouped(plan, bins, true, false))
+            return true;
+        if (!bins->has_nests)
+            break;
+    }
+    return can_be_grouped(plan, bins, false, true) || can_be_grouped(plan, bins, false, false);
+}
+
+/** Why updates may not be made later, whatever they are; NULL: they may. */
+static const char *why_not_later(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    if (plan->unit->dialect.is_sanitized)
+        return "a sanitizer would see values that the program does not compute";
+    if (facts->forward_count > 0 || is_read_elsewhere(facts, facts->counted.body))
+        return "an iteration reads what it updates";
+    if (facts->scalar_count > 0)
+        return "scalars are updated besides the arrays";
+    if (plan->source_count > MOST_SOURCES)
+        return "it reads too many arrays that may overlap those it updates";
+    if (!is_harmless_when_unverified(plan))
+        return "its body may fail with values that are not verified";
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (!can_be_stream(facts, i))
+            return "an updated element is no integer or floating value of at most 8 bytes";
+    return NULL;
+}
+
+void plan_bins(loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    plan->no_bins = why_not_later(plan);
+    if (plan->no_bins)
+        return;
+    bins_plan *bins = ARENA_ARRAY(plan->arena, bins_plan, 1);
+    bins->records = ARENA_ARRAY(plan->arena, bins_record, facts->update_count + 1);
+    bins->streams = ARENA_ARRAY(plan->arena, bins_stream, facts->array_count + 1);
+    bins->row_bytes = ARENA_ARRAY(plan->arena, int64_t, facts->array_count + 1);
+    bins->nests = ARENA_ARRAY(plan->arena, bins_nest, facts->update_count + 1);
+    find_guarded_sources(plan, bins);
+    if (choose_records(plan, bins))
+        plan->bins = bins;
+    else
+        plan->no_bins = "an update needs more than a record can hold";
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * In-order binning (redcc/bins.h): an update becomes a record, which holds what the update reads
+ * but for the element itself, and a function applies records to the elements. Updates of one row
+ * (bins_row.c), or of several arrays at one subscript, share a record (bins_group.c), and so does
+ * what a loop over constants does (bins_nest.c).
+ *
+ * Why it is sound: no statement of the loop reads the arrays but the updates, so that they may be
+ * made later; the records of an element are applied in the order of the loop; and a record holds
+ * the values that the update would have read, because an operand reads nothing that the loop writes
+ * and is evaluated where the update stands. It is declined where an update cannot be taken apart
+ * so, or where the body may fail when it is executed before its reads are compared with what it
+ * writes (unverified.h).
+ */
+#ifndef PLAN_BINS_H
+#define PLAN_BINS_H
+
+#include "plan/plan.h"
+
+enum {
+    MOST_STREAM_ARRAYS = 4, /* REDCC_STREAM_ARRAYS of redcc/bins.h */
+    MOST_RECORD_OPERANDS = 4,
+    MOST_RECORD_VALUES = 9, /* REDCC_VALUES_9 there */
+    MOST_RECORD_UPDATES = 8,
+    MOST_NEST_DEPTH = 3
+};
+
+/** How a value is kept in a record: as the type that C promotes it to. */
+typedef enum value_kind {
+    VALUE_NONE,
+    VALUE_INT,
+    VALUE_UNSIGNED,
+    VALUE_LONG,
+    VALUE_UNSIGNED_LONG,
+    VALUE_FLOAT,
+    VALUE_DOUBLE
+} value_kind;
+
+/** Loops over constants around updates (bins_nest.c), the outermost first. */
+typedef struct bins_nest {
+    const ir_node *outermost; /* NULL: there are none */
+    unsigned depth;
+    struct nest_level {
+        const ir_variable *counter; /* that counts up by 1 */
+        int64_t first, trip;
+    } levels[MOST_NEST_DEPTH];
+} bins_nest;
+
+/** A record that the body appends: of one update, or of several that follow each other, of one row
+ *  of an array or of rows of different arrays at one subscript. Or of an update in a nest, in which
+ *  each operand has a value for each part of the row. */
+typedef struct bins_record {
+    const bins_nest *nest; /* NULL: none */
+    unsigned update_count;
+    const reduction_update *updates[MOST_RECORD_UPDATES]; /* as they follow; the first appends it */
+    unsigned stream;
+    unsigned operand_count;
+    const ir_node *operands[MOST_RECORD_OPERANDS];
+    unsigned tag;
+} bins_record;
+
+/** The records of an array, or of arrays that are updated nowhere but together. */
+typedef struct bins_stream {
+    unsigned array_count;
+    unsigned arrays[MOST_STREAM_ARRAYS];
+    value_kind kinds[MOST_RECORD_VALUES]; /* of a record's values; VALUE_NONE: no more */
+    unsigned tag_count;
+} bins_stream;
+
+typedef struct bins_plan {
+    unsigned record_count;
+    bins_record *records; /* in each stream as the updates follow */
+    unsigned stream_count;
+    bins_stream *streams;
+    int64_t *row_bytes; /* of each array, by number: of an element, or of several side by side */
+    bool has_nests;
+    bins_nest *nests;         /* of each update, by number, where it has any */
+    uint32_t guarded_sources; /* bits, by number: their reads are logged */
+} bins_plan;
+
+/** Sets bins, or no_bins. */
+void plan_bins(loop_plan *plan);
+
+/** How many values a record of the stream holds. */
+unsigned stream_value_count(const bins_stream *stream);
+/** Has a row of the array several elements? */
+bool is_wide_row(const loop_facts *facts, const bins_plan *bins, unsigned array);
+/** The update's row, and the distance of its element from the row's beginning in bytes: where it is
+ *  in a nest, if the counters were 0. */
+const ir_node *row_in_bins(const loop_facts *facts, const bins_plan *bins,
+                           const reduction_update *update, int64_t *offset);
+
+/** The position of the update's element in the row, counted in elements. In a nest, `part` is the
+ *  number of the iteration. find_rows has been called. */
+unsigned part_of_row(const loop_facts *facts, const bins_plan *bins, const reduction_update *update,
+                     unsigned part);
+
+/** The number of the operand that this node is, or says again; -1: none. No two calls say the same.
+ */
+int operand_number(const bins_record *record, const ir_node *node);
+
+/** The level of the nest that the node is the counter of; NULL: of none. */
+const struct nest_level *nest_level_of(const bins_nest *nest, const ir_node *node);
+/** How many elements an update in the nest goes to; NULL: 1. */
+unsigned nest_part_count(const bins_nest *nest);
+/** The nest of an update; NULL: it has none, or its array's rows are single elements. */
+const bins_nest *nest_of(const loop_facts *facts, const bins_plan *bins,
+                         const reduction_update *update);
+/** What a counter is where the loops come to an element, which is counted from 0. */
+int64_t nest_counter_value(const bins_nest *nest, const struct nest_level *level, unsigned part);
+
+/** What C promotes it to; VALUE_NONE: values of it are not kept. */
+value_kind value_kind_of(const ir_type *type);
+
+#endif

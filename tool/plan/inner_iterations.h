@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Iterations of an inner loop that are not the thread's part. In the guarded form of
+ *
+ *     for (k = 0; k < n[i]; k++) {
+ *         j = list[i][k];
+ *         ... much work ...
+ *         f[i] += e; f[j] -= e;
+ *     }
+ *
+ * a thread that owns neither f[i] nor f[j] need not do the work: as soon as j is known, it goes on
+ * to the next inner iteration.
+ *
+ * Why it is sound: the rest of the inner iteration does nothing but updates, and changes no
+ * variable but its own, so that nobody can see whether the thread executed it; and the rows that it
+ * updates can be named before it. It may also add to variables that only updates outside of the
+ * inner loop read, as in `p += e; ... f[i] += p;`: then the thread must not own their rows either.
+ */
+#ifndef PLAN_INNER_ITERATIONS_H
+#define PLAN_INNER_ITERATIONS_H
+
+#include "plan/plan.h"
+
+enum { MOST_SKIP_ROWS = 4 };
+
+/** An inner loop, whose iterations are left out by threads that own none of the rows. */
+typedef struct inner_skip {
+    const ir_node *loop;
+    const char *declined;  /* why none is left out; NULL: */
+    const ir_node *before; /* the statement of the body in front of which ownership is checked */
+    unsigned row_count;
+    const reduction_update *rows[MOST_SKIP_ROWS]; /* one update of each row */
+} inner_skip;
+
+/** Sets skips: of the form whose body is a function of its own. */
+void plan_inner_skips(loop_plan *plan);
+
+/** What the plan says of this inner loop; NULL: nothing of it is left out. */
+const inner_skip *skip_of(const loop_plan *plan, const ir_node *loop);
+
+#endif
