@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Each reason why a loop has no form for several iterations at once (tool/emit/lane_reasons.def).
+/* Each reason why a loop has no form for several iterations at once (tool/plan/lane_reasons.def).
  * A comment "lanes: SLUG" marks the line that is named; "lanes: written" marks a loop that has the
  * form. */
 #include <math.h>

@@ -7,8 +7,8 @@
 #define EMIT_EMIT_H
 
 #include "analysis/analysis.h"
-#include "emit/lane_reason.h"
 #include "emit/origin.h"
+#include "plan/lane_reason.h"
 #include "plan/options.h"
 
 /** A loop as it was written, or what of it stands in front of its function. */

@@ -5,9 +5,6 @@
 
 #include "emit/loop.h"
 
-/** lanes.c: may the loop have a form for several iterations at once, as far as it is known before
- *  its body is written? Sets the outcome. */
-bool may_have_lanes(const loop_text *loop);
 /** The function that executes several iterations at once, where it is asked for and the body can be
  *  written so; sets loop->lanes and the outcome. */
 void write_lanes(loop_text *loop, writer *out);

@@ -13,7 +13,7 @@
 static const lifted nothing = {"0.0", false};
 
 static lifted refuse(const lifter *l, lane_reason why, const ir_node *node) {
-    lane_problem(l, why, node);
+    lane_problem(&l->in, why, node);
     return nothing;
 }
 
@@ -22,7 +22,7 @@ static lifted refuse(const lifter *l, lane_reason why, const ir_node *node) {
 static const char *operand(lifter *l, const ir_node *node, ir_c_rename rename) {
     const char *text = text_operand(l->loop->arena, node, rename, l);
     if (!text)
-        lane_problem(l, NO_LANES_SPELLING, node);
+        lane_problem(&l->in, NO_LANES_SPELLING, node);
     return text ? text : "0";
 }
 
@@ -31,12 +31,12 @@ static const char *rename_integer(const ir_node *node, void *context) {
     lifter *l = context;
     arena *a = l->loop->arena;
     const int array = loop_array_of_base(l->loop->facts, node);
-    if (array >= 0 && !l->function)
+    if (array >= 0 && !l->in.function)
         return l->loop->arrays[array].local;
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VARYING)
+    if (node->kind == IR_VARIABLE && l->in.class_of[node->variable->id] == LANE_VARYING)
         return origin_value(a, node->type,
                             arena_format(a, "%s[redcc__l]", origin_variable(a, node->variable)));
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
+    if (node->kind == IR_VARIABLE && l->in.class_of[node->variable->id] == LANE_MASK)
         return origin_value(a, node->type,
                             arena_format(a, "((%s)-%s[redcc__l])", lane_type(l, node->type),
                                          origin_variable(a, node->variable)));
@@ -45,7 +45,7 @@ static const char *rename_integer(const ir_node *node, void *context) {
 
 const char *lane_rename(const ir_node *node, void *context) {
     lifter *l = context;
-    if (!lane_is_real(node->type) || !lane_lifted_element(l, node))
+    if (!lane_is_real(node->type) || !lane_lifted_element(&l->in, node))
         return rename_integer(node, l);
     return origin_value(
         l->loop->arena, node->type,
@@ -53,25 +53,16 @@ const char *lane_rename(const ir_node *node, void *context) {
 }
 
 const char *lane_scalar(lifter *l, const ir_node *node) {
-    if (lane_has_whole_lifted(l, node))
-        lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
+    if (lane_has_whole_lifted(&l->in, node))
+        lane_problem(&l->in, NO_LANES_ARRAY_AS_POINTER, node);
     return operand(l, node, lane_rename);
 }
 
 const char *lane_condition(lifter *l, const ir_node *node) {
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
-        lane_problem(l, NO_LANES_SPELLING, node);
+        lane_problem(&l->in, NO_LANES_SPELLING, node);
     return text ? text : "0";
-}
-
-lane_reason lane_effect_of(const ir_node *node) {
-    if (node->kind == IR_CALL)
-        return NO_LANES_CALL;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (lane_effect_of(node->children[i]) == NO_LANES_CALL)
-            return NO_LANES_CALL;
-    return NO_LANES_OPERAND_EFFECT;
 }
 
 /** An operand that is read from memory, in its own type, or an integer as one of that type. */
@@ -79,12 +70,12 @@ static lifted leaf(lifter *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
         return refuse(l, lane_effect_of(node), node);
-    if (lane_mentions_lifted(l, node) && !lane_lifted_element(l, node))
+    if (lane_mentions_lifted(&l->in, node) && !lane_lifted_element(&l->in, node))
         return refuse(l, NO_LANES_FROM_DOUBLE, node);
     const char *text = lane_scalar(l, node);
     if (!lane_is_real(node->type))
         text = arena_format(a, "(%s)%s", lane_words_of(type)->scalar, text);
-    if (lane_is_uniform(l, node) && (!l->may_be_none || lane_is_safe(l, node)))
+    if (lane_is_uniform(&l->in, node) && (!l->may_be_none || lane_is_safe(&l->in, node)))
         return (lifted){arena_format(a, "(%s)", text), false};
     return (lifted){
         arena_format(a, "%s(%s)", lane_words_of(type)->gather, lane_guarded(l, node, text)), true};
@@ -94,10 +85,6 @@ static lifted leaf(lifter *l, const ir_node *node, const ir_type *type) {
 
 const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to) {
     return lane_spread(l, lane_expression(l, node, to), to);
-}
-
-bool lane_has_operator(ir_operator op) {
-    return op >= IR_OP_ADD && op <= IR_OP_DIVIDE;
 }
 
 static lifted arithmetic(lifter *l, const ir_node *node) {
@@ -110,35 +97,13 @@ static lifted arithmetic(lifter *l, const ir_node *node) {
                     left.is_vector || right.is_vector};
 }
 
-bool lane_is_safe(const lifter *l, const ir_node *node) {
-    if (lane_is_real(node->type) && lane_lifted_root(l, node))
-        return true;
-    if (node->kind == IR_INDEX || node->kind == IR_CALL || node->kind == IR_ASSIGN ||
-        node->kind == IR_OPAQUE || (node->kind == IR_MEMBER && node->flags & IR_ARROW) ||
-        (node->kind == IR_UNARY &&
-         (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
-        return false;
-    /* the value may be outside of the integer's range */
-    if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
-        return false;
-    const bool is_arithmetic =
-        (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
-        (node->kind == IR_UNARY && node->op == IR_OP_MINUS && node->children[0]->kind != IR_NUMBER);
-    if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
-        return false; /* of integers: it may overflow, or divide by 0 */
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (!lane_is_safe(l, node->children[i]))
-            return false;
-    return true;
-}
-
 /** Its operands converted to `type`. */
 static lifted conditional(lifter *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
-    if (l->may_be_none && !lane_is_safe(l, node))
+    if (l->may_be_none && !lane_is_safe(&l->in, node))
         return refuse(l, NO_LANES_CHOICE, node);
-    if (lane_is_uniform(l, condition)) {
+    if (lane_is_uniform(&l->in, condition)) {
         const lifted yes = lane_expression(l, node->children[1], type);
         const lifted no = lane_expression(l, node->children[2], type);
         if (!yes.is_vector && !no.is_vector)
@@ -149,8 +114,8 @@ static lifted conditional(lifter *l, const ir_node *node, const ir_type *type) {
                                      lane_spread(l, yes, type), lane_spread(l, no, type)),
                         true};
     }
-    if (!lane_is_safe(l, condition) || !lane_is_safe(l, node->children[1]) ||
-        !lane_is_safe(l, node->children[2]))
+    if (!lane_is_safe(&l->in, condition) || !lane_is_safe(&l->in, node->children[1]) ||
+        !lane_is_safe(&l->in, node->children[2]))
         return refuse(l, NO_LANES_CHOICE, node);
     return (lifted){arena_format(a, "%s(%s, %s, %s)", lane_words_of(type)->select,
                                  lane_mask(l, condition), lane_vector(l, node->children[1], type),
@@ -190,7 +155,7 @@ static lifted call(lifter *l, const ir_node *node) {
 
 /** In the expression's own type, which is real. */
 static lifted real_expression(lifter *l, const ir_node *node) {
-    if (lane_lifted_root(l, node))
+    if (lane_lifted_root(&l->in, node))
         return (lifted){operand(l, node, NULL), true};
     switch (node->kind) {
     case IR_BINARY:
@@ -214,19 +179,11 @@ static lifted real_expression(lifter *l, const ir_node *node) {
     }
 }
 
-/** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
- *  converted to an integer of another type. */
-static bool is_integer_choice(const lifter *l, const ir_node *node) {
-    return node->kind == IR_CONDITIONAL && lane_mentions_lifted(l, node->children[0]) &&
-           ir_type_equal(node->children[1]->type, node->type) &&
-           ir_type_equal(node->children[2]->type, node->type);
-}
-
 lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to) {
     const ir_type *type = node->type;
     if (lane_is_real(type))
         return lane_convert(l, real_expression(l, node), type, to);
-    if (type && type->kind == IR_INTEGER && is_integer_choice(l, node))
+    if (type && type->kind == IR_INTEGER && lane_is_integer_choice(&l->in, node))
         return conditional(l, node, to);
     if (!type || (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN))
         return refuse(l, NO_LANES_OPERAND_TYPE, node);

@@ -7,7 +7,7 @@
 #include "ir/ir_words.h"
 
 const char *lane_guarded(lifter *l, const ir_node *node, const char *text) {
-    if (!l->mask || lane_is_safe(l, node))
+    if (!l->mask || lane_is_safe(&l->in, node))
         return text;
     return arena_format(l->loop->arena, "(%s[redcc__l] ? %s : 0)", l->mask, text);
 }
@@ -31,9 +31,9 @@ static const char *both(lifter *l, const ir_node *node) {
     const char *left = lane_mask(l, node->children[0]);
     const char *const outer = l->mask;
     const bool outer_may_be_none = l->may_be_none;
-    if (!lane_is_safe(l, node->children[1])) {
+    if (!lane_is_safe(&l->in, node->children[1])) {
         if (!lane_is_plain(node->children[1]))
-            lane_problem(l, NO_LANES_CONDITION, node->children[1]);
+            lane_problem(&l->in, NO_LANES_CONDITION, node->children[1]);
         l->mask = lane_new_mask(l, is_and ? left : arena_format(a, "~%s", left));
         l->may_be_none = true;
     }
@@ -45,12 +45,12 @@ static const char *both(lifter *l, const ir_node *node) {
 
 const char *lane_mask(lifter *l, const ir_node *node) {
     arena *a = l->loop->arena;
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_MASK)
+    if (node->kind == IR_VARIABLE && l->in.class_of[node->variable->id] == LANE_MASK)
         return origin_variable(a, node->variable);
-    if (node->kind == IR_UNARY && node->op == IR_OP_NOT && lane_mentions_lifted(l, node))
+    if (node->kind == IR_UNARY && node->op == IR_OP_NOT && lane_mentions_lifted(&l->in, node))
         return arena_format(a, "(~%s)", lane_mask(l, node->children[0]));
     if (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR) &&
-        lane_mentions_lifted(l, node))
+        lane_mentions_lifted(&l->in, node))
         return both(l, node);
     const bool is_comparison =
         node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT_EQUAL;
@@ -60,9 +60,9 @@ const char *lane_mask(lifter *l, const ir_node *node) {
         return arena_format(a, "%s(%s %s %s)", lane_words_of(type)->mask,
                             lane_vector(l, node->children[0], type), ir_operator_spelling(node->op),
                             lane_vector(l, node->children[1], type));
-    if (lane_is_plain(node) && !lane_mentions_lifted(l, node))
+    if (lane_is_plain(node) && !lane_mentions_lifted(&l->in, node))
         return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
-    lane_problem(l, NO_LANES_CONDITION, node);
+    lane_problem(&l->in, NO_LANES_CONDITION, node);
     return "0";
 }
 

@@ -5,10 +5,6 @@
  */
 #include "emit/lifter.h"
 
-bool lane_is_real(const ir_type *type) {
-    return type && type->kind == IR_FLOATING && (type->size == 8 || type->size == 4);
-}
-
 const lane_words *lane_words_of(const ir_type *type) {
     static const lane_words of_doubles = {.vector = "redcc_vector",
                                           .gather = "REDCC_GATHER",
@@ -34,18 +30,6 @@ lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type 
     if (value.is_vector)
         return (lifted){arena_format(a, "%s(%s)", lane_words_of(to)->of, value.text), true};
     return (lifted){arena_format(a, "((%s)%s)", lane_words_of(to)->scalar, value.text), false};
-}
-
-static bool is_number(const ir_type *type) {
-    return type && (lane_is_real(type) || type->kind == IR_INTEGER || type->kind == IR_BOOLEAN);
-}
-
-const ir_type *lane_common(const ir_type *left, const ir_type *right) {
-    if (!is_number(left) || !is_number(right))
-        return NULL;
-    if (!lane_is_real(left))
-        return lane_is_real(right) ? right : NULL;
-    return lane_is_real(right) && right->size > left->size ? right : left;
 }
 
 const char *lane_spread(lifter *l, lifted value, const ir_type *type) {

@@ -9,8 +9,6 @@
 #include "emit/outline.h"
 #include "ir/ir_words.h"
 
-enum { MOST_DEPTH = 8 /* of calls */ };
-
 /* ---- declarations --------------------------------------------------------------------------- */
 
 /** Without the variable's own qualifiers: each lane's is assigned. */
@@ -21,7 +19,7 @@ const char *lane_type(lifter *l, const ir_type *type) {
     plain->is_const = plain->is_restrict = false;
     const char *spelling = ir_type_default_spelling(a, plain);
     if (!spelling) {
-        lane_problem(l, NO_LANES_SPELLING, NULL);
+        lane_problem(&l->in, NO_LANES_SPELLING, NULL);
         return "int";
     }
     const char *marked = origin_spelling(a, type, spelling);
@@ -33,7 +31,7 @@ static const char *extents(lifter *l, const ir_type *type) {
     const char *text = "";
     for (; type->kind == IR_ARRAY; type = type->target) {
         if (type->count <= 0)
-            lane_problem(l, NO_LANES_VARIABLE_TYPE, NULL);
+            lane_problem(&l->in, NO_LANES_VARIABLE_TYPE, NULL);
         text = arena_format(l->loop->arena, "%s[%lld]", text, (long long)type->count);
     }
     return text;
@@ -69,7 +67,7 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
         return zeros(l, type);
     if (value->kind != IR_INITIALIZERS || value->flags & IR_DESIGNATED ||
         (int64_t)value->child_count != type->count || type->target->kind == IR_ARRAY) {
-        lane_problem(l, NO_LANES_INITIALISER, value);
+        lane_problem(&l->in, NO_LANES_INITIALISER, value);
         return "{{0}}";
     }
     const char *text = NULL;
@@ -95,24 +93,16 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
                                          : lane_vector(l, value, type));
 }
 
-/** What becomes an integer or a pointer of each lane. */
-static void check_operand(lifter *l, const ir_node *value) {
-    if (!lane_is_plain(value))
-        lane_problem(l, lane_effect_of(value), value);
-    if (lane_mentions_lifted(l, value))
-        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
-}
-
 /** A value of each lane, the user's own with the lane's variables. */
 static const char *lane_text(lifter *l, const ir_node *value) {
-    check_operand(l, value);
+    lane_check_operand(&l->in, value);
     return lane_scalar(l, value);
 }
 
 static void declare_own(lifter *l, const ir_variable *variable, const ir_node *value) {
     arena *a = l->loop->arena;
     const char *name = origin_declarator(a, variable);
-    switch (l->class_of[variable->id]) {
+    switch (l->in.class_of[variable->id]) {
     case LANE_LIFTED:
         declare_lifted(l, variable, value);
         break;
@@ -141,33 +131,6 @@ void lane_declare(lifter *l, const ir_variable *variable) {
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-/** A lifted variable's element: of a pointer, what it points to. */
-static const ir_type *lifted_element(const ir_variable *variable) {
-    const ir_type *type = variable->type;
-    return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
-}
-
-/** Of what class is the parameter, with this argument? */
-static lane_class parameter_class(lifter *l, const ir_variable *parameter, const ir_node *value) {
-    const ir_type *type = parameter->type;
-    if (type->is_volatile || type->is_atomic)
-        lane_problem(l, NO_LANES_STORAGE, value);
-    const ir_variable *root = lane_lifted_root(l, value);
-    if (lane_is_real(type))
-        return LANE_LIFTED;
-    if (type->kind == IR_POINTER && root) {
-        const ir_type *element = ir_type_innermost(type->target);
-        if (!lane_is_real(element) || element->size != lifted_element(root)->size)
-            lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
-        return LANE_LIFTED;
-    }
-    if (type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN)
-        lane_problem(l, NO_LANES_OPERAND_TYPE, value);
-    if (lane_mentions_lifted(l, value))
-        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
-    return lane_is_uniform(l, value) ? LANE_UNIFORM : LANE_VARYING;
-}
-
 static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_class class) {
     arena *a = l->loop->arena;
     const ir_type *type = parameter->type;
@@ -176,7 +139,7 @@ static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_
         return arena_format(a, "%s *%s", lane_type(l, type), name);
     if (class == LANE_UNIFORM)
         return arena_format(a, "%s %s", lane_type(l, type), name);
-    const char *vector = lane_words_of(lifted_element(parameter))->vector;
+    const char *vector = lane_words_of(lane_lifted_type(parameter))->vector;
     if (type->kind != IR_POINTER)
         return arena_format(a, "%s %s", vector, name);
     const char *of = extents(l, type->target);
@@ -195,7 +158,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
         return lane_vector(l, value, parameter->type);
     const char *text = text_operand(a, value, NULL, NULL);
     if (!text)
-        lane_problem(l, NO_LANES_SPELLING, value);
+        lane_problem(&l->in, NO_LANES_SPELLING, value);
     return text ? text : "0";
 }
 
@@ -207,7 +170,7 @@ static void write_parameters(lifter *l, const ir_function *function, const lane_
         buffer_format(&head, "const redcc_mask %s __attribute__((__unused__))", l->mask);
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_variable *parameter = function->parameters[i];
-        l->class_of[parameter->id] = classes[i];
+        l->in.class_of[parameter->id] = classes[i];
         buffer_format(&head, "%s%s __attribute__((__unused__))", head.data ? ", " : "",
                       parameter_text(l, parameter, classes[i]));
     }
@@ -222,14 +185,14 @@ static void write_clone(lifter *l, const ir_function *function, const lane_class
                         const char *name) {
     writer text = {0};
     lifter inner = *l;
-    inner.function = function;
-    inner.scope = function->body;
+    inner.in.function = function;
+    inner.in.body = function->body;
     inner.depth = l->depth + 1;
     inner.out = &text;
     inner.mask = l->mask ? "redcc__m0" : NULL;
     inner.region = l->mask ? function->body : NULL;
     write_parameters(&inner, function, classes, name);
-    lane_classify(&inner);
+    lane_classify(&inner.in);
     text.depth = 1;
     writer_line(&text, "int redcc__l __attribute__((__unused__));");
     for (unsigned i = 0; i < function->body->child_count; i++) {
@@ -244,17 +207,6 @@ static void write_clone(lifter *l, const ir_function *function, const lane_class
     text.depth = 0;
     writer_line(&text, "}");
     buffer_text(&l->front->out, writer_text(l->loop->arena, &text));
-}
-
-static bool can_be_cloned(lifter *l, const ir_function *function, const ir_node *call) {
-    const ir_type *result = function->type->target;
-    const ir_node *body = function->body;
-    if (function->is_variadic || function->is_noreturn || l->depth >= MOST_DEPTH ||
-        call->child_count != function->parameter_count + 1 ||
-        (result->kind != IR_VOID && !lane_is_real(result)))
-        return false;
-    return result->kind == IR_VOID ||
-           (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
 }
 
 static const char *clone_of(lifter *l, const ir_function *function, const lane_class *classes) {
@@ -277,8 +229,8 @@ static const char *clone_of(lifter *l, const ir_function *function, const lane_c
 const char *lane_call(lifter *l, const ir_node *call) {
     arena *a = l->loop->arena;
     const ir_function *function = call->children[0]->function;
-    if (!can_be_cloned(l, function, call)) {
-        lane_problem(l, NO_LANES_CALL, call);
+    if (!lane_can_be_called(function, call, l->depth)) {
+        lane_problem(&l->in, NO_LANES_CALL, call);
         return "redcc_same(0.0)";
     }
     lane_class *classes = ARENA_ARRAY(a, lane_class, function->parameter_count + 1);
@@ -286,13 +238,13 @@ const char *lane_call(lifter *l, const ir_node *call) {
     for (unsigned i = 0; i < function->parameter_count; i++) {
         const ir_variable *parameter = function->parameters[i];
         const ir_node *value = call->children[i + 1];
-        classes[i] = parameter_class(l, parameter, value);
+        classes[i] = lane_parameter_class(&l->in, parameter, value);
         arguments = arena_format(a, "%s%s%s", arguments, *arguments ? ", " : "",
                                  argument_text(l, parameter, classes[i], value));
     }
     const char *name = clone_of(l, function, classes);
     for (unsigned i = 0; i < function->parameter_count; i++) {
-        const ir_variable *root = lane_lifted_root(l, call->children[i + 1]);
+        const ir_variable *root = lane_lifted_root(&l->in, call->children[i + 1]);
         if (root && function->parameters[i]->type->kind == IR_POINTER)
             l->is_kept[root->id] |= l->is_kept[function->parameters[i]->id];
     }
@@ -310,7 +262,7 @@ static const char *assigned_value(lifter *l, const ir_node *node, const char *ta
         return lane_vector(l, value, type);
     const ir_type *computed = lane_common(type, value->type);
     if (!computed || !lane_has_operator(node->op)) {
-        lane_problem(l, computed ? NO_LANES_OPERAND_EFFECT : NO_LANES_OPERAND_TYPE, node);
+        lane_problem(&l->in, computed ? NO_LANES_OPERAND_EFFECT : NO_LANES_OPERAND_TYPE, node);
         return target;
     }
     const lifted held = lane_convert(l, (lifted){target, true}, type, computed);
@@ -324,7 +276,7 @@ static const char *assigned_value(lifter *l, const ir_node *node, const char *ta
 static void assign_lifted(lifter *l, const ir_node *node) {
     const ir_type *type = node->children[0]->type;
     const char *target = lane_expression(l, node->children[0], type).text;
-    const ir_variable *root = lane_lifted_root(l, node->children[0]);
+    const ir_variable *root = lane_lifted_root(&l->in, node->children[0]);
     const bool is_of_some = lane_needs_select(l, root);
     l->is_kept[root->id] |= is_of_some;
     const ir_type *computed = lane_common(type, node->children[1]->type);
@@ -343,17 +295,17 @@ static void assign_lifted(lifter *l, const ir_node *node) {
 /** Of an own integer or pointer: for each lane, or once. */
 static const char *assignment_of(lifter *l, const ir_node *node) {
     const ir_node *target = node->children[0];
-    if (target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
-        l->class_of[target->variable->id] == LANE_LIFTED ||
+    if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||
+        l->in.class_of[target->variable->id] == LANE_LIFTED ||
         (!ir_is_increment(node) && node->kind != IR_ASSIGN)) {
-        lane_problem(l, NO_LANES_STATEMENT, node);
+        lane_problem(&l->in, NO_LANES_STATEMENT, node);
         return "(void)0";
     }
     if (node->kind == IR_ASSIGN)
-        check_operand(l, node->children[1]);
+        lane_check_operand(&l->in, node->children[1]);
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
-        lane_problem(l, NO_LANES_SPELLING, node);
+        lane_problem(&l->in, NO_LANES_SPELLING, node);
     return text ? text : "(void)0";
 }
 
@@ -364,14 +316,14 @@ static void write_expression(lifter *l, const ir_node *node) {
         return;
     }
     if (node->kind == IR_ASSIGN && lane_is_real(node->children[0]->type) &&
-        lane_lifted_root(l, node->children[0])) {
+        lane_lifted_root(&l->in, node->children[0])) {
         assign_lifted(l, node);
         return;
     }
     const char *text = assignment_of(l, node);
     const ir_node *target = node->children[0];
-    const bool varies =
-        target && target->kind == IR_VARIABLE && l->class_of[target->variable->id] == LANE_VARYING;
+    const bool varies = target && target->kind == IR_VARIABLE &&
+                        l->in.class_of[target->variable->id] == LANE_VARYING;
     if (varies && l->mask)
         writer_line(l->out, "REDCC_EACH_LANE if (%s[redcc__l]) %s;", l->mask, text);
     else
@@ -389,7 +341,7 @@ void lane_part(lifter *l, const ir_node *part) {
 }
 
 static void write_if(lifter *l, const ir_node *node) {
-    if (!lane_is_uniform(l, node->children[0])) {
+    if (!lane_is_uniform(&l->in, node->children[0])) {
         lane_masked_if(l, node);
         return;
     }
@@ -402,7 +354,7 @@ static void write_if(lifter *l, const ir_node *node) {
 }
 
 void lane_statement(lifter *l, const ir_node *statement) {
-    lane_note_place(l, statement);
+    lane_note_place(&l->in, statement);
     switch (statement->kind) {
     case IR_EMPTY:
         break;
@@ -413,8 +365,8 @@ void lane_statement(lifter *l, const ir_node *statement) {
     case IR_DECLARATION:
         for (unsigned i = 0; i < statement->child_count; i++) {
             const ir_node *declarator = statement->children[i];
-            if (!lane_is_own(l, declarator->variable))
-                lane_problem(l, NO_LANES_STORAGE, declarator);
+            if (!lane_is_own(&l->in, declarator->variable))
+                lane_problem(&l->in, NO_LANES_STORAGE, declarator);
             else
                 declare_own(l, declarator->variable, ir_child(declarator, 0));
         }
@@ -429,10 +381,10 @@ void lane_statement(lifter *l, const ir_node *statement) {
         write_if(l, statement);
         break;
     case IR_RETURN:
-        lane_problem(l, NO_LANES_RETURN, statement);
+        lane_problem(&l->in, NO_LANES_RETURN, statement);
         break;
     default:
-        lane_problem(l, NO_LANES_STATEMENT, statement);
+        lane_problem(&l->in, NO_LANES_STATEMENT, statement);
         break;
     }
 }

@@ -2,23 +2,13 @@
 /**
  * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
  * written once more for vectors.
- *
- * A body is taken apart into what computes and what updates. Each variable of the iteration is of a
- * class; expressions follow from the classes of what they mention. Control is the same for all
- * lanes, but for conditions around updates, which are made lane by lane.
  */
 #ifndef EMIT_LIFTER_H
 #define EMIT_LIFTER_H
 
-#include "emit/lane_reason.h"
 #include "emit/loop.h"
-
-typedef enum lane_class {
-    LANE_UNIFORM, /* the same in all lanes: a scalar */
-    LANE_VARYING, /* an integer or pointer of each lane: an array of them */
-    LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
-    LANE_LIFTED /* a double or float, or an array of them, of each lane: vectors */
-} lane_class;
+#include "plan/lanes.h"
+#include "support/vector.h"
 
 /** A function written for vectors, with parameters of these classes. */
 typedef struct lane_clone {
@@ -31,10 +21,8 @@ typedef struct lane_clone {
 typedef VECTOR(lane_clone) lane_clone_list;
 
 typedef struct lifter {
+    lane_scope in; /* what is being written */
     loop_text *loop;
-    const ir_function *function; /* that is being written; NULL: the loop's body */
-    const ir_node *scope;        /* its body */
-    lane_class *class_of;        /* by variable */
     lane_clone_list *clones;
     writer *front; /* functions that must stand in front */
     writer *out;
@@ -44,7 +32,6 @@ typedef struct lifter {
     const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
     bool may_be_none;      /* perhaps there is no such lane */
     unsigned *mask_count;
-    ir_range place; /* of the last statement that stands in the file itself */
 } lifter;
 
 /** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
@@ -53,29 +40,6 @@ typedef struct lifted {
     const char *text;
     bool is_vector;
 } lifted;
-
-/** Records why the body cannot be written for vectors, unless there is a reason already; `node`:
- * what stands in the way; NULL: the place kept. */
-void lane_problem(const lifter *l, lane_reason why, const ir_node *node);
-/** Keeps the place of what is being written. */
-void lane_note_place(lifter *l, const ir_node *node);
-
-/** lanes_class.c: gives each variable of the scope its class. */
-void lane_classify(lifter *l);
-/** Is it a variable of the iteration, or of the function being written? */
-bool lane_is_own(const lifter *l, const ir_variable *variable);
-bool lane_is_uniform(const lifter *l, const ir_node *node);
-/** No call, no assignment in it. */
-bool lane_is_plain(const ir_node *node);
-/** Is a lifted variable mentioned other than for one of its elements? */
-bool lane_has_whole_lifted(const lifter *l, const ir_node *node);
-bool lane_mentions_lifted(const lifter *l, const ir_node *node);
-/** The lifted variable whose element or value this is, the same one in all lanes, or NULL. */
-const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node);
-/** The same where each lane may have another element: its subscripts are integers of the lane. */
-const ir_variable *lane_lifted_element(const lifter *l, const ir_node *node);
-/** A double or a float: what has vectors. */
-bool lane_is_real(const ir_type *type);
 
 /** lanes_real.c: what is called one way for doubles and another way for floats. */
 typedef struct lane_words {
@@ -92,9 +56,6 @@ typedef struct lane_words {
 const lane_words *lane_words_of(const ir_type *type);
 /** The expression's value, computed in its own type, in that of `to`, as C converts it. */
 lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to);
-/** The type in which an operator computes: double where one operand is, else float; NULL where
- *  neither is any of these, or one is no number of lanes. */
-const ir_type *lane_common(const ir_type *left, const ir_type *right);
 /** The value as a vector, also where all lanes are the same. */
 const char *lane_spread(lifter *l, lifted value, const ir_type *type);
 
@@ -102,12 +63,6 @@ const char *lane_spread(lifter *l, lifted value, const ir_type *type);
 lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to);
 /** The same as a vector, also where all lanes are the same. */
 const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to);
-/** May it be evaluated where the program does not? */
-bool lane_is_safe(const lifter *l, const ir_node *node);
-/** Is it one of the arithmetic operators of vectors, + - * and /? */
-bool lane_has_operator(ir_operator op);
-/** Why an operand that is not plain is none. */
-lane_reason lane_effect_of(const ir_node *node);
 /** The text of lane redcc__l; of a uniform expression its own. */
 const char *lane_scalar(lifter *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */
@@ -127,11 +82,6 @@ const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
 bool lane_needs_select(const lifter *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */
 void lane_masked_if(lifter *l, const ir_node *node);
-
-/** lanes.c: does the `for` give the variable its first value? */
-bool lane_begins_with(const ir_node *loop, const ir_variable *variable);
-/** Is each mention of the variable within a `for` that gives it its first value? */
-bool lane_is_counter_only(const ir_node *node, const ir_variable *variable);
 
 /** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
 void lane_declare(lifter *l, const ir_variable *variable);

@@ -11,7 +11,6 @@
 #include "emit/as_compiled.h"
 #include "emit/body.h"
 #include "emit/call.h"
-#include "emit/lanes.h"
 #include "emit/macro_names.h"
 #include "emit/names.h"
 #include "emit/outline.h"
@@ -253,6 +252,13 @@ static void write_timing(loop_text *loop, writer *out, ir_range range) {
         buffer_format(&out->out, "%s\n%s}", loop_line_directive(loop, range.end - 1),
                       loop_column_blanks(loop, range.end - 1));
     }
+}
+
+/** Sets the outcome, as far as the plan knows it. */
+static bool may_have_lanes(const loop_text *loop) {
+    const lane_reason why = loop->plan->no_lanes;
+    *loop->lanes.outcome = (lanes_outcome){why, loop->facts->loop->range};
+    return why == LANES_WRITTEN;
 }
 
 /** What goes in front of the function, in the first form from *form on that is possible. */

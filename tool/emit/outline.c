@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/**
- * The short form: slice and body of a loop stand once, as functions in front of the user's
- * function, and loop.h has what is around them. Compilers inline both at each of their uses.
- *
- * What is moved there must mean the same: no directive may stand between the two places, each name
- * be declared there or handed over, each type have a name. Where that is not so the loop is written
- * in place.
- */
+/** Slice and body of a loop as functions in front of the user's function; loop.h has what is around
+ *  them. Compilers inline both at each of their uses. */
 #include "emit/outline.h"
 
 #include <string.h>
@@ -18,103 +12,11 @@
 #include "emit/macro_names.h"
 #include "emit/slice.h"
 #include "ir/ir_position.h"
-#include "ir/ir_syntax.h"
 #include "plan/lookup.h"
-#include "plan/macros.h"
+#include "plan/outline.h"
 #include "plan/place.h"
-#include "plan/stand_in.h"
-
-enum { MOST_ARRAYS = 6 /* of the macros of loop.h */ };
-
-static bool has_place(const loop_text *loop) {
-    const source *file = loop->unit->source;
-    const ir_function *function = loop->facts->function;
-    return function->range.begin <= loop->facts->loop->range.begin &&
-           has_place_in_front(loop->arena, loop->unit, function) &&
-           !has_directive(loop->unit, function->range.begin,
-                          syntax_statement_end(file, loop->facts->loop), false);
-}
-
-/* ---- the function's name ------------------------------------------------------------------- */
-
-static bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
-    const size_t length = strlen(word);
-    for (uint32_t at = begin; at + length <= end; at++)
-        if (memcmp(file->text + at, word, length) == 0)
-            return true;
-    return false;
-}
-
-/** A string that a macro makes up may be the function's name. */
-static bool has_string_of_macro(const ir_node *node) {
-    if (node->kind == IR_STRING && node->flags & IR_FROM_MACRO)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_string_of_macro(node->children[i]))
-            return true;
-    return false;
-}
-
-/** May the body ask what function it stands in? The tree has the answer as a string. */
-static bool may_name_function(const loop_text *loop) {
-    static const char *const words[] = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"};
-    const ir_node *body = loop->facts->counted.body;
-    const source *file = loop->unit->source;
-    const bool anywhere = has_macro(loop->plan);
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (holds_word(file, anywhere ? 0 : body->range.begin,
-                       anywhere ? (uint32_t)file->length : body->range.end, words[i]))
-            return true;
-    return has_string_of_macro(body);
-}
 
 /* ---- what is handed over ------------------------------------------------------------------- */
-
-static bool is_of_file(const ir_variable *variable) {
-    return variable->storage == IR_GLOBAL || variable->storage == IR_STATIC;
-}
-
-static bool has_address_taken(const ir_node *node, const ir_variable *variable) {
-    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
-        node->children[0]->kind == IR_VARIABLE && node->children[0]->variable == variable)
-        return true;
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_address_taken(node->children[i], variable))
-            return true;
-    return false;
-}
-
-/** Of an array a pointer is handed over. */
-static bool can_be_handed(loop_text *loop, const ir_variable *variable) {
-    const ir_type *type = variable->type;
-    if (variable->storage == IR_THREAD_LOCAL || type->is_volatile || type->is_atomic)
-        return false;
-    if (type->kind == IR_ARRAY)
-        return type->target->spelling && type->target->size > 0 &&
-               can_be_pointer(loop->plan, variable) &&
-               !has_address_taken(loop->facts->counted.body, variable);
-    return is_captured(loop->facts, variable) && type->spelling && type->kind != IR_OTHER_TYPE &&
-           is_copied_in(variable);
-}
-
-static bool is_stand_in(const loop_text *loop, const ir_variable *variable, bool of_body) {
-    for (unsigned i = 0; of_body && i < loop->facts->array_count; i++)
-        if (loop->arrays[i].is_shadowed && loop->facts->arrays[i].base->variable == variable)
-            return true;
-    return false;
-}
-
-/** Does the function need it as a parameter? *possible is cleared where it cannot have it. */
-static bool is_handed(loop_text *loop, const ir_variable *variable, bool of_body, bool *possible) {
-    const loop_facts *facts = loop->facts;
-    if (variable == facts->counted.counter || is_declared_in(facts, variable) ||
-        is_stand_in(loop, variable, of_body))
-        return false;
-    if (can_be_handed(loop, variable))
-        return !is_of_file(variable) || variable->type->kind != IR_ARRAY;
-    *possible &= is_of_file(variable);
-    return false;
-}
 
 /** The type's spelling where another function's parameter or variable is of it: every C standard
  *  knows __restrict__, and of a parameter itself the promise is not needed. */
@@ -194,7 +96,10 @@ typedef struct head {
 static void add_variables(loop_text *loop, const bool *is_mentioned, bool of_body, head *h) {
     for (unsigned i = 0; i < loop->unit->variable_count; i++) {
         const ir_variable *variable = loop->unit->variables[i];
-        if (!is_mentioned[i] || !is_handed(loop, variable, of_body, &loop->outline.possible))
+        const handing how =
+            is_mentioned[i] ? handing_of(loop->plan, variable, of_body) : NOT_HANDED;
+        loop->outline.possible &= how != CANNOT_BE_HANDED;
+        if (how != HANDED)
             continue;
         buffer_format(&h->parameters, ", %s", parameter_text(loop, variable));
         buffer_format(&h->arguments, ", %s", origin_variable(loop->arena, variable));
@@ -281,32 +186,9 @@ const char *loop_lanes_name(loop_text *loop) {
     return outlined_name(loop, "lanes") + sizeof "redcc__" - 1;
 }
 
-static bool has_stepped(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped)
-            return true;
-    return false;
-}
-
-/** What the macros of loop.h have no place for. */
-static bool has_values_to_leave(const loop_facts *facts) {
-    return has_last_values(facts) || has_sought_values(facts) || has_stepped(facts) ||
-           facts->scalar_count > 0;
-}
-
-static bool has_thread_local(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.captured_count; i++)
-        if (facts->variables.captured[i]->storage == IR_THREAD_LOCAL)
-            return true;
-    return false;
-}
-
 const char *write_outlined(loop_text *loop, uint32_t *place) {
     const loop_facts *facts = loop->facts;
-    loop->outline.possible = !has_values_to_leave(facts) && !facts->counted.steps_inside &&
-                             facts->array_count <= MOST_ARRAYS && !has_thread_local(facts) &&
-                             !has_macro_of_header_words(loop->arena, loop->unit) &&
-                             has_place(loop) && !may_name_function(loop);
+    loop->outline.possible = !loop->plan->no_functions;
     if (!loop->outline.possible)
         return NULL;
     writer out = {0};

@@ -8,6 +8,8 @@
 #include "plan/bins.h"
 #include "plan/execution.h"
 #include "plan/inner_iterations.h"
+#include "plan/lanes.h"
+#include "plan/outline.h"
 #include "plan/precheck.h"
 #include "plan/prefetch.h"
 #include "plan/read_ahead.h"
@@ -39,6 +41,10 @@ static void plan_stand_ins(loop_plan *plan) {
 static void plan_form(loop_plan *plan) {
     plan_stand_ins(plan);
     plan_execution(plan);
+    plan->no_lanes = plan_lanes(plan);
+    plan->no_functions = plan_outline(plan);
+    if (plan->no_functions)
+        return;
     plan_prefetch(plan);
     plan_bins(plan);
     plan_inner_skips(plan);

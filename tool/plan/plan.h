@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "analysis/base/facts.h"
+#include "plan/lane_reason.h"
 #include "plan/options.h"
 
 /** What the runtime must know of a read: one or more of the facts' sources that move together. */
@@ -66,9 +67,12 @@ typedef struct loop_plan {
     const bool *is_shadowed;    /* of each array: a pointer of its name stands for it in the body */
     dependence_precheck precheck;
     execution_plan execution;
+    const char *no_functions; /* why slice and body cannot be functions of their own (outline.h), or
+                                 NULL. Prefetch, bins, skips and lanes are of that form */
     prefetch_plan prefetch;
     const struct bins_plan *bins; /* the form for in-order binning (bins.h); NULL: there is none, */
     const char *no_bins;          /* because of this */
+    lane_reason no_lanes;         /* as far as it is known before the body is written (lanes.h) */
     unsigned skip_count;
     const struct inner_skip *skips; /* of each inner loop (inner_iterations.h) */
 } loop_plan;

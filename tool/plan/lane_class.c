@@ -1,10 +1,44 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** Which variables are the same for all lanes, and what becomes of the others. */
-#include "emit/lifter.h"
+#include "plan/lane_class.h"
+
+#include "plan/lanes.h"
 #include "plan/lookup.h"
 
-bool lane_is_own(const lifter *l, const ir_variable *variable) {
-    const loop_facts *facts = l->loop->facts;
+static bool has_place(ir_range range) {
+    return range.begin < range.end;
+}
+
+void lane_note_place(lane_scope *l, const ir_node *node) {
+    if (has_place(node->range))
+        l->place = node->range;
+}
+
+void lane_problem(const lane_scope *l, lane_reason why, const ir_node *node) {
+    lanes_outcome *outcome = l->outcome;
+    if (outcome->why == LANES_WRITTEN)
+        *outcome = (lanes_outcome){why, node && has_place(node->range) ? node->range : l->place};
+}
+
+/* ---- questions about expressions ------------------------------------------------------------ */
+
+bool lane_is_real(const ir_type *type) {
+    return type && type->kind == IR_FLOATING && (type->size == 8 || type->size == 4);
+}
+
+static bool is_number(const ir_type *type) {
+    return type && (lane_is_real(type) || type->kind == IR_INTEGER || type->kind == IR_BOOLEAN);
+}
+
+const ir_type *lane_common(const ir_type *left, const ir_type *right) {
+    if (!is_number(left) || !is_number(right))
+        return NULL;
+    if (!lane_is_real(left))
+        return lane_is_real(right) ? right : NULL;
+    return lane_is_real(right) && right->size > left->size ? right : left;
+}
+
+bool lane_is_own(const lane_scope *l, const ir_variable *variable) {
+    const loop_facts *facts = l->plan->facts;
     if (l->function)
         return variable->function == l->function;
     if (variable == facts->counted.counter)
@@ -12,7 +46,7 @@ bool lane_is_own(const lifter *l, const ir_variable *variable) {
     return is_declared_in(facts, variable);
 }
 
-bool lane_is_uniform(const lifter *l, const ir_node *node) {
+bool lane_is_uniform(const lane_scope *l, const ir_node *node) {
     switch (node->kind) {
     case IR_VARIABLE:
         return l->class_of[node->variable->id] == LANE_UNIFORM;
@@ -38,7 +72,7 @@ bool lane_is_uniform(const lifter *l, const ir_node *node) {
     return true;
 }
 
-bool lane_mentions_lifted(const lifter *l, const ir_node *node) {
+bool lane_mentions_lifted(const lane_scope *l, const ir_node *node) {
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
@@ -59,8 +93,9 @@ bool lane_is_plain(const ir_node *node) {
 }
 
 /** The lifted variable whose element or value this is, by subscripts that are allowed, or NULL. */
-static const ir_variable *lifted_root(const lifter *l, const ir_node *node,
-                                      bool (*allows)(const lifter *l, const ir_node *subscript)) {
+static const ir_variable *lifted_root(const lane_scope *l, const ir_node *node,
+                                      bool (*allows)(const lane_scope *l,
+                                                     const ir_node *subscript)) {
     for (;;) {
         if (node->kind == IR_VARIABLE)
             return l->class_of[node->variable->id] == LANE_LIFTED ? node->variable : NULL;
@@ -74,19 +109,19 @@ static const ir_variable *lifted_root(const lifter *l, const ir_node *node,
     }
 }
 
-const ir_variable *lane_lifted_root(const lifter *l, const ir_node *node) {
+const ir_variable *lane_lifted_root(const lane_scope *l, const ir_node *node) {
     return lifted_root(l, node, lane_is_uniform);
 }
 
-static bool is_of_a_lane(const lifter *l, const ir_node *subscript) {
+static bool is_of_a_lane(const lane_scope *l, const ir_node *subscript) {
     return lane_is_plain(subscript) && !lane_mentions_lifted(l, subscript);
 }
 
-const ir_variable *lane_lifted_element(const lifter *l, const ir_node *node) {
+const ir_variable *lane_lifted_element(const lane_scope *l, const ir_node *node) {
     return lifted_root(l, node, is_of_a_lane);
 }
 
-bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
+bool lane_has_whole_lifted(const lane_scope *l, const ir_node *node) {
     if (lane_is_real(node->type) && lane_lifted_element(l, node))
         return false;
     if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
@@ -97,8 +132,53 @@ bool lane_has_whole_lifted(const lifter *l, const ir_node *node) {
     return false;
 }
 
+lane_reason lane_effect_of(const ir_node *node) {
+    if (node->kind == IR_CALL)
+        return NO_LANES_CALL;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_effect_of(node->children[i]) == NO_LANES_CALL)
+            return NO_LANES_CALL;
+    return NO_LANES_OPERAND_EFFECT;
+}
+
+bool lane_has_operator(ir_operator op) {
+    return op >= IR_OP_ADD && op <= IR_OP_DIVIDE;
+}
+
+bool lane_is_safe(const lane_scope *l, const ir_node *node) {
+    if (lane_is_real(node->type) && lane_lifted_root(l, node))
+        return true;
+    if (node->kind == IR_INDEX || node->kind == IR_CALL || node->kind == IR_ASSIGN ||
+        node->kind == IR_OPAQUE || (node->kind == IR_MEMBER && node->flags & IR_ARROW) ||
+        (node->kind == IR_UNARY &&
+         (node->op == IR_OP_DEREFERENCE || node->op >= IR_OP_PRE_INCREMENT)))
+        return false;
+    /* the value may be outside of the integer's range */
+    if (node->kind == IR_CAST && !lane_is_real(node->type) && lane_is_real(node->children[0]->type))
+        return false;
+    const bool is_arithmetic =
+        (node->kind == IR_BINARY && node->op <= IR_OP_BIT_XOR) ||
+        (node->kind == IR_UNARY && node->op == IR_OP_MINUS && node->children[0]->kind != IR_NUMBER);
+    if (is_arithmetic && !lane_is_real(node->type) && !(node->flags & IR_HAS_VALUE))
+        return false; /* of integers: it may overflow, or divide by 0 */
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!lane_is_safe(l, node->children[i]))
+            return false;
+    return true;
+}
+
+/** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
+ *  converted to an integer of another type. */
+bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
+    return node->kind == IR_CONDITIONAL && lane_mentions_lifted(l, node->children[0]) &&
+           ir_type_equal(node->children[1]->type, node->type) &&
+           ir_type_equal(node->children[2]->type, node->type);
+}
+
+/* ---- classes --------------------------------------------------------------------------------- */
+
 /** What becomes of a variable of that type, at first. */
-static lane_class first_class(lifter *l, const ir_variable *variable, const ir_node *node) {
+static lane_class first_class(lane_scope *l, const ir_variable *variable, const ir_node *node) {
     const ir_type *type = variable->type;
     const ir_type *innermost = ir_type_innermost(type);
     if (type->is_volatile || type->is_atomic || innermost->is_volatile || innermost->is_atomic ||
@@ -118,7 +198,7 @@ static bool is_truth(const ir_node *node) {
 }
 
 static bool find_mask(ir_node *node, void *context) {
-    lifter *l = context;
+    lane_scope *l = context;
     if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
         node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
         is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
@@ -127,12 +207,12 @@ static bool find_mask(ir_node *node, void *context) {
 }
 
 typedef struct spreading {
-    lifter *l;
+    lane_scope *l;
     bool has_changed;
 } spreading;
 
 static void spread(spreading *s, const ir_variable *variable, const ir_node *value) {
-    lifter *l = s->l;
+    lane_scope *l = s->l;
     if (!lane_is_own(l, variable) || l->class_of[variable->id] != LANE_UNIFORM)
         return;
     if (variable->type->kind == IR_POINTER && lane_mentions_lifted(l, value))
@@ -146,7 +226,7 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
 }
 
 /** Does the lane decide whether this part of the node is executed, or how often? */
-static bool is_divided(const lifter *l, const ir_node *node, const ir_node *part) {
+static bool is_divided(const lane_scope *l, const ir_node *node, const ir_node *part) {
     switch (node->kind) {
     case IR_IF:
     case IR_CONDITIONAL:
@@ -169,10 +249,11 @@ static bool is_divided(const lifter *l, const ir_node *node, const ir_node *part
 /** The part of the scope outside of which the variable's value is of no use: what holds its
  *  declaration, or the outermost `for` around the write, where all that mentions the variable lies
  *  in such ones that give it its first value. */
-static const ir_node *life_of(const lifter *l, const ir_node *write, const ir_variable *variable) {
-    const bool is_counter = lane_is_counter_only(l->scope, variable);
-    const ir_node *life = l->scope;
-    for (const ir_node *at = write; at && at != l->scope; at = at->parent) {
+static const ir_node *life_of(const lane_scope *l, const ir_node *write,
+                              const ir_variable *variable) {
+    const bool is_counter = lane_is_counter_only(l->body, variable);
+    const ir_node *life = l->body;
+    for (const ir_node *at = write; at && at != l->body; at = at->parent) {
         if (ir_declarator_in(at, variable))
             return at;
         if (is_counter && at->kind == IR_FOR && lane_begins_with(at, variable))
@@ -183,7 +264,8 @@ static const ir_node *life_of(const lifter *l, const ir_node *write, const ir_va
 
 /** Do only some lanes make this write of the variable? Jumps out of what stands around it are not
  *  written for vectors at all. */
-static bool is_of_some_lanes(const lifter *l, const ir_node *write, const ir_variable *variable) {
+static bool is_of_some_lanes(const lane_scope *l, const ir_node *write,
+                             const ir_variable *variable) {
     const ir_node *const life = life_of(l, write, variable);
     for (const ir_node *at = write; at != life && at->parent; at = at->parent)
         if (is_divided(l, at->parent, at))
@@ -194,7 +276,7 @@ static bool is_of_some_lanes(const lifter *l, const ir_node *write, const ir_var
 /** An own integer or pointer is the same for all lanes only if all of them make every write of it.
  */
 static void spread_of_some_lanes(spreading *s, const ir_node *node) {
-    lifter *l = s->l;
+    lane_scope *l = s->l;
     const ir_node *target = ir_child(node, 0);
     const bool is_assignment = node->kind == IR_ASSIGN || ir_is_increment(node);
     if (!is_assignment || target->kind != IR_VARIABLE || !lane_is_own(l, target->variable) ||
@@ -217,7 +299,7 @@ static bool spread_node(ir_node *node, void *context) {
 }
 
 typedef struct listing {
-    lifter *l;
+    lane_scope *l;
     bool *is_listed;
 } listing;
 
@@ -230,20 +312,20 @@ static bool list_node(ir_node *node, void *context) {
         return true;
     it->is_listed[variable->id] = true;
     it->l->class_of[variable->id] =
-        variable == it->l->loop->facts->counted.counter && !it->l->function
+        variable == it->l->plan->facts->counted.counter && !it->l->function
             ? LANE_VARYING
             : first_class(it->l, variable, node);
     return true;
 }
 
 /** Parameters have theirs already. */
-void lane_classify(lifter *l) {
-    listing list = {l, ARENA_ARRAY(l->loop->arena, bool, l->loop->unit->variable_count + 1)};
+void lane_classify(lane_scope *l) {
+    listing list = {l, ARENA_ARRAY(l->plan->arena, bool, l->plan->unit->variable_count + 1)};
     spreading s = {.l = l, .has_changed = true};
-    ir_walk((ir_node *)l->scope, list_node, &list);
-    ir_walk((ir_node *)l->scope, find_mask, l);
+    ir_walk((ir_node *)l->body, list_node, &list);
+    ir_walk((ir_node *)l->body, find_mask, l);
     while (s.has_changed) {
         s.has_changed = false;
-        ir_walk((ir_node *)l->scope, spread_node, &s);
+        ir_walk((ir_node *)l->body, spread_node, &s);
     }
 }

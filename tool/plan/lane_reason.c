@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-#include "emit/lane_reason.h"
+#include "plan/lane_reason.h"
 
 #include <stddef.h>
 
@@ -8,7 +8,7 @@ static const struct {
 } reasons[LANE_REASON_COUNT] = {
     {NULL, NULL},
 #define X(NAME, slug, message) {slug, message},
-#include "emit/lane_reasons.def"
+#include "plan/lane_reasons.def"
 #undef X
 };
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Why a loop has no form for several iterations at once (docs/lanes.md). */
-#ifndef EMIT_LANE_REASON_H
-#define EMIT_LANE_REASON_H
+#ifndef PLAN_LANE_REASON_H
+#define PLAN_LANE_REASON_H
 
 #include "ir/ir.h"
 
 typedef enum lane_reason {
     LANES_WRITTEN, /* it has one */
 #define X(NAME, slug, message) NO_LANES_##NAME,
-#include "emit/lane_reasons.def"
+#include "plan/lane_reasons.def"
 #undef X
     LANE_REASON_COUNT
 } lane_reason;

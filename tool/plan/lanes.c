@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "plan/lanes.h"
+
+#include "plan/lookup.h"
+
+/* ---- the loop itself ------------------------------------------------------------------------- */
+
+/** Is an array updated that the lanes cannot name? */
+static bool has_unnamed_array(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (facts->arrays[i].is_scattered)
+            return true;
+    return false;
+}
+
+static bool has_other_values(const loop_facts *facts) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].is_stepped)
+            return true;
+    return facts->scalar_count > 0 || facts->forward_count > 0 || has_sought_values(facts) ||
+           has_last_values(facts);
+}
+
+lane_reason plan_lanes(const loop_plan *plan) {
+    const loop_facts *facts = plan->facts;
+    return has_other_values(facts)             ? NO_LANES_OTHER_VALUES
+           : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
+           : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
+               ? NO_LANES_COUNTER
+           : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY
+           : has_unnamed_array(facts)              ? NO_LANES_SCATTERED
+                                                   : LANES_WRITTEN;
+}
+
+/* ---- updates ----------------------------------------------------------------------------------
+ */
+
+bool lane_has_update(const loop_facts *facts, const ir_node *statement) {
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (ir_contains(statement, facts->updates[i].statement))
+            return true;
+    return false;
+}
+
+bool lane_mentions(const ir_node *node, const ir_variable *variable) {
+    if (node->variable == variable && (node->kind == IR_VARIABLE || node->kind == IR_DECLARATOR))
+        return true;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (lane_mentions(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** The variable that this node assigns, steps or declares, or NULL; *other is set where it assigns
+ *  something else. */
+static const ir_variable *assigned_by(const ir_node *node, bool *other) {
+    if (node->kind == IR_DECLARATOR)
+        return node->variable;
+    if (node->kind != IR_ASSIGN && !ir_is_increment(node))
+        return NULL;
+    const ir_variable *root = ir_root_variable(node->children[0]);
+    *other |= node->children[0]->kind != IR_VARIABLE;
+    return root;
+}
+
+bool lane_begins_with(const ir_node *loop, const ir_variable *variable) {
+    bool other = false;
+    const ir_node *first = loop->children[0];
+    if (first->kind == IR_DECLARATION) {
+        for (unsigned i = 0; i < first->child_count; i++)
+            if (first->children[i]->variable == variable && first->children[i]->child_count > 0)
+                return true;
+        return false;
+    }
+    return first->kind == IR_ASSIGN && first->op == IR_OP_NONE &&
+           assigned_by(first, &other) == variable;
+}
+
+/** Is each mention of the variable within a `for` that gives it its first value? Then it does not
+ *  matter which of two such loops comes first. */
+bool lane_is_counter_only(const ir_node *node, const ir_variable *variable) {
+    if (node->kind == IR_FOR && lane_begins_with(node, variable))
+        return true;
+    if (node->kind == IR_DECLARATOR && node->variable == variable)
+        return node->child_count == 0;
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return false;
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (!lane_is_counter_only(node->children[i], variable))
+            return false;
+    return true;
+}
+
+/** It is executed once for each lane: beside the element it must change nothing. */
+static void check_update(lane_scope *l, const ir_node *statement) {
+    const ir_node *value = statement->kind == IR_EXPRESSION ? statement->children[0] : NULL;
+    bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
+    for (unsigned i = 0; is_plain && i < value->child_count; i++)
+        is_plain =
+            lane_is_plain(value->children[i]) && !lane_has_whole_lifted(l, value->children[i]);
+    if (!is_plain)
+        lane_problem(l, NO_LANES_UPDATE, statement);
+}
+
+/** Around and beside updates: nothing but counters is assigned, nothing jumps. */
+static bool check_update_node(ir_node *node, void *context) {
+    lane_scope *l = context;
+    bool other = false;
+    if (loop_update_at(l->plan->facts, node)) {
+        check_update(l, node);
+        return false;
+    }
+    if (lane_is_real(node->type) && lane_lifted_element(l, node))
+        return false;
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+        lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
+    const ir_variable *variable = assigned_by(node, &other);
+    if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
+        node->kind == IR_BREAK || node->kind == IR_GOTO || node->kind == IR_LABEL ||
+        node->kind == IR_SWITCH || node->kind == IR_WHILE || node->kind == IR_DO ||
+        node->kind == IR_RETURN)
+        lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
+    if (variable && (l->class_of[variable->id] != LANE_UNIFORM || !lane_is_own(l, variable) ||
+                     !lane_is_counter_only(l->body, variable)))
+        lane_problem(l, NO_LANES_BESIDE_UPDATE, node);
+    return true;
+}
+
+/** May what the node does change the variable: assign to it, declare it anew, or hand it on? */
+static bool may_change(const ir_node *node, const ir_variable *variable) {
+    bool other = false;
+    if (assigned_by(node, &other) == variable)
+        return true;
+    if (node->kind == IR_UNARY && node->op == IR_OP_ADDRESS &&
+        ir_root_variable(node->children[0]) == variable)
+        return true;
+    if (node->kind == IR_OPAQUE && lane_mentions(node, variable))
+        return true;
+    if (variable->type->kind == IR_ARRAY)
+        return lane_mentions(node, variable);
+    for (unsigned i = 0; i < node->child_count; i++)
+        if (may_change(node->children[i], variable))
+            return true;
+    return false;
+}
+
+/** What comes below an update must not change what it reads: it is made later. */
+void lane_check_order(lane_scope *l, const ir_node *body) {
+    for (unsigned i = 0; i < l->plan->unit->variable_count; i++) {
+        const ir_variable *variable = l->plan->unit->variables[i];
+        if (!lane_is_own(l, variable) || lane_is_counter_only(l->body, variable))
+            continue;
+        bool is_read = false;
+        for (unsigned k = 0; k < body->child_count; k++) {
+            const ir_node *statement = body->children[k];
+            if (lane_has_update(l->plan->facts, statement))
+                is_read |= lane_mentions(statement, variable);
+            else if (is_read && may_change(statement, variable))
+                lane_problem(l, NO_LANES_USED_BELOW, statement);
+        }
+    }
+}
+
+/** `if (...) continue;`? */
+bool lane_is_exit(const ir_node *statement) {
+    if (statement->kind != IR_IF || statement->child_count > 2)
+        return false;
+    const ir_node *branch = statement->children[1];
+    if (branch->kind == IR_BLOCK && branch->child_count == 1)
+        branch = branch->children[0];
+    return branch->kind == IR_CONTINUE;
+}
+
+/** An `if` that computes and updates. */
+bool lane_is_part(const loop_facts *facts, const ir_node *statement) {
+    if (statement->kind != IR_IF || statement->child_count > 2 ||
+        statement->children[1]->kind != IR_BLOCK)
+        return false;
+    const ir_node *branch = statement->children[1];
+    for (unsigned i = 0; i < branch->child_count; i++)
+        if (!lane_has_update(facts, branch->children[i]))
+            return true;
+    return false;
+}
+
+void lane_check_updates(lane_scope *l, const ir_node *statement) {
+    ir_walk((ir_node *)statement, check_update_node, l);
+}
+
+/* ---- loops inside, and calls ------------------------------------------------------------------
+ */
+
+static bool is_uniform_step(lane_scope *l, const ir_node *node) {
+    if (node->kind == IR_EMPTY)
+        return true;
+    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA)
+        return is_uniform_step(l, node->children[0]) && is_uniform_step(l, node->children[1]);
+    return (ir_is_increment(node) || node->kind == IR_ASSIGN) &&
+           node->children[0]->kind == IR_VARIABLE && lane_is_own(l, node->children[0]->variable) &&
+           l->class_of[node->children[0]->variable->id] == LANE_UNIFORM &&
+           (ir_is_increment(node) || lane_is_uniform(l, node->children[1]));
+}
+
+bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
+    const ir_node *first = loop->children[0], *condition = loop->children[1];
+    if (condition->kind == IR_EMPTY || !lane_is_uniform(l, condition) ||
+        !is_uniform_step(l, loop->children[2]))
+        return false;
+    if (first->kind != IR_DECLARATION)
+        return is_uniform_step(l, first);
+    for (unsigned i = 0; i < first->child_count; i++)
+        if (l->class_of[first->children[i]->variable->id] != LANE_UNIFORM)
+            return false;
+    return true;
+}
+
+enum { MOST_DEPTH = 8 /* of calls */ };
+
+/** A lifted variable's element: of a pointer, what it points to. */
+const ir_type *lane_lifted_type(const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
+}
+
+/** Of what class is the parameter, with this argument? */
+lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value) {
+    const ir_type *type = parameter->type;
+    if (type->is_volatile || type->is_atomic)
+        lane_problem(l, NO_LANES_STORAGE, value);
+    const ir_variable *root = lane_lifted_root(l, value);
+    if (lane_is_real(type))
+        return LANE_LIFTED;
+    if (type->kind == IR_POINTER && root) {
+        const ir_type *element = ir_type_innermost(type->target);
+        if (!lane_is_real(element) || element->size != lane_lifted_type(root)->size)
+            lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
+        return LANE_LIFTED;
+    }
+    if (type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN)
+        lane_problem(l, NO_LANES_OPERAND_TYPE, value);
+    if (lane_mentions_lifted(l, value))
+        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
+    return lane_is_uniform(l, value) ? LANE_UNIFORM : LANE_VARYING;
+}
+
+bool lane_can_be_called(const ir_function *function, const ir_node *call, unsigned depth) {
+    const ir_type *result = function->type->target;
+    const ir_node *body = function->body;
+    if (function->is_variadic || function->is_noreturn || depth >= MOST_DEPTH ||
+        call->child_count != function->parameter_count + 1 ||
+        (result->kind != IR_VOID && !lane_is_real(result)))
+        return false;
+    return result->kind == IR_VOID ||
+           (body->child_count > 0 && body->children[body->child_count - 1]->kind == IR_RETURN);
+}
+
+/** What becomes an integer or a pointer of each lane. */
+void lane_check_operand(lane_scope *l, const ir_node *value) {
+    if (!lane_is_plain(value))
+        lane_problem(l, lane_effect_of(value), value);
+    if (lane_mentions_lifted(l, value))
+        lane_problem(l, NO_LANES_FROM_DOUBLE, value);
+}
