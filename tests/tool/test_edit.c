@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "emit/edit.h"
+#include "emit/text/edit.h"
 
 static const char text[] = "0123456789";
 

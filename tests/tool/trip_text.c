@@ -11,8 +11,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "emit/loop.h"
-#include "emit/origin.h"
+#include "emit/base/loop.h"
+#include "emit/text/origin.h"
 #include "ir/ir.h"
 
 static const struct type_row {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/base/loop_text.h"
+#include "emit/text/origin.h"
 
 /* ---- the text without what is left out ------------------------------------------------------- */
 

@@ -7,7 +7,8 @@
 #ifndef EMIT_AS_COMPILED_H
 #define EMIT_AS_COMPILED_H
 
-#include "emit/loop.h"
+#include "analysis/analysis.h"
+#include "emit/base/loop.h"
 
 /**
  * The unit as the writers of text see it: in loops that are to be written, conditional directives

@@ -4,7 +4,7 @@
 #ifndef EMIT_CALL_H
 #define EMIT_CALL_H
 
-#include "emit/loop.h"
+#include "emit/base/loop.h"
 
 /** trip.c: declares redcc__lower, redcc__bound, redcc__trip and redcc__final. Returns what else
  * must hold for the parallel form to be entered ("redcc__trip > 0 && ..."). */

@@ -2,8 +2,9 @@
 /** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
 #include <assert.h>
 
-#include "emit/bins_form.h"
+#include "emit/bins/bins.h"
 #include "emit/call.h"
+#include "emit/text/origin.h"
 #include "ir/ir_position.h"
 #include "plan/execution.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** Stores that are made after all iterations (analysis/reduction/distribution.h). */
-#include "emit/values.h"
+#include "emit/distribution.h"
+
+#include "emit/text/origin.h"
 
 static const char *spelled(loop_text *loop, const ir_node *expression) {
     const char *text = text_expression(loop->arena, expression, NULL, NULL);

@@ -7,7 +7,7 @@
 #define EMIT_EMIT_H
 
 #include "analysis/analysis.h"
-#include "emit/origin.h"
+#include "emit/text/origin.h"
 #include "plan/lane_reason.h"
 #include "plan/options.h"
 

@@ -2,8 +2,9 @@
 /** Where things lie that the loop reads, as far as that is known before the inspection. */
 #include "analysis/base/exact.h"
 #include "analysis/base/expression.h"
+#include "emit/base/wrapping.h"
 #include "emit/call.h"
-#include "emit/unconditional.h"
+#include "emit/text/origin.h"
 
 bool has_affine_extents(const loop_text *loop) {
     for (unsigned i = 0; i < loop->plan->source_count; i++)

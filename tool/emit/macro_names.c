@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "emit/macro_names.h"
 
+#include "emit/text/origin.h"
 #include "plan/macros.h"
 
 static void check_piece(loop_text *loop, buffer *piece) {

@@ -3,7 +3,7 @@
 #ifndef EMIT_MACRO_NAMES_H
 #define EMIT_MACRO_NAMES_H
 
-#include "emit/loop.h"
+#include "emit/base/loop.h"
 
 /** Records an obstacle where a macro would change the text written, the user's own apart. */
 void check_macro_names(loop_text *loop, const buffer *written);

@@ -6,58 +6,20 @@
 #include <string.h>
 
 #include "emit/as_compiled.h"
-#include "emit/bins_form.h"
-#include "emit/body.h"
-#include "emit/lanes.h"
+#include "emit/base/names.h"
+#include "emit/bins/bins.h"
+#include "emit/body/body.h"
+#include "emit/lanes/lanes.h"
 #include "emit/macro_names.h"
-#include "emit/slice.h"
+#include "emit/slice/slice.h"
+#include "emit/text/origin.h"
+#include "emit/write_loop.h"
 #include "ir/ir_position.h"
 #include "plan/lookup.h"
 #include "plan/outline.h"
 #include "plan/place.h"
 
 /* ---- what is handed over ------------------------------------------------------------------- */
-
-/** The type's spelling where another function's parameter or variable is of it: every C standard
- *  knows __restrict__, and of a parameter itself the promise is not needed. */
-static const char *spelling_of(arena *a, const ir_type *type) {
-    static const char word[] = "restrict";
-    enum { LENGTH = sizeof word - 1 };
-    buffer out = {0};
-    for (const char *at = type->spelling; *at;) {
-        const bool is_word = strncmp(at, word, LENGTH) == 0 && !source_is_name_byte(at[LENGTH]) &&
-                             (at == type->spelling || !source_is_name_byte(at[-1]));
-        if (is_word && at[LENGTH])
-            buffer_text(&out, "__restrict__");
-        else if (!is_word)
-            buffer_byte(&out, *at);
-        at += is_word ? LENGTH : 1;
-    }
-    const char *text = arena_copy(a, out.data ? out.data : "", out.length);
-    buffer_free(&out);
-    return text;
-}
-
-static const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
-    arena *a = loop->arena;
-    if (!type->spelling) {
-        loop->outline.possible = false;
-        return "int";
-    }
-    const char *spelling = spelling_of(a, type);
-    const char *marked = origin_spelling(a, type, spelling);
-    const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
-    if (strpbrk(spelling, "(["))
-        return arena_format(a, "__typeof__(%s) %s", marked, name);
-    return arena_format(a, last == '*' || last == ' ' ? "%s%s" : "%s %s", marked, name);
-}
-
-const char *outlined_declaration(loop_text *loop, const ir_variable *variable) {
-    const ir_type *type = variable->type;
-    if (variable->storage == IR_THREAD_LOCAL || type->size < 0 || type->kind == IR_OTHER_TYPE)
-        loop->outline.possible = false;
-    return declaration_text(loop, type, origin_declarator(loop->arena, variable));
-}
 
 static const char *parameter_text(loop_text *loop, const ir_variable *variable) {
     const char *name = origin_declarator(loop->arena, variable);
@@ -128,12 +90,6 @@ static const char *take(arena *a, buffer *text) {
     return copy;
 }
 
-const char *outlined_name(loop_text *loop, const char *part) {
-    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
-    return arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name,
-                        place.line);
-}
-
 static void write_slice(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
@@ -180,10 +136,6 @@ static void write_body(loop_text *loop, writer *out) {
     write_lanes(loop, out);
     if (loop->lanes.is_wanted)
         writer_line(out, "REDCC_QUIET_END");
-}
-
-const char *loop_lanes_name(loop_text *loop) {
-    return outlined_name(loop, "lanes") + sizeof "redcc__" - 1;
 }
 
 const char *write_outlined(loop_text *loop, uint32_t *place) {

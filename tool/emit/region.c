@@ -2,10 +2,11 @@
 /** The parallel region: each thread inspects its iterations, then executes what it is handed. */
 #include "emit/region.h"
 
-#include "emit/bins_form.h"
-#include "emit/body.h"
-#include "emit/slice.h"
-#include "emit/values.h"
+#include "emit/bins/bins.h"
+#include "emit/body/body.h"
+#include "emit/body/live_out.h"
+#include "emit/slice/slice.h"
+#include "emit/text/origin.h"
 #include "plan/lookup.h"
 
 /* ---- variables of the region --------------------------------------------------------------- */
@@ -43,57 +44,6 @@ void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
         else
             writer_line(out, "const __typeof__(%s) redcc__copy_%s = %s;", name, variable->name,
                         name);
-    }
-}
-
-/* ---- last values --------------------------------------------------------------------------- */
-
-/** A value to start with, for the compiler's flow analysis: that does not know that the loop has
- *  iterations, and that each of them assigns one. */
-static const char *start_value(const ir_type *type) {
-    if (type->size < 0)
-        return "";
-    return type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}" : " = 0";
-}
-
-void declare_last_values(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        const private_variable *item = &loop->facts->variables.privates[i];
-        if (item->is_live_after)
-            writer_line(out, "__typeof__(%s) redcc__last_%s%s;",
-                        origin_variable(loop->arena, item->variable), item->variable->name,
-                        start_value(item->variable->type));
-    }
-}
-
-/** Private variables whose last value is wanted outlive the iterations of a chunk. */
-static void declare_live_privates(loop_text *loop, writer *out) {
-    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        const private_variable *item = &loop->facts->variables.privates[i];
-        if (!item->is_live_after)
-            continue;
-        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
-                    origin_declarator(loop->arena, item->variable),
-                    start_value(item->variable->type));
-    }
-}
-
-static void copy_value(writer *out, const ir_type *type, const char *to, const char *from) {
-    if (type->kind == IR_ARRAY)
-        writer_line(out, "__builtin_memcpy(%s, %s, sizeof(%s));", to, from, to);
-    else
-        writer_line(out, "%s = %s;", to, from);
-}
-
-void write_last_values(loop_text *loop, writer *out, bool into_variables) {
-    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
-        const private_variable *item = &loop->facts->variables.privates[i];
-        if (!item->is_live_after)
-            continue;
-        const char *name = origin_variable(loop->arena, item->variable);
-        const char *last = arena_format(loop->arena, "redcc__last_%s", item->variable->name);
-        copy_value(out, item->variable->type, into_variables ? name : last,
-                   into_variables ? last : name);
     }
 }
 

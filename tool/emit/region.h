@@ -3,7 +3,7 @@
 #ifndef EMIT_REGION_H
 #define EMIT_REGION_H
 
-#include "emit/loop.h"
+#include "emit/base/loop.h"
 
 /** region.c: `#pragma omp parallel` and what stands in it. */
 void write_region(loop_text *loop, writer *out);

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "emit/call.h"
+#include "emit/text/origin.h"
 #include "plan/lookup.h"
 
 enum {

@@ -3,7 +3,7 @@
 #ifndef EMIT_UNFUSED_H
 #define EMIT_UNFUSED_H
 
-#include "emit/loop.h"
+#include "emit/base/loop.h"
 
 /** The directives that turn it off from the head of the file on. has_targets: functions are
  * compiled for several processors. */

@@ -3,7 +3,7 @@
 #ifndef EMIT_WRITE_LOOP_H
 #define EMIT_WRITE_LOOP_H
 
-#include "emit/loop.h"
+#include "emit/base/loop.h"
 
 /** A text that replaces bytes of the file, with marks (origin.h). */
 typedef struct loop_piece {
@@ -20,5 +20,9 @@ typedef enum loop_form { FORM_LANES, FORM_BINNED, FORM_SHORT, FORM_IN_PLACE } lo
  * what goes in front of the function (in place: nothing does); sets *form to what was possible.
  * False, with the obstacle in *why: it cannot be written. */
 bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block, reason *why);
+
+/** The #if around what is there only where the loop may run in parallel; behind what
+ *  begin_as_compiled writes. */
+const char *loop_condition(const loop_text *loop);
 
 #endif

@@ -6,8 +6,8 @@
  *     h[s[t]] += f(t);
  *     g[map[k[t]]] += 1;
  *
- * it reads map[k[t]] with the k[t] of before the loop. Where k overlaps h, the guard finds that out,
- * but k[t] may be no subscript of map until an earlier iteration has made it one.
+ * it reads map[k[t]] with the k[t] of before the loop. Where k overlaps h, the guard finds that
+ * out, but k[t] may be no subscript of map until an earlier iteration has made it one.
  *
  * So, where the analysis cannot prove that they are disjoint and unverified values would do harm
  * (unverified.h), one thread first logs all iterations in order. It stops at the first update of

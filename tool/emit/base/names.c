@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/base/names.h"
+
+#include <string.h>
+
+#include "emit/text/origin.h"
+#include "ir/ir_position.h"
+
+/** The last identifier of a base: `b` of `s->b`. */
+static const char *short_name(const ir_node *base) {
+    if (base->kind == IR_MEMBER && base->field && base->field->name[0])
+        return base->field->name;
+    if (base->kind == IR_VARIABLE)
+        return base->variable->name;
+    return "array";
+}
+
+static void name_arrays(loop_text *loop) {
+    const loop_facts *facts = loop->facts;
+    array_text *arrays = ARENA_ARRAY(loop->arena, array_text, facts->array_count);
+    for (unsigned i = 0; i < facts->array_count; i++) {
+        const ir_node *base = facts->arrays[i].base;
+        const char *name = short_name(base);
+        for (unsigned other = 0; other < i; other++)
+            if (strcmp(short_name(facts->arrays[other].base), name) == 0) {
+                name = arena_format(loop->arena, "%s_%u", name, i);
+                break;
+            }
+        array_text *text = &arrays[i];
+        text->owner = arena_format(loop->arena, "redcc__own_%s", name);
+        if (facts->arrays[i].is_scattered)
+            continue; /* the body's own text leads to its elements */
+        text->base = loop_operand(loop, base);
+        text->is_shadowed = loop->plan->is_shadowed[i];
+        text->declarator = text->is_shadowed ? origin_declarator(loop->arena, base->variable)
+                                             : arena_format(loop->arena, "redcc__to_%s", name);
+        text->local = text->is_shadowed ? origin_variable(loop->arena, base->variable)
+                                        : arena_format(loop->arena, "redcc__to_%s", name);
+    }
+    loop->arrays = arrays;
+}
+
+static void name_counter(loop_text *loop) {
+    const counted_loop *counted = &loop->facts->counted;
+    if (!counted->counter_is_declared_in_header)
+        loop->counter_type = arena_format(loop->arena, "__typeof__(%s)",
+                                          origin_variable(loop->arena, counted->counter));
+    else if (counted->counter->type->spelling)
+        loop->counter_type = origin_type(loop->arena, counted->counter->type);
+    else
+        loop_obstacle(loop, loop->facts->loop->range, "the type of its counter has no name");
+    if (!loop->counter_type)
+        loop->counter_type = "int";
+}
+
+void name_things(loop_text *loop) {
+    name_arrays(loop);
+    name_counter(loop);
+}
+
+/* ---- declarations -------------------------------------------------------------------------- */
+
+/** The type's spelling where another function's parameter or variable is of it: every C standard
+ *  knows __restrict__, and of a parameter itself the promise is not needed. */
+static const char *spelling_of(arena *a, const ir_type *type) {
+    static const char word[] = "restrict";
+    enum { LENGTH = sizeof word - 1 };
+    buffer out = {0};
+    for (const char *at = type->spelling; *at;) {
+        const bool is_word = strncmp(at, word, LENGTH) == 0 && !source_is_name_byte(at[LENGTH]) &&
+                             (at == type->spelling || !source_is_name_byte(at[-1]));
+        if (is_word && at[LENGTH])
+            buffer_text(&out, "__restrict__");
+        else if (!is_word)
+            buffer_byte(&out, *at);
+        at += is_word ? LENGTH : 1;
+    }
+    const char *text = arena_copy(a, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return text;
+}
+
+const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {
+    arena *a = loop->arena;
+    if (!type->spelling) {
+        loop->outline.possible = false;
+        return "int";
+    }
+    const char *spelling = spelling_of(a, type);
+    const char *marked = origin_spelling(a, type, spelling);
+    const char last = spelling[0] ? spelling[strlen(spelling) - 1] : ' ';
+    if (strpbrk(spelling, "(["))
+        return arena_format(a, "__typeof__(%s) %s", marked, name);
+    return arena_format(a, last == '*' || last == ' ' ? "%s%s" : "%s %s", marked, name);
+}
+
+static const char *outlined_declaration(loop_text *loop, const ir_variable *variable) {
+    const ir_type *type = variable->type;
+    if (variable->storage == IR_THREAD_LOCAL || type->size < 0 || type->kind == IR_OTHER_TYPE)
+        loop->outline.possible = false;
+    return declaration_text(loop, type, origin_declarator(loop->arena, variable));
+}
+
+const char *outlined_name(loop_text *loop, const char *part) {
+    const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
+    return arena_format(loop->arena, "redcc__%s_%s_%u", part, loop->facts->function->name,
+                        place.line);
+}
+
+const char *private_declaration(loop_text *loop, const ir_variable *variable) {
+    if (loop->outline.done)
+        return outlined_declaration(loop, variable);
+    return arena_format(loop->arena, "__typeof__(%s) %s", origin_variable(loop->arena, variable),
+                        origin_declarator(loop->arena, variable));
+}
+
+const char *loop_lanes_name(loop_text *loop) {
+    return outlined_name(loop, "lanes") + sizeof "redcc__" - 1;
+}

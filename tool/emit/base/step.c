@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Private variables that each iteration moves by the same number (analysis/induction.h): the copy
+ * of iteration redcc__k begins with the value on entry, redcc__from_N, and redcc__k steps. Words of
+ * 64 bits wrap around, and give after conversion what the sequential loop has.
+ */
+#include "emit/base/step.h"
+
+#include <assert.h>
+
+#include "emit/text/origin.h"
+
+/** By how much an iteration moves it, in words. */
+static const char *stride_text(loop_text *loop, const private_variable *item) {
+    const ir_type *type = item->variable->type;
+    const int64_t size = type->kind == IR_POINTER ? type->target->size : 1;
+    if (!item->by)
+        return arena_format(loop->arena, "(redcc_word)%lld", (long long)(item->step * size));
+    const char *by = loop_operand(loop, item->by);
+    if (size != 1)
+        by = arena_format(loop->arena, "%lld * (redcc_word)%s", (long long)size, by);
+    return arena_format(loop->arena, "((redcc_word)%lld %c (redcc_word)%s)",
+                        (long long)(item->step * size), item->is_down ? '-' : '+', by);
+}
+
+void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
+        const char *name = origin_variable(loop->arena, item->variable);
+        if (item->by && !by_header) /* the loop is known to iterate, and to evaluate it */
+            writer_line(out, "const redcc_word redcc__by_%u = %s;", i, stride_text(loop, item));
+        if (!item->is_stepped || by_header != (item->entry != NULL))
+            continue;
+        if (by_header)
+            writer_line(out, "const redcc_word redcc__from_%u = (redcc_word)(__typeof__(%s))%s;", i,
+                        name, loop_operand(loop, item->entry));
+        else
+            writer_line(out, "const redcc_word redcc__from_%u = (redcc_word)%s;", i, name);
+    }
+}
+
+const char *stepped_value(loop_text *loop, unsigned number) {
+    assert(number < loop->facts->variables.private_count);
+    const private_variable *item = &loop->facts->variables.privates[number];
+    if (!item->is_stepped)
+        return "";
+    const char *stride =
+        item->by ? arena_format(loop->arena, "redcc__by_%u", number) : stride_text(loop, item);
+    return arena_format(loop->arena,
+                        " = (__typeof__(%s))(redcc__from_%u + %s * (redcc_word)redcc__k)",
+                        origin_variable(loop->arena, item->variable), number, stride);
+}
+
+void write_stepped_values(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
+        const char *name = origin_variable(loop->arena, item->variable);
+        const char *from = item->entry ? arena_format(loop->arena, "redcc__from_%u", i)
+                                       : arena_format(loop->arena, "(redcc_word)%s", name);
+        if (item->is_stepped && item->is_step_wanted)
+            writer_line(out, "%s = (__typeof__(%s))(%s + %s * (redcc_word)redcc__trip);", name,
+                        name, from, stride_text(loop, item));
+    }
+}

@@ -1,0 +1,397 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** What is written of the form for in-order binning (bins.c): macros of redcc/bins.h. */
+#include "emit/bins/bins.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "emit/base/names.h"
+#include "emit/text/origin.h"
+#include "emit/text/print.h"
+#include "ir/ir_syntax.h"
+#include "plan/bins.h"
+#include "plan/execution.h"
+
+/** The type of a record's value, by a name that needs no declaration; NULL of VALUE_NONE. */
+static const char *kind_text(value_kind kind) {
+    static const char *const names[] = {
+        [VALUE_INT] = "int",        [VALUE_UNSIGNED] = "redcc_u32",
+        [VALUE_LONG] = "redcc_int", [VALUE_UNSIGNED_LONG] = "redcc_word",
+        [VALUE_FLOAT] = "float",    [VALUE_DOUBLE] = "double"};
+    return names[kind];
+}
+
+static bool is_floating(value_kind kind) {
+    return kind == VALUE_FLOAT || kind == VALUE_DOUBLE;
+}
+
+/** The type of an array's rows. */
+static const char *row_type(loop_text *loop, unsigned array) {
+    const ir_type *element = loop->facts->arrays[array].element;
+    const char *type = origin_type(loop->arena, element);
+    return is_wide_row(loop->facts, loop->bins, array)
+               ? arena_format(loop->arena, "__typeof__(%s[%lld])", type,
+                              (long long)(loop->bins->row_bytes[array] / element->size))
+               : type;
+}
+
+/** Is it one of the types that the header has, of doubles or floats alone? */
+static bool is_plain_record(const bins_stream *stream) {
+    for (unsigned i = 1; i < stream_value_count(stream); i++)
+        if (stream->kinds[i] != stream->kinds[0])
+            return false;
+    return is_floating(stream->kinds[0]);
+}
+
+static const char *record_name(loop_text *loop, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    const unsigned count = stream_value_count(its);
+    if (count < 2)
+        return kind_text(its->kinds[0]);
+    return is_plain_record(its)
+               ? arena_format(loop->arena, "redcc_%s_%u", kind_text(its->kinds[0]), count)
+               : arena_format(loop->arena, "%s_%u", outlined_name(loop, "record"), stream);
+}
+
+typedef struct spelling {
+    const loop_text *loop;
+    const bins_record *record;
+    const reduction_update *update;
+    unsigned part; /* of the nest's elements */
+} spelling;
+
+/** The element that the update at hand goes to. */
+static const char *element_in_row(const spelling *its) {
+    static const char *const rows[] = {"(*redcc__to)", "(*redcc__to_1)", "(*redcc__to_2)",
+                                       "(*redcc__to_3)"};
+    const bins_stream *stream = &its->loop->bins->streams[its->record->stream];
+    unsigned array = 0;
+    while (stream->arrays[array] != its->update->array)
+        array++;
+    return is_wide_row(its->loop->facts, its->loop->bins, its->update->array)
+               ? arena_format(
+                     its->loop->arena, "%s[%u]", rows[array],
+                     part_of_row(its->loop->facts, its->loop->bins, its->update, its->part))
+               : rows[array];
+}
+
+/** The printer's hook: the element, and what the record holds. */
+static const char *name_in_record(const ir_node *node, void *context) {
+    const spelling *its = context;
+    if (!ir_is_expression(node))
+        return NULL;
+    if (syntax_same(node, its->update->target))
+        return element_in_row(its);
+    const int number = operand_number(its->record, node);
+    if (number < 0)
+        return NULL;
+    if (stream_value_count(&its->loop->bins->streams[its->record->stream]) == 1)
+        return "redcc__e";
+    const unsigned parts = nest_part_count(its->record->nest);
+    return arena_format(its->loop->arena, "redcc__e.v%u", (unsigned)number * parts + its->part);
+}
+
+/** What a record's updates do, on elements and a record. */
+static const char *record_text(loop_text *loop, const bins_record *record) {
+    writer line = {.on_one_line = true};
+    spelling its = {.loop = loop, .record = record};
+    printer p = {.arena = loop->arena, .out = &line, .rename = name_in_record, .context = &its};
+    for (unsigned i = 0; i < record->update_count; i++) {
+        its.update = record->updates[i];
+        for (its.part = 0; its.part < nest_part_count(record->nest); its.part++)
+            print_statement(&p, its.update->statement);
+    }
+    if (p.problem)
+        loop_obstacle(loop, record->updates[0]->statement->range, "%s", p.problem);
+    return writer_text(loop->arena, &line);
+}
+
+/* ---- positions ------------------------------------------------------------------------------ */
+
+/** The position of the update's element in its row, as C. */
+static const char *part_of_row_text(const loop_text *loop, const reduction_update *update) {
+    const loop_facts *facts = loop->facts;
+    const bins_nest *nest = nest_of(facts, loop->bins, update);
+    const int64_t size = facts->arrays[update->array].element->size;
+    int64_t offset;
+    const ir_node *row = row_in_bins(facts, loop->bins, update, &offset);
+    const char *text =
+        offset > 0 || !nest ? arena_format(loop->arena, "%lld", (long long)(offset / size)) : NULL;
+    for (const ir_node *node = update->target; nest && node != row; node = node->children[0]) {
+        if (node->kind != IR_INDEX || !nest_level_of(nest, node->children[1]))
+            continue;
+        const int64_t stride = node->type->size / size;
+        const char *term = text_operand(loop->arena, node->children[1], NULL, NULL);
+        if (value_kind_of(node->children[1]->type) != VALUE_INT)
+            term = arena_format(loop->arena, "(int)%s", term);
+        if (stride > 1)
+            term = arena_format(loop->arena, "%lld * %s", (long long)stride, term);
+        text = text ? arena_format(loop->arena, "%s + %s", term, text) : term;
+    }
+    return text;
+}
+
+/** The counter of a nest where it comes to the part, of its promoted type; NULL: the node is none.
+ */
+static const char *nest_counter_text(const loop_text *loop, const bins_nest *nest,
+                                     const ir_node *node, unsigned part) {
+    const struct nest_level *level = nest_level_of(nest, node);
+    if (!level)
+        return NULL;
+    const value_kind kind = value_kind_of(level->counter->type);
+    const long long value = nest_counter_value(nest, level, part);
+    return kind == VALUE_INT ? arena_format(loop->arena, "%lld", value)
+                             : arena_format(loop->arena, "((%s)%lld)", kind_text(kind), value);
+}
+
+/* ---- in the body ---------------------------------------------------------------------------- */
+
+/** How names are replaced where the counters of a nest have the values of an element. */
+typedef struct nest_names {
+    loop_text *loop;
+    const bins_nest *nest;
+    unsigned part;
+    ir_c_rename others; /* NULL: other names stay */
+} nest_names;
+
+static const char *name_in_part(const ir_node *node, void *context) {
+    const nest_names *its = context;
+    const char *counter = nest_counter_text(its->loop, its->nest, node, its->part);
+    return counter || !its->others ? counter : its->others(node, its->loop);
+}
+
+static const char *value_text(loop_text *loop, const bins_record *record, unsigned value,
+                              value_kind kind) {
+    arena *a = loop->arena;
+    const unsigned parts = nest_part_count(record->nest);
+    if (value >= record->operand_count * parts)
+        return "0"; /* others of the stream have it */
+    const ir_node *operand = record->operands[value / parts];
+    nest_names names = {.loop = loop, .nest = record->nest, .part = value % parts};
+    const char *text = is_floating(kind) ? text_expression(a, operand, name_in_part, &names)
+                                         : text_operand(a, operand, name_in_part, &names);
+    if (!text) {
+        loop_obstacle(loop, operand->range, "an operand cannot be spelled a second time");
+        return "0";
+    }
+    return macro_argument(a, is_floating(kind) ? text
+                                               : arena_format(a, "(%s)%s", kind_text(kind), text));
+}
+
+/** The values of this record. */
+static const char *values_text(loop_text *loop, const bins_record *record) {
+    const bins_stream *stream = &loop->bins->streams[record->stream];
+    const unsigned count = stream_value_count(stream);
+    buffer out = {0};
+    if (count > 1)
+        buffer_format(&out, "REDCC_VALUES_%u(", count);
+    for (unsigned i = 0; i < count; i++)
+        buffer_format(&out, "%s%s", i > 0 ? ", " : "",
+                      value_text(loop, record, i, stream->kinds[i]));
+    if (count > 1)
+        buffer_byte(&out, ')');
+    const char *text = arena_copy(loop->arena, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+static const bins_record *record_of(const bins_plan *bins, const reduction_update *update) {
+    for (const bins_record *record = bins->records;; record++)
+        for (unsigned i = 0; i < record->update_count; i++)
+            if (record->updates[i] == update)
+                return record;
+}
+
+/** Where the update goes; the macros' names say whether rows are wide. */
+static const char *place_text(loop_text *loop, const reduction_update *update,
+                              const char *address) {
+    const char *base = loop->arrays[update->array].local;
+    if (!is_wide_row(loop->facts, loop->bins, update->array))
+        return arena_format(loop->arena, "%s, %s", base, address);
+    return arena_format(loop->arena, "%s, %s, %s, %s", base, address, row_type(loop, update->array),
+                        part_of_row_text(loop, update));
+}
+
+const char *bins_update(loop_text *loop, const reduction_update *update, const char *address) {
+    const bins_record *record = record_of(loop->bins, update);
+    const bins_stream *stream = &loop->bins->streams[record->stream];
+    const char *macro =
+        is_wide_row(loop->facts, loop->bins, update->array) ? "UPDATE_ROW" : "UPDATE";
+    const char *place = place_text(loop, update, address);
+    if (record->updates[0] != update || record->nest)
+        return arena_format(loop->arena, "REDCC_%s_WITH(%u, %s)", macro, update->array, place);
+    if (stream_value_count(stream) == 0)
+        return arena_format(loop->arena, "REDCC_%s_ALIKE(%u, %u, %u, %s)", macro, update->array,
+                            record->stream, record->tag, place);
+    return arena_format(loop->arena, "REDCC_%s_BY(%u, %u, %u, %s, %s, %s)", macro, update->array,
+                        record->stream, record->tag, place, record_name(loop, record->stream),
+                        values_text(loop, record));
+}
+
+/** Appends the record of an update in a nest. */
+static const char *append_text(loop_text *loop, const bins_record *record, ir_c_rename name) {
+    const reduction_update *update = record->updates[0];
+    const bool has_values = stream_value_count(&loop->bins->streams[record->stream]) > 0;
+    nest_names names = {.loop = loop, .nest = record->nest, .others = name};
+    const char *target = text_operand(loop->arena, update->target, name_in_part, &names);
+    if (!target)
+        loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
+    const char *address =
+        macro_argument(loop->arena, arena_format(loop->arena, "&%s", target ? target : "0"));
+    const char *place = arena_format(loop->arena, "%u, %u, %u, %s, %s, %s, %u", update->array,
+                                     record->stream, record->tag, loop->arrays[update->array].local,
+                                     address, row_type(loop, update->array),
+                                     part_of_row(loop->facts, loop->bins, update, 0));
+    return has_values ? arena_format(loop->arena, "REDCC_APPEND_ROW_BY(%s, %s, %s)", place,
+                                     record_name(loop, record->stream), values_text(loop, record))
+                      : arena_format(loop->arena, "REDCC_APPEND_ROW_ALIKE(%s)", place);
+}
+
+const char *bins_appends(loop_text *loop, const ir_node *statement, ir_c_rename name) {
+    const char *text = NULL;
+    for (unsigned i = 0; loop->bins && i < loop->bins->record_count; i++) {
+        const bins_record *record = &loop->bins->records[i];
+        if (record->nest && record->nest->outermost == statement)
+            text = arena_format(loop->arena, "%s%s ", text ? text : "",
+                                append_text(loop, record, name));
+    }
+    return text;
+}
+
+/* ---- in front of the function --------------------------------------------------------------- */
+
+static unsigned tag_bits(const bins_stream *stream) {
+    unsigned bits = 0;
+    while (1u << bits < stream->tag_count)
+        bits++;
+    return bits;
+}
+
+/** The elements of the stream's arrays but for the first; then updates that differ follow their
+ *  tags. */
+static const char *updates_text(loop_text *loop, unsigned stream) {
+    const bins_plan *bins = loop->bins;
+    const bins_stream *its = &bins->streams[stream];
+    buffer out = {0};
+    for (unsigned part = 1; part < its->array_count; part++)
+        buffer_format(&out, "REDCC_APPLY_ALSO(%u, %s, %u) ", part,
+                      row_type(loop, its->arrays[part]), tag_bits(its));
+    unsigned tag = 0;
+    for (unsigned i = 0; i < bins->record_count; i++) {
+        const bins_record *record = &bins->records[i];
+        if (record->stream != stream || record->tag != tag)
+            continue;
+        const char *text = record_text(loop, record);
+        tag++;
+        if (tag < its->tag_count)
+            buffer_format(&out, "if (redcc__tag == %u) { %s} else ", record->tag, text);
+        else
+            buffer_format(&out, tag > 1 ? "{ %s}" : "%s", text);
+    }
+    const char *updates = arena_copy(loop->arena, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return updates;
+}
+
+static void write_record(loop_text *loop, writer *out, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    const unsigned count = stream_value_count(its);
+    if (count < 2 || is_plain_record(its))
+        return;
+    buffer members = {0};
+    for (unsigned i = 0; i < count; i++)
+        buffer_format(&members, "%s v%u; ", kind_text(its->kinds[i]), i);
+    writer_line(out, "typedef struct { %s} %s;", members.data, record_name(loop, stream));
+    buffer_free(&members);
+}
+
+/** Does a record make several updates of floats, between which they are rounded? */
+static bool rounds_in_between(const loop_text *loop, const bins_stream *stream) {
+    bool has_floats = false;
+    for (unsigned i = 0; i < stream->array_count; i++) {
+        const ir_type *element = loop->facts->arrays[stream->arrays[i]].element;
+        has_floats |= element->kind == IR_FLOATING && element->size == (int64_t)sizeof(float);
+    }
+    return has_floats && stream_value_count(stream) > 1;
+}
+
+void write_bins(loop_text *loop, writer *out) {
+    const bins_plan *bins = loop->bins;
+    writer_fill(out, true);
+    for (unsigned i = 0; i < bins->stream_count; i++) {
+        const bins_stream *its = &bins->streams[i];
+        const char *row = row_type(loop, its->arrays[0]);
+        write_record(loop, out, i);
+        if (stream_value_count(its) == 0)
+            writer_line(out, "REDCC_APPLY_ALIKE(%s_%u, %s, %u, %s)", outlined_name(loop, "apply"),
+                        i, row, tag_bits(its), updates_text(loop, i));
+        else
+            writer_line(out, "%sREDCC_APPLY(%s_%u, %s, %s, %u, %s)",
+                        rounds_in_between(loop, its) ? "REDCC_ROUNDED " : "",
+                        outlined_name(loop, "apply"), i, row, record_name(loop, i), tag_bits(its),
+                        updates_text(loop, i));
+    }
+    writer_fill(out, false);
+}
+
+/* ---- the loop's description ------------------------------------------------------------------ */
+
+/** May the stream's updates be made on private copies? */
+static bool is_exact(const loop_text *loop, const bins_stream *stream) {
+    for (unsigned part = 0; part < stream->array_count; part++) {
+        const reduction_array *array = &loop->facts->arrays[stream->arrays[part]];
+        if (!may_be_copied(loop->plan, array) || array->element->kind != IR_INTEGER)
+            return false;
+    }
+    for (unsigned i = 0; i < stream_value_count(stream); i++)
+        assert(!is_floating(stream->kinds[i])); /* added to integers, they keep the order */
+    return true;
+}
+
+/** The entry of a stream: by a macro, or where it has several arrays as it is. */
+static const char *stream_text(loop_text *loop, unsigned stream) {
+    const bins_stream *its = &loop->bins->streams[stream];
+    const char *apply = arena_format(loop->arena, "%s_%u", outlined_name(loop, "apply"), stream);
+    const char *record = record_name(loop, stream);
+    const char *rest = arena_format(loop->arena, "%s, %u, %d",
+                                    record ? arena_format(loop->arena, "sizeof(%s)", record) : "0",
+                                    tag_bits(its), is_exact(loop, its));
+    if (its->array_count == 1)
+        return arena_format(loop->arena, "REDCC_STREAM(%s, %u, %s, %s)", apply, its->arrays[0],
+                            row_type(loop, its->arrays[0]), rest);
+    buffer numbers = {0}, rows = {0};
+    for (unsigned part = 0; part < its->array_count; part++) {
+        const char *comma = part > 0 ? ", " : "";
+        buffer_format(&numbers, "%s%u", comma, its->arrays[part]);
+        buffer_format(&rows, "%ssizeof(%s)", comma, row_type(loop, its->arrays[part]));
+    }
+    const char *text = arena_format(loop->arena, "{%s, %u, {%s}, {%s}, %s}", apply,
+                                    its->array_count, numbers.data, rows.data, rest);
+    buffer_free(&numbers);
+    buffer_free(&rows);
+    return text;
+}
+
+unsigned bins_stream_count(const loop_text *loop) {
+    return loop->bins->stream_count;
+}
+
+void write_streams(loop_text *loop, writer *out) {
+    const unsigned count = bins_stream_count(loop);
+    for (unsigned i = 0; i < count; i++)
+        writer_line(out, "%s%s%s", i == 0 ? "static const redcc_stream redcc__streams[] = {" : "",
+                    stream_text(loop, i), i + 1 < count ? "," : "};");
+}
+
+/** May all updates be made on private copies? */
+static bool are_all_exact(const loop_text *loop) {
+    for (unsigned i = 0; i < bins_stream_count(loop); i++)
+        if (!is_exact(loop, &loop->bins->streams[i]))
+            return false;
+    return true;
+}
+
+const char *bins_phase(loop_text *loop) {
+    return arena_format(loop->arena, "REDCC_BINS_%u, %uu, %d", loop->facts->array_count,
+                        loop->bins->guarded_sources, are_all_exact(loop));
+}

@@ -1,0 +1,483 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The executor's body: the user's bytes, with the bases of the reduction arrays replaced where they
+ * are not shadowed, and each update asking first whether the thread owns the element, in runs that
+ * are guarded. Statements that a macro makes up are printed from the IR where something in them
+ * must change; all others keep every byte.
+ */
+#include "emit/body/body.h"
+
+#include <string.h>
+
+#include "emit/base/forward.h"
+#include "emit/base/names.h"
+#include "emit/base/step.h"
+#include "emit/base/wrapping.h"
+#include "emit/bins/bins.h"
+#include "emit/body/live_out.h"
+#include "emit/body/scalars.h"
+#include "emit/text/edit.h"
+#include "emit/text/origin.h"
+#include "emit/text/print.h"
+#include "ir/ir_syntax.h"
+#include "plan/inner_iterations.h"
+#include "plan/lookup.h"
+#include "plan/unroll.h"
+
+typedef struct body_copy {
+    printer printer; /* first: the printer's hook gets at the rest through it */
+    loop_text *loop;
+    edit_list edits;
+    VECTOR(const ir_node *) printed; /* statements to be printed from the IR */
+    const ir_node *within;           /* the statement that the printer is inside of */
+} body_copy;
+
+/* ---- what the printer writes --------------------------------------------------------------- */
+
+static const char *local_name(const ir_node *node, void *context) {
+    const loop_text *loop = context;
+    const int array = loop_array_of_base(loop->facts, node);
+    return array >= 0 ? loop->arrays[array].local : forward_read_name(loop, node);
+}
+
+/** The same where the program may not come to what is written: sums wrap around. */
+static const char *bare_name(const ir_node *node, void *context) {
+    const char *name = local_name(node, context);
+    arena *a = ((const loop_text *)context)->arena;
+    return name ? name : wrapping_operation(a, node, bare_name, context);
+}
+
+/** Not to catch an `else` of its own, nor to look as if it did. */
+static bool needs_braces(const reduction_update *update) {
+    return update->last || update->statement->kind != IR_EXPRESSION;
+}
+
+/** `{ if (!redcc__guarded || redcc_owns(...)) `: what goes before an update. */
+static const char *guard_text(loop_text *loop, const reduction_update *update) {
+    const char *target = text_operand(loop->arena, update->target, local_name, loop);
+    if (!target) {
+        loop_obstacle(loop, update->target->range, "an updated element cannot be spelled");
+        return "";
+    }
+    const char *address = macro_argument(loop->arena, arena_format(loop->arena, "&%s", target));
+    const char *brace = needs_braces(update) ? "{ " : "";
+    if (loop->bins)
+        return arena_format(loop->arena, "{ %s %s", bins_update(loop, update, address), brace);
+    if (loop->outline.done)
+        return arena_format(loop->arena, "{ REDCC_UPDATE(%u, %s) %s", update->array, address,
+                            brace);
+    return arena_format(loop->arena, "{ if (!redcc__guarded || redcc_owns(&%s, &%s)) %s",
+                        loop->arrays[update->array].owner, target, brace);
+}
+
+static const char *guard_end(const reduction_update *update) {
+    return needs_braces(update) ? "} }" : "}";
+}
+
+/** s += e: the operand is kept. */
+static bool print_operand(body_copy *copy, const ir_node *statement) {
+    loop_text *loop = copy->loop;
+    const int number = scalar_update_at(loop->facts, statement);
+    if (number < 0)
+        return false;
+    const ir_node *value = loop->facts->scalars[number].value;
+    const char *text = value ? text_expression(loop->arena, value, local_name, loop) : "1";
+    if (!text)
+        loop_obstacle(loop, statement->range, "an operand cannot be spelled a second time");
+    write_operand(loop, copy->printer.out, (unsigned)number, text ? text : "0");
+    return true;
+}
+
+/** o[t] = e; the value, and the store from where the others take it as well. */
+static bool print_forward(body_copy *copy, const ir_node *statement) {
+    loop_text *loop = copy->loop;
+    writer *out = copy->printer.out;
+    const forwarded_store *store = forward_stored_by(loop->facts, statement);
+    if (!store)
+        return false;
+    const reduction_update *update = loop_update_at(loop->facts, statement);
+    write_forward(loop, out, store, local_name, loop);
+    writer_line(out, "%s", guard_text(loop, update));
+    write_forwarded_store(loop, out, store, local_name, loop);
+    writer_line(out, "%s", guard_end(update));
+    return true;
+}
+
+/** k = e; and that it was assigned in this iteration. */
+static bool print_noted(body_copy *copy, const ir_node *statement) {
+    const int number = sought_value_of(copy->loop->facts, statement);
+    if (number < 0 || copy->within == statement)
+        return false;
+    writer_line(copy->printer.out, "{");
+    copy->within = statement;
+    print_statement(&copy->printer, statement);
+    copy->within = NULL;
+    write_note(copy->loop, copy->printer.out, (unsigned)number);
+    writer_line(copy->printer.out, "}");
+    return true;
+}
+
+/** What a loop over constants adds, in bins; then the loop. */
+static bool print_appends(body_copy *copy, const ir_node *statement) {
+    const char *appends =
+        copy->within == statement ? NULL : bins_appends(copy->loop, statement, local_name);
+    if (!appends)
+        return false;
+    writer_line(copy->printer.out, "{ %s", appends);
+    copy->within = statement;
+    print_statement(&copy->printer, statement);
+    copy->within = NULL;
+    writer_line(copy->printer.out, "}");
+    return true;
+}
+
+static bool print_guard(printer *p, const ir_node *statement) {
+    body_copy *copy = (body_copy *)p;
+    if (print_appends(copy, statement) || print_operand(copy, statement) ||
+        print_forward(copy, statement) || print_noted(copy, statement))
+        return true;
+    if (copy->within == statement)
+        return false;
+    const reduction_update *update = loop_update_at(copy->loop->facts, statement);
+    if (!update)
+        return false;
+    if (update->last)
+        loop_obstacle(copy->loop, statement->range,
+                      "an update of several statements cannot be spelled a second time");
+    writer_line(p->out, "%s", guard_text(copy->loop, update));
+    copy->within = statement;
+    print_statement(p, statement);
+    copy->within = NULL;
+    writer_line(p->out, "%s", guard_end(update));
+    return true;
+}
+
+/* ---- edits --------------------------------------------------------------------------------- */
+
+/** As many line ends as bytes [begin, end) hold, so that what follows keeps its line number. */
+static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end) {
+    const char *text = loop->unit->source->text;
+    buffer out = {0};
+    for (uint32_t i = begin; i < end; i++)
+        if (text[i] == '\n')
+            buffer_byte(&out, '\n');
+    const char *ends = arena_copy(loop->arena, out.length > 0 ? out.data : "", out.length);
+    buffer_free(&out);
+    return ends;
+}
+
+static void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text) {
+    loop_text *loop = copy->loop;
+    text = arena_format(loop->arena, "%s%s", text, line_ends(loop, begin, end));
+    edit_replace(loop->arena, &copy->edits, begin, end, text);
+}
+
+static bool is_printed(const body_copy *copy, const ir_node *node) {
+    for (unsigned i = 0; i < copy->printed.count; i++)
+        if (ir_contains(copy->printed.items[i], node))
+            return true;
+    return false;
+}
+
+static void print_instead(body_copy *copy, const ir_node *statement) {
+    const ir_node *body = copy->loop->facts->counted.body;
+    const ir_node *whole = syntax_editable_statement(statement, body);
+    if (!whole)
+        loop_obstacle(copy->loop, statement->range,
+                      "one macro call stands for several statements of the body");
+    else if (!is_printed(copy, whole))
+        VECTOR_PUSH(copy->loop->arena, &copy->printed, whole);
+}
+
+/* ---- names --------------------------------------------------------------------------------- */
+
+/** Another name for this very node: NULL, with *is_base set where it is an array's own. */
+static const char *other_name(const loop_text *loop, const ir_node *node, bool *is_base) {
+    const int array = loop_array_of_base(loop->facts, node);
+    *is_base = array >= 0;
+    if (array >= 0)
+        return loop->arrays[array].is_shadowed ? NULL : loop->arrays[array].local;
+    return forward_read_name(loop, node);
+}
+
+/** Visits each node in the body that must be replaced by another name. */
+static void visit_names(body_copy *copy, const ir_node *node,
+                        void (*visit)(body_copy *, const ir_node *, const char *name)) {
+    bool is_base;
+    const char *name = other_name(copy->loop, node, &is_base);
+    if (name)
+        visit(copy, node, name);
+    if (name || is_base)
+        return;
+    for (unsigned i = 0; i < node->child_count; i++)
+        visit_names(copy, node->children[i], visit);
+}
+
+static void print_name_in_macro(body_copy *copy, const ir_node *node, const char *name) {
+    (void)name;
+    if (node->flags & IR_FROM_MACRO)
+        print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
+}
+
+static void replace_name(body_copy *copy, const ir_node *node, const char *name) {
+    if (!is_printed(copy, node))
+        replace_bytes(copy, node->range.begin, node->range.end, name);
+}
+
+/* ---- guards -------------------------------------------------------------------------------- */
+
+static void choose_noted(body_copy *copy, const ir_node *node) {
+    if (sought_value_of(copy->loop->facts, node) >= 0)
+        print_instead(copy, node);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        choose_noted(copy, node->children[i]);
+}
+
+/** What a call of an accessor stands for is written as it was analysed. */
+static void choose_accessors(body_copy *copy, const ir_node *node) {
+    if (node->flags & IR_FROM_CALL)
+        print_instead(copy, syntax_enclosing_statement(node, copy->loop->facts->counted.body));
+    for (unsigned i = 0; !(node->flags & IR_FROM_CALL) && i < node->child_count; i++)
+        choose_accessors(copy, node->children[i]);
+}
+
+static void choose_printed_updates(body_copy *copy) {
+    const loop_facts *facts = copy->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const ir_node *statement = facts->updates[i].statement;
+        if (statement->kind == IR_DECLARATOR)
+            statement = statement->parent;
+        if (syntax_editable_statement(statement, facts->counted.body) != statement)
+            print_instead(copy, statement);
+    }
+}
+
+static void choose_printed_nests(body_copy *copy, const ir_node *node) {
+    const ir_node *body = copy->loop->facts->counted.body;
+    if (node->kind == IR_FOR && bins_appends(copy->loop, node, local_name) &&
+        syntax_editable_statement(node, body) != node)
+        print_instead(copy, node);
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        choose_printed_nests(copy, node->children[i]);
+}
+
+static void append_nests(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const char *appends = node->kind == IR_FOR && !is_printed(copy, node)
+                              ? bins_appends(loop, node, local_name)
+                              : NULL;
+    if (appends) {
+        edit_insert(loop->arena, &copy->edits, node->range.begin,
+                    arena_format(loop->arena, "{ %s", appends));
+        edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, node),
+                    " }");
+    }
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        append_nests(copy, node->children[i]);
+}
+
+/** The address of a row that the program may not come to, as a number. */
+static const char *row_number(loop_text *loop, const ir_node *row) {
+    row_address address;
+    return row_address_of(row, &address)
+               ? address_number(loop->arena, &address, NULL, bare_name, loop)
+               : NULL;
+}
+
+/** What asks whether the thread owns any of the rows; NULL: it cannot be spelled. */
+static const char *skip_question(loop_text *loop, const inner_skip *skip) {
+    const char *question = "";
+    for (unsigned i = 0; i < skip->row_count; i++) {
+        const ir_node *row = skip->rows[i]->row;
+        const char *number = row_number(loop, row);
+        if (!number)
+            return NULL;
+        question = arena_format(loop->arena, "%s%sREDCC_OWNS_ROW(%u, %s, %lld)", question,
+                                i > 0 ? " || " : "", skip->rows[i]->array,
+                                macro_argument(loop->arena, number), (long long)row->type->size);
+    }
+    return arena_format(loop->arena, "REDCC_TURN(%s) ", question);
+}
+
+/** Inner iterations that are not the thread's part are left out as soon as that is known. */
+static void skip_inner_iterations(body_copy *copy, const ir_node *node) {
+    loop_text *loop = copy->loop;
+    const inner_skip *skip = is_printed(copy, node) ? NULL : skip_of(loop->plan, node);
+    const char *question = skip ? skip_question(loop, skip) : NULL;
+    if (question &&
+        syntax_editable_statement(skip->before, loop->facts->counted.body) == skip->before &&
+        !is_printed(copy, skip->before)) {
+        edit_insert(loop->arena, &copy->edits, skip->before->range.begin, question);
+        return;
+    }
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        skip_inner_iterations(copy, node->children[i]);
+}
+
+static void unroll_loops(body_copy *copy, const ir_node *node) {
+    if (is_unrolled_in_body(node) && !is_printed(copy, node) &&
+        takes_pragma(copy->loop->plan, node))
+        edit_insert(copy->loop->arena, &copy->edits, node->range.begin, "REDCC_UNROLLED ");
+    for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
+        unroll_loops(copy, node->children[i]);
+}
+
+static void guard_updates(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    for (unsigned i = 0; i < loop->facts->update_count; i++) {
+        const reduction_update *update = &loop->facts->updates[i];
+        const ir_node *first = update->statement;
+        const ir_node *last = update->last ? update->last : first;
+        if (first->kind == IR_DECLARATOR)
+            first = first->parent;
+        if (update->last && (is_printed(copy, first) || is_printed(copy, last)))
+            loop_obstacle(loop, first->range,
+                          "an update of several statements cannot be spelled a second time");
+        if (is_printed(copy, first))
+            continue;
+        edit_insert(loop->arena, &copy->edits, first->range.begin, guard_text(loop, update));
+        edit_insert(loop->arena, &copy->edits, syntax_statement_end(loop->unit->source, last),
+                    arena_format(loop->arena, " %s", guard_end(update)));
+    }
+}
+
+/* ---- the copy ------------------------------------------------------------------------------ */
+
+/** A statement from the IR, on one line. */
+static const char *printed_text(body_copy *copy, const ir_node *statement) {
+    writer line = {.on_one_line = true};
+    copy->printer.out = &line;
+    print_statement(&copy->printer, statement);
+    return writer_text(copy->loop->arena, &line);
+}
+
+static void drop_increment(body_copy *copy) {
+    const loop_text *loop = copy->loop;
+    const ir_node *increment = body_increment(loop->facts);
+    if (!increment)
+        return;
+    increment = syntax_enclosing_statement(increment, loop->facts->counted.body);
+    replace_bytes(copy, increment->range.begin, syntax_statement_end(loop->unit->source, increment),
+                  "");
+}
+
+static void drop_distributed_stores(body_copy *copy) {
+    const distribution *stores = copy->loop->facts->distribution;
+    for (unsigned i = 0; stores && i < stores->count; i++) {
+        const ir_node *store = stores->stores[i].statement;
+        replace_bytes(copy, store->range.begin,
+                      syntax_statement_end(copy->loop->unit->source, store), "{ }");
+    }
+}
+
+/** The body's text, what of it is the user's marked. */
+static const char *copied_text(body_copy *copy) {
+    loop_text *loop = copy->loop;
+    const ir_node *body = loop->facts->counted.body;
+    const source *text = loop->unit->source;
+    if (body->range.begin <= loop->facts->loop->range.begin) /* the header's macro has it as well */
+        VECTOR_PUSH(loop->arena, &copy->printed, body);
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        print_instead(copy, loop->facts->scalars[i].statement);
+    for (unsigned i = 0; i < loop->facts->forward_count; i++)
+        print_instead(copy, loop->facts->forwards[i].statement);
+    if (has_sought_values(loop->facts))
+        choose_noted(copy, body);
+    visit_names(copy, body, print_name_in_macro);
+    choose_accessors(copy, body);
+    choose_printed_updates(copy);
+    choose_printed_nests(copy, body);
+    visit_names(copy, body, replace_name);
+    if (loop->outline.done)
+        skip_inner_iterations(copy, body);
+    append_nests(copy, body);
+    guard_updates(copy);
+    unroll_loops(copy, body);
+    if (is_printed(copy, body))
+        return printed_text(copy, body);
+
+    drop_increment(copy);
+    drop_distributed_stores(copy);
+    for (unsigned i = 0; i < copy->printed.count; i++) {
+        const ir_node *statement = copy->printed.items[i];
+        replace_bytes(copy, statement->range.begin, syntax_statement_end(text, statement),
+                      printed_text(copy, statement));
+    }
+    buffer out = {0};
+    if (!edit_apply_marked(&out, text->text, body->range.begin, syntax_statement_end(text, body),
+                           &copy->edits))
+        loop_obstacle(loop, body->range, "the changes to its text overlap");
+    const char *result = arena_copy(loop->arena, out.data ? out.data : "", out.length);
+    buffer_free(&out);
+    return result;
+}
+
+static bool reads_below(const ir_node *node, const ir_variable *variable, const ir_node *left_out) {
+    if (node->kind == IR_VARIABLE && node->variable == variable)
+        return true;
+    if (node == left_out)
+        return false;
+    unsigned first = 0;
+    if (node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
+        ir_child(node, 0)->kind == IR_VARIABLE && !ir_value_is_used(node))
+        first = 1; /* only written */
+    for (unsigned i = first; i < node->child_count; i++)
+        if (reads_below(node->children[i], variable, left_out))
+            return true;
+    return false;
+}
+
+bool body_reads(const loop_facts *facts, const ir_variable *variable) {
+    return reads_below(facts->counted.body, variable, body_increment(facts));
+}
+
+static void declare_variables(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    const ir_variable *counter = facts->counted.counter;
+    if (!loop->outline.done)
+        writer_line(out, "%s %s%s = %s;", loop->counter_type,
+                    origin_declarator(loop->arena, counter),
+                    body_reads(facts, counter) ? "" : " __attribute__((__unused__))",
+                    loop_counter_value(loop));
+    for (unsigned i = 0; i < facts->variables.private_count; i++) {
+        const private_variable *item = &facts->variables.privates[i];
+        if (item->is_declared_inside || item->is_live_after)
+            continue;
+        writer_line(out, "%s%s%s;", private_declaration(loop, item->variable),
+                    body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
+                    stepped_value(loop, i));
+    }
+    declare_forwards(loop, out, false);
+    declare_repeated_operands(loop, out);
+}
+
+static const char *pragma_in_body(const ir_node *loop) {
+    return is_unrolled_in_body(loop) ? "REDCC_UNROLLED " : "";
+}
+
+void write_iteration(loop_text *loop, writer *out) {
+    const ir_node *body = loop->facts->counted.body;
+    body_copy copy = {.printer = {.arena = loop->arena,
+                                  .rename = local_name,
+                                  .context = loop,
+                                  .before = print_guard,
+                                  .in_front_of_for = pragma_in_body},
+                      .loop = loop};
+    if (loop->outline.done)
+        writer_fill(out, true);
+    declare_variables(loop, out);
+    if (loop->outline.done)
+        writer_fill(out, false);
+    note_no_operands(loop, out);
+    const char *text = copied_text(&copy);
+    if (copy.printer.problem)
+        loop_obstacle(loop, body->range, "%s", copy.printer.problem);
+    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, body->range.begin),
+                  loop_column_blanks(loop, body->range.begin));
+    const bool continues = loop->outline.done && ir_continues(body);
+    buffer_text(&out->out, continues ? "do " : "");
+    buffer_text(&out->out, text);
+    buffer_text(&out->out, continues ? " while (0);\n" : "\n");
+    if (!loop->outline.done)
+        buffer_format(&out->out, "%s\n", loop_line_directive(loop, loop->facts->loop->range.begin));
+}

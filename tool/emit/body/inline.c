@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * gcc inlines a static function of any size where it is called at one place only. In the generated
+ * text that place stands several times, and a large function of the loop's would no longer be
+ * inlined: measured at 12 % of a loop over triangles. So it is declared to be. (clang weighs the
+ * calls by themselves and takes no such declaration after the definition.)
+ */
+#include <string.h>
+
+#include "emit/body/body.h"
+#include "emit/text/origin.h"
+
+/** Options that change from function to function may forbid to inline one into another. */
+static bool has_compiler_pragmas(const ir_unit *unit) {
+    for (unsigned i = 0; i < unit->directive_count; i++)
+        if (unit->directives[i].kind == IR_DIRECTIVE_PRAGMA &&
+            strstr(unit->directives[i].text, "GCC"))
+            return true;
+    return false;
+}
+
+/** The declarator's text: attributes that libclang does not know are seen in it. */
+static bool is_declared_plainly(const ir_unit *unit, const ir_function *function) {
+    const char *at = unit->source->text + function->range.begin;
+    const char *const body = unit->source->text + function->body->range.begin;
+    for (; at < body; at++)
+        if (strncmp(at, "__attribute", 11) == 0 || strncmp(at, "[[", 2) == 0)
+            return false;
+    return true;
+}
+
+static bool is_called_once(const ir_unit *unit, const ir_function *function) {
+    return function->body && function->linkage.is_static && function->is_in_main_file &&
+           function->reference_count == 1 && !function->is_variadic && !function->has_attributes &&
+           function->body->range.end > function->range.begin && is_declared_plainly(unit, function);
+}
+
+/** Has something else, a parameter perhaps, the function's name? Where the declaration stands it
+ * may be in front. */
+static bool is_name_shared(const ir_unit *unit, const char *name) {
+    if (unit->text.inner_names && map_get(unit->text.inner_names, name, strlen(name)))
+        return true;
+    for (unsigned i = 0; i < unit->variable_count; i++)
+        if (unit->variables[i]->name && strcmp(unit->variables[i]->name, name) == 0)
+            return true;
+    return false;
+}
+
+typedef struct declaring {
+    const loop_text *loop;
+    writer *out;
+    bool is_open;
+} declaring;
+
+static bool declare_callee(ir_node *node, void *context) {
+    declaring *d = context;
+    if (node->kind != IR_CALL || node->children[0]->kind != IR_FUNCTION ||
+        !is_called_once(d->loop->unit, node->children[0]->function) ||
+        is_name_shared(d->loop->unit, node->children[0]->function->name))
+        return true;
+    const char *name = origin_function_declarator(d->loop->arena, node->children[0]->function);
+    if (d->loop->outline.done) {
+        writer_line(d->out, "REDCC_KEEP_INLINED(%s)", name);
+        return true;
+    }
+    if (!d->is_open)
+        buffer_text(&d->out->out, "#if !defined(__clang__) && defined(__OPTIMIZE__)\n"
+                                  "#pragma GCC diagnostic ignored \"-Wnested-externs\"\n"
+                                  "#pragma GCC diagnostic ignored \"-Wredundant-decls\"\n");
+    d->is_open = true;
+    writer_line(d->out, "extern __inline__ __typeof__(%s) %s __attribute__((__always_inline__));",
+                name, name);
+    return true;
+}
+
+void declare_inlined(loop_text *loop, writer *out) {
+    declaring d = {.loop = loop, .out = out};
+    if (has_compiler_pragmas(loop->unit))
+        return;
+    ir_walk(loop->facts->loop, declare_callee, &d);
+    if (d.is_open)
+        buffer_text(&out->out, "#endif\n");
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Private variables that some iterations assign, and whose value is wanted after the loop: that of
+ * the last iteration that assigned them. Each thread notes the value with the iteration's number,
+ * in redcc__own_N and redcc__when_N; of all threads' the one with the highest number counts.
+ * Several threads that execute an iteration note the same.
+ */
+#include "emit/body/live_out.h"
+
+#include "emit/text/origin.h"
+#include "plan/lookup.h"
+
+void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
+            continue;
+        const char *name =
+            origin_variable(loop->arena, loop->facts->variables.privates[i].variable);
+        writer_line(out, "redcc_int redcc__%s_%u = -1;", in_region ? "when" : "latest", i);
+        writer_line(out, "__typeof__(%s) redcc__%s_%u = 0;", name, in_region ? "own" : "found", i);
+    }
+}
+
+void write_note(loop_text *loop, writer *out, unsigned number) {
+    writer_line(out, "if (redcc__k >= redcc__when_%u) {", number);
+    writer_line(out, "    redcc__when_%u = redcc__k;", number);
+    writer_line(out, "    redcc__own_%u = %s;", number,
+                origin_variable(loop->arena, loop->facts->variables.privates[number].variable));
+    writer_line(out, "}");
+}
+
+void gather_sought_values(loop_text *loop, writer *out) {
+    if (!has_sought_values(loop->facts))
+        return;
+    buffer_text(&out->out, "#pragma omp critical (redcc__found)\n");
+    writer_line(out, "{");
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
+            continue;
+        writer_line(out, "    if (redcc__when_%u > redcc__latest_%u) {", i, i);
+        writer_line(out, "        redcc__latest_%u = redcc__when_%u;", i, i);
+        writer_line(out, "        redcc__found_%u = redcc__own_%u;", i, i);
+        writer_line(out, "    }");
+    }
+    writer_line(out, "}");
+}
+
+void take_sought_values(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        if (!loop->facts->variables.privates[i].is_last_sought)
+            continue;
+        writer_line(out, "if (redcc__latest_%u >= 0) {", i);
+        writer_line(out, "    %s = redcc__found_%u; }",
+                    origin_variable(loop->arena, loop->facts->variables.privates[i].variable), i);
+    }
+}
+
+/* ---- assigned in each iteration ------------------------------------------------------------ */
+
+/** A value to start with, for the compiler's flow analysis: that does not know that the loop has
+ *  iterations, and that each of them assigns one. */
+static const char *start_value(const ir_type *type) {
+    if (type->size < 0)
+        return "";
+    return type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}" : " = 0";
+}
+
+void declare_last_values(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
+        if (item->is_live_after)
+            writer_line(out, "__typeof__(%s) redcc__last_%s%s;",
+                        origin_variable(loop->arena, item->variable), item->variable->name,
+                        start_value(item->variable->type));
+    }
+}
+
+static void copy_value(writer *out, const ir_type *type, const char *to, const char *from) {
+    if (type->kind == IR_ARRAY)
+        writer_line(out, "__builtin_memcpy(%s, %s, sizeof(%s));", to, from, to);
+    else
+        writer_line(out, "%s = %s;", to, from);
+}
+
+void write_last_values(loop_text *loop, writer *out, bool into_variables) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
+        if (!item->is_live_after)
+            continue;
+        const char *name = origin_variable(loop->arena, item->variable);
+        const char *last = arena_format(loop->arena, "redcc__last_%s", item->variable->name);
+        copy_value(out, item->variable->type, into_variables ? name : last,
+                   into_variables ? last : name);
+    }
+}
+
+/** Private variables whose last value is wanted outlive the iterations of a chunk. */
+void declare_live_privates(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
+        const private_variable *item = &loop->facts->variables.privates[i];
+        if (!item->is_live_after)
+            continue;
+        writer_line(out, "__typeof__(%s) %s%s;", origin_variable(loop->arena, item->variable),
+                    origin_declarator(loop->arena, item->variable),
+                    start_value(item->variable->type));
+    }
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Scalars that the loop accumulates into: each iteration keeps its operands, redcc__operands_N[k],
+ * and after the loop they are applied in order. An iteration that may not come to the update notes
+ * in redcc__made_N[k] whether it did: of one that did not nothing is applied, so that memory is
+ * written only where an iteration would have written it. Where several threads execute an
+ * iteration, each for its own elements, all of them store the same, indivisibly.
+ */
+#include "emit/body/scalars.h"
+
+#include "emit/text/origin.h"
+#include "ir/ir_words.h"
+
+static const char *type_of(const scalar_update *update) {
+    static const char *const types[] = {"redcc_word", "float", "double"};
+    return types[update->operand];
+}
+
+/** What changes nothing when integers are put together. */
+static const char *neutral_of(const scalar_update *update) {
+    switch (update->op) {
+    case IR_OP_MULTIPLY:
+        return "1";
+    case IR_OP_BIT_AND:
+        return "~(redcc_word)0";
+    default:
+        return "0";
+    }
+}
+
+static char sign_of(ir_operator op) {
+    switch (op) {
+    case IR_OP_ADD:
+        return '+';
+    case IR_OP_SUBTRACT:
+        return '-';
+    case IR_OP_MULTIPLY:
+        return '*';
+    case IR_OP_BIT_AND:
+        return '&';
+    case IR_OP_BIT_OR:
+        return '|';
+    default:
+        return '^';
+    }
+}
+
+static void declare_room(writer *out, const char *type, const char *name, unsigned number) {
+    writer_line(out, "%s *const redcc__%s_%u =", type, name, number);
+    writer_line(out, "    (%s *)redcc_operands_take(&redcc__loop, redcc__trip, sizeof(%s));", type,
+                type);
+}
+
+void declare_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        declare_room(out, type_of(&loop->facts->scalars[i]), "operands", i);
+        if (loop->facts->scalars[i].is_conditional)
+            declare_room(out, "unsigned char", "made", i);
+    }
+}
+
+const char *operands_are_there(loop_text *loop) {
+    const char *text = NULL;
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        text = text ? arena_format(loop->arena, "%s && redcc__operands_%u", text, i)
+                    : arena_format(loop->arena, "redcc__operands_%u", i);
+        if (loop->facts->scalars[i].is_conditional)
+            text = arena_format(loop->arena, "%s && redcc__made_%u", text, i);
+    }
+    return text;
+}
+
+/** "" where each iteration comes to the update. */
+static const char *made_text(loop_text *loop, unsigned number, bool is_made) {
+    return loop->facts->scalars[number].is_conditional
+               ? arena_format(loop->arena,
+                              "__atomic_store_n(&redcc__made_%u[redcc__k], %d, __ATOMIC_RELAXED);",
+                              number, is_made)
+               : "";
+}
+
+/** One statement, in the place of the user's. */
+static void store_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
+    const char *type = type_of(&loop->facts->scalars[number]);
+    writer_line(out,
+                "{ %s redcc__operand = (%s)%s; "
+                "__atomic_store(&redcc__operands_%u[redcc__k], &redcc__operand, "
+                "__ATOMIC_RELAXED); %s }",
+                type, type, value, number, made_text(loop, number, true));
+}
+
+/** What an iteration puts together of an update in a loop inside: redcc__so_far_N. */
+void declare_repeated_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_repeated)
+            writer_line(out, "redcc_word redcc__so_far_%u = %s;", i,
+                        neutral_of(&loop->facts->scalars[i]));
+}
+
+void note_no_operands(loop_text *loop, writer *out) {
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++)
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "%s", made_text(loop, i, false));
+}
+
+void write_operand(loop_text *loop, writer *out, unsigned number, const char *value) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    const char *operand = arena_format(loop->arena, "(%s)", value);
+    if (update->is_repeated) /* what is subtracted is added up */
+        operand = arena_format(loop->arena, "(redcc__so_far_%u %c= (redcc_word)%s)", number,
+                               update->op == IR_OP_SUBTRACT ? '+' : sign_of(update->op), operand);
+    store_operand(loop, out, number, operand);
+}
+
+static void apply_extremum(loop_text *loop, writer *out, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    arena *a = loop->arena;
+    const char *name = loop_operand(loop, update->target);
+    const char *operand = arena_format(a, "redcc__operands_%u[redcc__i]", number);
+    if (update->operand == OPERAND_INTEGER)
+        operand = arena_format(a, "(__typeof__(%s))%s", name, operand);
+    const char *place = "";
+    if (update->place)
+        place =
+            arena_format(a, " %s = (%s)(redcc__lower + %s * redcc__i);",
+                         origin_variable(a, update->place), loop->counter_type, loop_step(loop));
+    writer_line(out, "        if (%s(%s %s %s)) { %s = %s;%s }", update->is_negated ? "!" : "",
+                operand, ir_operator_spelling(update->op), name, name, operand, place);
+}
+
+static void apply_sum(loop_text *loop, writer *out, unsigned number) {
+    const scalar_update *update = &loop->facts->scalars[number];
+    const char *name = loop_operand(loop, update->target);
+    const char *from = update->operand == OPERAND_INTEGER ? "(redcc_word)" : "";
+    writer_line(out, "        %s = (__typeof__(%s))(%s%s %c redcc__operands_%u[redcc__i]);", name,
+                name, from, name, sign_of(update->op), number);
+}
+
+/** Several updates of an iteration are applied as they stand in it. */
+void apply_operands(loop_text *loop, writer *out) {
+    if (loop->facts->scalar_count == 0)
+        return;
+    writer_line(out, "if (redcc__done) {");
+    writer_line(out, "    redcc_int redcc__i;");
+    writer_line(out, "    for (redcc__i = 0; redcc__i < redcc__trip; redcc__i++) {");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "        if (redcc__made_%u[redcc__i]) {", i);
+        if (loop->facts->scalars[i].is_extremum)
+            apply_extremum(loop, out, i);
+        else
+            apply_sum(loop, out, i);
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "        }");
+    }
+    writer_line(out, "    }");
+    writer_line(out, "}");
+    for (unsigned i = 0; i < loop->facts->scalar_count; i++) {
+        writer_line(out, "redcc_operands_give(redcc__operands_%u);", i);
+        if (loop->facts->scalars[i].is_conditional)
+            writer_line(out, "redcc_operands_give(redcc__made_%u);", i);
+    }
+}

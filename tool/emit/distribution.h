@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** Stores that are made after all iterations. */
+#ifndef EMIT_DISTRIBUTION_H
+#define EMIT_DISTRIBUTION_H
+
+#include "emit/base/loop.h"
+
+/** After the loop, where it has run in parallel, the stores that are made then. */
+void write_distributed_stores(loop_text *loop, writer *out);
+
+#endif

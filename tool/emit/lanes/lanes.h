@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The form for several iterations at once (redcc/lanes.h). */
+#ifndef EMIT_LANES_LANES_H
+#define EMIT_LANES_LANES_H
+
+#include "emit/base/loop.h"
+
+/** The function that executes several iterations at once, where it is asked for and the body can be
+ *  written so; sets loop->lanes and the outcome. */
+void write_lanes(loop_text *loop, writer *out);
+
+#endif

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
+ * written once more for vectors.
+ */
+#ifndef EMIT_LANES_LIFTER_H
+#define EMIT_LANES_LIFTER_H
+
+#include "emit/base/loop.h"
+#include "plan/lanes.h"
+#include "support/vector.h"
+
+/** A function written for vectors, with parameters of these classes. */
+typedef struct lane_clone {
+    const ir_function *function;
+    const lane_class *classes; /* [parameter_count] */
+    bool is_masked;            /* its first parameter is the mask of the lanes that call it */
+    const char *name;
+} lane_clone;
+
+typedef VECTOR(lane_clone) lane_clone_list;
+
+typedef struct lifter {
+    lane_scope in; /* what is being written */
+    loop_text *loop;
+    lane_clone_list *clones;
+    writer *front; /* functions that must stand in front */
+    writer *out;
+    unsigned depth;        /* of calls */
+    bool *is_kept;         /* by variable: in some lanes it keeps what it held */
+    const char *mask;      /* of the lanes that do what is being written; NULL: all do */
+    const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
+    bool may_be_none;      /* perhaps there is no such lane */
+    unsigned *mask_count;
+} lifter;
+
+/** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
+ * that is the same for all lanes. */
+typedef struct lifted {
+    const char *text;
+    bool is_vector;
+} lifted;
+
+/** lanes_real.c: what is called one way for doubles and another way for floats. */
+typedef struct lane_words {
+    const char *vector; /* the type of their vectors */
+    const char *gather; /* makes one of a lane's text */
+    const char *same;   /* makes one of a scalar */
+    const char *select; /* of two, by a mask */
+    const char *mask;   /* makes one of a comparison */
+    const char *of;     /* makes one of a vector of the others */
+    const char *scalar; /* the type of one */
+} lane_words;
+
+/** Those of a type that lane_is_real. */
+const lane_words *lane_words_of(const ir_type *type);
+/** The expression's value, computed in its own type, in that of `to`, as C converts it. */
+lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to);
+/** The value as a vector, also where all lanes are the same. */
+const char *lane_spread(lifter *l, lifted value, const ir_type *type);
+
+/** lanes_expression.c: the expression for all lanes, converted to a type that lane_is_real. */
+lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to);
+/** The same as a vector, also where all lanes are the same. */
+const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to);
+/** The text of lane redcc__l; of a uniform expression its own. */
+const char *lane_scalar(lifter *l, const ir_node *node);
+/** The text of a uniform condition, without parentheses around it. */
+const char *lane_condition(lifter *l, const ir_node *node);
+/** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
+const char *lane_rename(const ir_node *node, void *context);
+/** The call of a function written for vectors. */
+const char *lane_call(lifter *l, const ir_node *call);
+
+/** lanes_mask.c: which lanes a condition holds for. */
+const char *lane_mask(lifter *l, const ir_node *node);
+/** Writes a variable for the lanes of l->mask of which the condition holds as well; its name. */
+const char *lane_new_mask(lifter *l, const char *condition);
+/** The text of one lane's value; 0 in lanes that do not evaluate it, where it may not be. */
+const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
+/** Do lanes that do not execute an assignment to the variable need its old value? */
+bool lane_needs_select(const lifter *l, const ir_variable *variable);
+/** Writes an `if` whose condition is not the same for all lanes. */
+void lane_masked_if(lifter *l, const ir_node *node);
+
+/** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
+void lane_declare(lifter *l, const ir_variable *variable);
+/** The type without qualifiers of its own. */
+const char *lane_type(lifter *l, const ir_type *type);
+/** Writes what stands in a block that is open, and closes it. */
+void lane_part(lifter *l, const ir_node *part);
+/** Writes what the statement computes, for all lanes. */
+void lane_statement(lifter *l, const ir_node *statement);
+
+/** lanes_loop.c: writes a `for` in a block, which begins with what the `for` declares. */
+void lane_for(lifter *l, const ir_node *loop);
+
+#endif

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/**
+ * The inspector: the slice of the body that computes the subscripts, and where the body would
+ * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
+ * only compares it with what the iterations before have touched.
+ */
+#include "emit/slice/slice.h"
+
+#include "analysis/base/expression.h"
+#include "analysis/base/row_steps.h"
+#include "emit/base/forward.h"
+#include "emit/base/names.h"
+#include "emit/base/step.h"
+#include "emit/slice/access_log.h"
+#include "emit/text/origin.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+#include "plan/unconditional.h"
+
+static bool is_declared_in_block(const ir_node *node) {
+    return node->kind == IR_DECLARATOR && node->parent->kind == IR_DECLARATION &&
+           node->parent->parent && node->parent->parent->kind == IR_BLOCK;
+}
+
+/** Is this the statement before which the source's address is to be told, or the declarator? Those
+ *  before it in its declaration may be needed for the address. */
+static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
+    if (!read->place || read->place == facts->loop)
+        return statement == facts->counted.body;
+    if (read->place == statement || is_declared_in_block(read->place))
+        return read->place == statement;
+    return syntax_enclosing_statement(read->place, facts->counted.body) == statement;
+}
+
+static bool before_statement(printer *p, const ir_node *statement) {
+    inspector *self = (inspector *)p;
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const int number = self->loop->plan->source_number[i];
+        if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&
+            is_place(facts, &facts->sources[i], statement)) {
+            tell_read(self, &facts->sources[i], number);
+            self->source_told[i] = true;
+        }
+    }
+    self->is_bare = is_bare(facts, statement);
+    const forwarded_store *store = forward_stored_by(facts, statement);
+    if (store && facts->slice.holds[statement->id])
+        write_forward(self->loop, p->out, store, inspector_note_variable, self);
+    bool is_update = false;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (facts->updates[i].statement == statement) {
+            tell_update(self, &facts->updates[i]);
+            self->update_told[i] = true;
+            is_update = true;
+        }
+    self->is_bare = is_bare(facts, statement);
+    const ir_node *increment = facts->counted.increment;
+    return is_update || statement == increment ||
+           (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
+}
+
+/* ---- loops told at once -------------------------------------------------------------------- */
+
+static bool is_at_once(const printer *p, const ir_node *loop) {
+    return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
+}
+
+static void list_row(inspector *self, row_list *rows, told_row item) {
+    for (unsigned i = 0; i < rows->count; i++)
+        if (told_same(&rows->items[i], &item)) {
+            rows->items[i].is_bare |= item.is_bare;
+            return;
+        }
+    VECTOR_PUSH(self->printer.arena, rows, item);
+}
+
+/** What the body of a span tells, each row once. */
+static row_list rows_of_span(inspector *self, const ir_node *body) {
+    const loop_facts *facts = self->loop->facts;
+    row_list rows = {0};
+    for (unsigned i = 0; i < facts->source_count; i++) {
+        const loop_source *read = &facts->sources[i];
+        const int number = self->loop->plan->source_number[i];
+        if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_LOGGED || !read->place ||
+            !ir_contains(body, read->place))
+            continue;
+        list_row(self, &rows, (told_row){read->row, number, 0, source_is_bare(facts, read)});
+        self->source_told[i] = true;
+    }
+    for (unsigned i = 0; i < facts->update_count; i++) {
+        const reduction_update *update = &facts->updates[i];
+        if (!ir_contains(body, update->statement))
+            continue;
+        list_row(self, &rows,
+                 (told_row){update->row, SOURCE_NOT_LOGGED, update->array,
+                            update_is_bare(facts, update)});
+        self->update_told[i] = true;
+    }
+    return rows;
+}
+
+/** The counter has its first value; afterwards it has the one that the loop leaves it with. */
+static void tell_at_once(printer *p, const ir_node *loop) {
+    inspector *self = (inspector *)p;
+    const counted_loop *counted = &span_of(self->loop->facts, loop)->counted;
+    const char *counter = origin_variable(p->arena, counted->counter);
+    const row_list rows = rows_of_span(self, counted->body);
+    for (unsigned i = 0; i < rows.count; i++)
+        if (expression_mentions(rows.items[i].row, counted->counter)) {
+            self->is_bare = rows.items[i].is_bare;
+            writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
+                        tell_address_text(self, rows.items[i].row, counted->counter));
+        }
+    for (unsigned i = 0; i < rows.count; i++) {
+        const told_row *item = &rows.items[i];
+        self->is_bare = item->is_bare;
+        if (!expression_mentions(item->row, counted->counter))
+            tell_row(self, item->row, told_is_update(item), told_number(item), NULL);
+    }
+    self->is_bare = is_bare(self->loop->facts, loop);
+    writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
+                tell_row_text(self, counted->bound),
+                counted->comparison == IR_OP_LESS ? " - 1" : "");
+    for (unsigned i = 0; i < rows.count; i++)
+        if (expression_mentions(rows.items[i].row, counted->counter))
+            tell_up_to(self, &rows.items[i], i, counted->counter);
+    if (!counted->counter_is_declared_in_header)
+        writer_line(p->out, "%s++;", counter);
+}
+
+/** Nothing that the loop touches may stay untold. */
+static void check_all_told(inspector *self) {
+    const loop_facts *facts = self->loop->facts;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (!self->update_told[i])
+            loop_obstacle(self->loop, facts->updates[i].target->range,
+                          "the inspector cannot reach an update of '%s'",
+                          facts->arrays[facts->updates[i].array].name);
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].extent == EXTENT_TOUCHED && !self->source_told[i] &&
+            self->loop->plan->source_number[i] != SOURCE_NOT_LOGGED)
+            loop_obstacle(self->loop, facts->sources[i].row->range,
+                          "the inspector cannot reach a read of '%s'", facts->sources[i].name);
+}
+
+/* ---- the variables of the slice ------------------------------------------------------------ */
+
+/** Is the variable needed by what was printed, or by an address that was told? */
+static bool is_needed(const inspector *self, const ir_variable *variable) {
+    const loop_facts *facts = self->loop->facts;
+    if (self->is_mentioned[variable->id])
+        return true;
+    for (unsigned i = 0; i < facts->update_count; i++)
+        if (expression_mentions(facts->updates[i].row, variable))
+            return true;
+    for (unsigned i = 0; i < facts->source_count; i++)
+        if (facts->sources[i].extent == EXTENT_TOUCHED && self->source_told[i] &&
+            expression_mentions(facts->sources[i].row, variable))
+            return true;
+    return false;
+}
+
+static void declare_variables(const inspector *self, writer *out) {
+    loop_text *loop = self->loop;
+    const loop_facts *facts = loop->facts;
+    const ir_variable *counter = facts->counted.counter;
+    const char *unused = is_needed(self, counter) ? "" : " __attribute__((__unused__))";
+    if (!loop->outline.done)
+        writer_line(out, "%s %s%s = %s;", loop->counter_type,
+                    origin_declarator(loop->arena, counter), unused, loop_counter_value(loop));
+    for (unsigned i = 0; i < facts->variables.private_count; i++) {
+        const ir_variable *variable = facts->variables.privates[i].variable;
+        if (!facts->variables.privates[i].is_declared_inside && is_needed(self, variable))
+            writer_line(out, "%s%s;", private_declaration(loop, variable), stepped_value(loop, i));
+    }
+    declare_forwards(loop, out, true);
+}
+
+/** Rows that an iteration reads without logging them, at the end of the slice. */
+static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
+    const prefetch_plan *prefetch = &loop->plan->prefetch;
+    writer_fill(out, true);
+    for (unsigned i = 0; i < prefetch->gather_count; i++) {
+        const gather *one = &prefetch->gathers[i];
+        if (!is_mentioned[one->subscript->id])
+            continue;
+        is_mentioned[one->base->id] = true;
+        writer_line(out, "REDCC_AHEAD(%s, %s);", origin_variable(loop->arena, one->base),
+                    origin_variable(loop->arena, one->subscript));
+    }
+    writer_fill(out, false);
+}
+
+static void tell_gathers(printer *p) {
+    inspector *self = (inspector *)p;
+    if (self->is_either)
+        write_gathers(self->loop, p->out, self->is_mentioned);
+}
+
+/** The statements follow the declarations, from `before` on, on their line: how much of the first
+ *  one's indentation is to be left out. */
+static size_t goes_on(const inspector *self, writer *out, size_t before, const writer *slice) {
+    if (!self->is_either || self->printer.continues || out->out.length == before ||
+        slice->out.length == 0)
+        return 0;
+    size_t indentation = 0;
+    while (slice->out.data[indentation] == ' ')
+        indentation++;
+    out->out.data[out->out.length - 1] = ' ';
+    return indentation;
+}
+
+/** The slice; for the text that does either, with the variables that it names. */
+static void write_statements(loop_text *loop, writer *out, bool probes, bool is_either,
+                             bool *is_mentioned) {
+    const loop_facts *facts = loop->facts;
+    inspector self = {.printer = {.arena = loop->arena,
+                                  .keep = facts->slice.holds,
+                                  .before = before_statement,
+                                  .is_at_once = is_at_once,
+                                  .print_at_once = tell_at_once,
+                                  .at_end = tell_gathers},
+                      .loop = loop,
+                      .probes = probes,
+                      .is_either = is_either,
+                      .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
+                      .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
+                      .is_mentioned = is_mentioned};
+    self.printer.rename = inspector_note_variable;
+    self.printer.context = &self;
+    writer slice = {.depth = out->depth, .fills = is_either};
+    self.printer.out = &slice;
+    print_body(&self.printer, facts->counted.body);
+    check_all_told(&self);
+    if (self.printer.problem)
+        loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
+
+    if (is_either)
+        writer_fill(out, true);
+    const size_t before = out->out.length;
+    declare_variables(&self, out);
+    if (is_either)
+        writer_fill(out, false);
+    const size_t indentation = goes_on(&self, out, before, &slice);
+    if (probes)
+        writer_line(out, "redcc_probe redcc__probe = {0, 0};");
+    /* `continue` of the user's loop goes to the end of the slice, not past what follows it */
+    if (self.printer.continues)
+        writer_line(out, "do {");
+    buffer_append(&out->out, slice.out.data ? slice.out.data + indentation : "",
+                  slice.out.length - indentation);
+    if (self.printer.continues)
+        writer_line(out, "} while (0);");
+    buffer_free(&slice.out);
+}
+
+void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned) {
+    write_statements(loop, out, false, true, is_mentioned);
+}
+
+void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
+    write_statements(loop, out, probes, false,
+                     ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1));
+    if (probes) {
+        writer_line(out, "if (!redcc_is_alike(&redcc__probe))");
+        writer_line(out, "    break;");
+    } else {
+        writer_line(out, "redcc_iteration_done(&redcc__worker);");
+        if (loop->plan->precheck != PRECHECK_NONE)
+            writer_line(out, "%s:;", dry_run_end(loop));
+    }
+}

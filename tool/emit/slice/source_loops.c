@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/** The inspector's own copies of loops of functions that the user's loop calls, around what these
+ *  read: `for (; redcc__each_0 < 4; redcc__each_0++)`. */
+#include "analysis/base/expression.h"
+#include "emit/slice/slice.h"
+#include "ir/ir_words.h"
+
+const char *source_loop_counter(arena *a, unsigned depth) {
+    return arena_format(a, "redcc__each_%u", depth);
+}
+
+/** Does what is told, and how often, depend on this loop's counter? */
+static bool is_asked_for(const loop_source *read, unsigned depth) {
+    const ir_variable *counter = read->loops[depth].counter;
+    for (unsigned i = depth + 1; i < read->loop_count; i++)
+        if (expression_mentions(read->loops[i].lower, counter) ||
+            expression_mentions(read->loops[i].bound, counter))
+            return true;
+    return expression_mentions(read->row, counter);
+}
+
+const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
+                               const char *counter, const char *bound, bool is_span) {
+    const source_loop *loop = &read->loops[depth];
+    const char *condition =
+        arena_format(a, "%s %s %s", counter, ir_operator_spelling(loop->comparison), bound);
+    if (is_span || !is_asked_for(read, depth))
+        return arena_format(a, "if (%s)", condition);
+    if (loop->step == 1 || loop->step == -1)
+        return arena_format(a, "for (; %s; %s%s)", condition, counter,
+                            loop->step == 1 ? "++" : "--");
+    return arena_format(a, "for (; %s; %s = (__typeof__(%s))(%s + %lld))", condition, counter,
+                        counter, counter, (long long)loop->step);
+}

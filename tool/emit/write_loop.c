@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#include "emit/write_loop.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "analysis/base/distributed.h"
+#include "analysis/base/loop_text.h"
+#include "emit/as_compiled.h"
+#include "emit/base/names.h"
+#include "emit/base/step.h"
+#include "emit/body/body.h"
+#include "emit/body/live_out.h"
+#include "emit/body/scalars.h"
+#include "emit/call.h"
+#include "emit/distribution.h"
+#include "emit/macro_names.h"
+#include "emit/outline.h"
+#include "emit/region.h"
+#include "emit/text/origin.h"
+#include "ir/ir_position.h"
+#include "ir/ir_syntax.h"
+#include "plan/lookup.h"
+
+static void write_execution(loop_text *loop, writer *out) {
+    writer_line(out, "if (REDCC_ENTER(%s))%s", loop->plan->source_count > 0 ? "redcc__known" : "0",
+                loop->outline.done ? "" : " {");
+    if (!loop->outline.done)
+        writer_fill(out, false);
+    write_region(loop, out);
+    if (!loop->outline.done) {
+        writer_fill(out, true);
+        writer_line(out, "}");
+    }
+    writer_line(out, "redcc__done = redcc_leave(&redcc__call);");
+    write_distributed_stores(loop, out);
+}
+
+/** What is evaluated only once the loop is known to iterate: its text may not be valid before. */
+static void write_attempt(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    writer_line(out, "REDCC_ATTEMPT(%u, %u, %u);", facts->array_count, loop->plan->source_count,
+                loop->plan->execution.key_count);
+    if (loop->outline.done && loop->plan->prefetch.ahead > 0)
+        writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
+    declare_extents(loop, out);
+    declare_operands(loop, out);
+    declare_entry_values(loop, out, false);
+    write_thread_local_copies(loop, out, false);
+    for (unsigned i = 0; i < facts->array_count; i++)
+        if (facts->arrays[i].is_scattered)
+            writer_line(out, "redcc__bases[%u] = 0;", i);
+        else
+            writer_line(out, "REDCC_BASE(%u, %s);", i,
+                        macro_argument(loop->arena, loop_operand(loop, facts->arrays[i].base)));
+    fill_key(loop, out);
+    fill_extents(loop, out);
+    const char *memory = operands_are_there(loop), *known = extents_are_known(loop);
+    const bool is_conditional = memory || known;
+    if (is_conditional) {
+        writer_line(out, "if (%s%s%s) {", known ? known : "", known && memory ? " && " : "",
+                    memory ? memory : "");
+        out->depth++;
+    }
+    write_execution(loop, out);
+    if (is_conditional) {
+        out->depth--;
+        writer_line(out, "}");
+    }
+    apply_operands(loop, out);
+}
+
+/** The variables that the loop leaves: beside the sequential form, so that compilers see that one
+ * of the two assigns them. */
+static void write_outcome(loop_text *loop, writer *out) {
+    const loop_facts *facts = loop->facts;
+    out->depth++;
+    if (counter_outlives(facts))
+        writer_line(out, "%s = (%s)redcc__final;",
+                    origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
+    write_last_values(loop, out, true);
+    write_stepped_values(loop, out);
+    take_sought_values(loop, out);
+    out->depth--;
+}
+
+static const char *heading(loop_text *loop) {
+    buffer out = {0};
+    for (unsigned i = 0; i < loop->facts->array_count; i++) {
+        const reduction_array *array = &loop->facts->arrays[i];
+        buffer_format(&out, "%s%s (%s)", i > 0 ? ", " : "", array->name,
+                      array->order_is_kept ? "order kept" : reduction_operator_spelling(array->op));
+    }
+    /* a name is C text: it holds no end of a comment but in a string or comment of its own */
+    const char *text = strstr(out.data, "*/") ? "" : arena_copy(loop->arena, out.data, out.length);
+    buffer_free(&out);
+    return text;
+}
+
+/** What of the text is there only where the loop may run in parallel. */
+const char *loop_condition(const loop_text *loop) {
+    const bool has_branch = has_branches(loop), rounds = loop->facts->slice.has_floating_work;
+    if (!has_branch && !rounds)
+        return "#ifdef _OPENMP\n";
+    return arena_format(loop->arena, "#if defined(_OPENMP)%s%s\n",
+                        has_branch ? " && defined(redcc__as_compiled)" : "",
+                        rounds ? " && REDCC_ROUNDS_ALIKE" : "");
+}
+
+/** Why iterations are executed one at a time, where they were not to be. */
+static void write_no_lanes(const loop_text *loop, writer *out) {
+    const lanes_outcome *outcome = loop->lanes.outcome;
+    if (outcome && outcome->why != LANES_WRITTEN)
+        writer_line(out, "/* redcc: one iteration at a time: line %u: %s (%s) */",
+                    ir_position_of(loop->unit, outcome->range.begin).line,
+                    lane_reason_message(outcome->why), lane_reason_slug(outcome->why));
+}
+
+/** The block's first brace, where this compilation is the one that it is written for. */
+static void open_block(loop_text *loop, writer *out) {
+    static const char *const promises[] = {"with the bits of the sequential loop",
+                                           "with the same bits at every thread count",
+                                           "in any order"};
+    _Static_assert(sizeof promises / sizeof *promises == ORDER_ANY + 1, "all orders");
+    assert(loop->options->order <= ORDER_ANY);
+    if (has_branches(loop)) {
+        buffer_byte(&out->out, '\n');
+        begin_as_compiled(loop, &out->out);
+        buffer_text(&out->out, "#ifdef redcc__as_compiled\n");
+    }
+    writer_line(out, "{ /* redcc: in parallel, %s: %s */", promises[loop->options->order],
+                heading(loop));
+    buffer_text(&out->out, has_branches(loop) ? "#endif\n" : "");
+    write_no_lanes(loop, out);
+}
+
+static void write_parallel_form(loop_text *loop, writer *out) {
+    open_block(loop, out);
+    buffer_text(&out->out, loop_condition(loop));
+    out->depth = 1;
+    const char *unfused = loop->is_unfused ? "REDCC_UNFUSED_BLOCK " : "";
+    if (!loop->outline.done) {
+        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
+        declare_inlined(loop, out);
+    }
+    writer_fill(out, true);
+    if (loop->outline.done)
+        writer_line(out, "%sREDCC_QUIET_BEGIN", unfused);
+    write_description(loop, out);
+    const char *entry = write_trip_count(loop, out);
+    declare_entry_values(loop, out, true);
+    declare_last_values(loop, out);
+    declare_sought_values(loop, out, false);
+    writer_line(out, "int redcc__done = 0;");
+    writer_line(out, "if (%s) {", entry);
+    out->depth++;
+    write_attempt(loop, out);
+    out->depth--;
+    writer_line(out, "}");
+    /* not `if (!redcc__done)`: compilers would take an `else` in the loop for ambiguous */
+    writer_line(out, "REDCC_QUIET_END if (redcc__done) {");
+    write_outcome(loop, out);
+    writer_line(out, "} else");
+    writer_fill(out, false);
+    buffer_text(&out->out, "#endif\n");
+}
+
+static void write_sequential_form(loop_text *loop, writer *out, ir_range range) {
+    const char *text = loop->whole->source->text;
+    buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.begin),
+                  loop_column_blanks(loop, range.begin));
+    origin_copy(&out->out, text, range.begin, range.end);
+}
+
+/** After the loop: how long it took is of use the next time. */
+static void write_timing(loop_text *loop, writer *out, ir_range range) {
+    const bool may_be_alone = loop->facts->slice.has_floating_work; /* with nothing to be timed */
+    if (!may_be_alone && !has_branches(loop)) {
+        buffer_text(&out->out, " REDCC_SEQUENTIAL_DONE }");
+        return;
+    }
+    buffer_byte(&out->out, '\n');
+    if (may_be_alone) {
+        buffer_text(&out->out, loop_condition(loop));
+        writer_line(out, "redcc_sequential_done(REDCC_DESCRIPTOR);");
+        buffer_text(&out->out, "#endif\n");
+    }
+    if (has_branches(loop)) {
+        buffer_format(&out->out, "#ifdef redcc__as_compiled\n%s }\n#endif\n",
+                      may_be_alone ? "" : "REDCC_SEQUENTIAL_DONE");
+        end_as_compiled(loop, &out->out);
+        buffer_format(&out->out, "%s\n%s", loop_line_directive(loop, range.end),
+                      loop_column_blanks(loop, range.end));
+    } else {
+        buffer_format(&out->out, "%s\n%s}", loop_line_directive(loop, range.end - 1),
+                      loop_column_blanks(loop, range.end - 1));
+    }
+}
+
+/** Sets the outcome, as far as the plan knows it. */
+static bool may_have_lanes(const loop_text *loop) {
+    const lane_reason why = loop->plan->no_lanes;
+    *loop->lanes.outcome = (lanes_outcome){why, loop->facts->loop->range};
+    return why == LANES_WRITTEN;
+}
+
+/** What goes in front of the function, in the first form from *form on that is possible. */
+static void write_front(loop_text *loop, loop_form *form, loop_piece *front) {
+    for (; !loop->obstacle && *form != FORM_IN_PLACE; (*form)++) {
+        loop->lanes =
+            (lanes_text){.is_wanted = *form == FORM_LANES, .outcome = loop->lanes.outcome};
+        loop->bins = NULL;
+        loop->outline.done = false;
+        if (*form == FORM_LANES && !may_have_lanes(loop))
+            continue;
+        if (*form == FORM_BINNED)
+            loop->bins = loop->plan->bins;
+        if (*form == FORM_BINNED && !loop->bins)
+            continue;
+        front->text = write_outlined(loop, &front->replaced.begin);
+        front->replaced.end = front->replaced.begin;
+        if (front->text && (*form != FORM_LANES || loop->lanes.name))
+            break;
+        front->text = NULL;
+        loop->obstacle = NULL; /* perhaps there is none in the next form */
+    }
+    lanes_outcome *outcome = loop->lanes.outcome;
+    if (outcome && *form != FORM_LANES && outcome->why == LANES_WRITTEN)
+        *outcome = (lanes_outcome){NO_LANES_PLACE, loop->facts->loop->range};
+}
+
+bool write_loop(loop_text loop, loop_form *form, loop_piece *front, loop_piece *block,
+                reason *why) {
+    const ir_node *whole = loop.facts->loop;
+    writer out = {0};
+    distributed_take_out(loop.facts->distribution);
+    name_things(&loop);
+    write_front(&loop, form, front);
+    block->replaced = (ir_range){loop_text_begin(loop.whole, whole),
+                                 syntax_statement_end(loop.unit->source, whole)};
+    assert(block->replaced.begin <= whole->range.begin && whole->range.end <= block->replaced.end);
+    write_parallel_form(&loop, &out);
+    write_sequential_form(&loop, &out, block->replaced);
+    write_timing(&loop, &out, block->replaced);
+    assert(out.depth == 1);
+    check_macro_names(&loop, &out.out);
+    block->text = writer_text(loop.arena, &out);
+    distributed_put_back(loop.facts->distribution);
+    *why = (reason){.message = loop.obstacle, .range = loop.obstacle_range};
+    return !loop.obstacle;
+}
