@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** One execution as the runtime is told of it: how many iterations, which arrays, what they read.
+/** One execution as the runtime sees it: how many iterations, which arrays, what they read.
  */
 #ifndef EMIT_CALL_H
 #define EMIT_CALL_H

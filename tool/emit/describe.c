@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The loop as the runtime is told of it: static descriptions, and the key of one execution. */
+/** The loop as the runtime sees it: static descriptions, and the key of one execution. */
 #include <assert.h>
 
 #include "emit/bins/bins.h"

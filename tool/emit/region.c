@@ -49,7 +49,7 @@ void write_thread_local_copies(loop_text *loop, writer *out, bool in_region) {
 
 /* ---- the region ---------------------------------------------------------------------------- */
 
-/** Iterations that need not be told are gone through in a loop of their own, in which nothing is
+/** Iterations that need not be logged are gone through in a loop of their own, in which nothing is
  *  called or stored: the compiler keeps in registers what does not change. */
 static void write_probing(loop_text *loop, writer *out) {
     writer_line(out, "if (redcc_is_settled(&redcc__worker)) {");
@@ -110,10 +110,10 @@ static void write_run(loop_text *loop, writer *out) {
     write_iteration(loop, out);
     out->depth--;
     writer_line(out, "}");
-    if (has_last_values(loop->facts)) {
+    if (has_live_outs(loop->facts)) {
         writer_line(out, "if (redcc__end == redcc__trip && redcc_claims_last(&redcc__worker)) {");
         out->depth++;
-        write_last_values(loop, out, false);
+        write_live_outs(loop, out, false);
         out->depth--;
         writer_line(out, "}");
     }
@@ -152,13 +152,13 @@ void write_region(loop_text *loop, writer *out) {
     out->depth++;
     writer_line(out, "redcc_worker redcc__worker;");
     writer_line(out, "redcc_int redcc__k;");
-    declare_sought_values(loop, out, true);
+    declare_conditional_live_outs(loop, out, true);
     write_thread_local_copies(loop, out, true);
     writer_line(out, "redcc_join(&redcc__worker, &redcc__call, omp_get_thread_num(), "
                      "omp_get_num_threads());");
     write_inspector(loop, out);
     write_executor(loop, out);
-    gather_sought_values(loop, out);
+    gather_conditional_live_outs(loop, out);
     out->depth--;
     writer_line(out, "}");
 }

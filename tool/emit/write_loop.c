@@ -78,9 +78,9 @@ static void write_outcome(loop_text *loop, writer *out) {
     if (counter_outlives(facts))
         writer_line(out, "%s = (%s)redcc__final;",
                     origin_variable(loop->arena, facts->counted.counter), loop->counter_type);
-    write_last_values(loop, out, true);
+    write_live_outs(loop, out, true);
     write_stepped_values(loop, out);
-    take_sought_values(loop, out);
+    take_conditional_live_outs(loop, out);
     out->depth--;
 }
 
@@ -149,8 +149,8 @@ static void write_parallel_form(loop_text *loop, writer *out) {
     write_description(loop, out);
     const char *entry = write_trip_count(loop, out);
     declare_entry_values(loop, out, true);
-    declare_last_values(loop, out);
-    declare_sought_values(loop, out, false);
+    declare_live_outs(loop, out);
+    declare_conditional_live_outs(loop, out, false);
     writer_line(out, "int redcc__done = 0;");
     writer_line(out, "if (%s) {", entry);
     out->depth++;

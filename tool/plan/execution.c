@@ -26,7 +26,7 @@ key_form form_of_key(const ir_type *type) {
     }
 }
 
-/** May a plan be kept? Only while it can be told where what it knows of has moved to. */
+/** May a plan be kept? Only while it is known where the rows in it have moved to. */
 static bool is_verifiable(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
     if (!facts->slice.is_verifiable)
@@ -52,7 +52,7 @@ static unsigned stepped_count(const loop_facts *facts) {
 }
 
 static bool has_values_beside(const loop_facts *facts) {
-    return facts->scalar_count > 0 || has_sought_values(facts);
+    return facts->scalar_count > 0 || has_conditional_live_outs(facts);
 }
 
 /** What an iteration leaves beside its updates must be there, also if it makes none. */

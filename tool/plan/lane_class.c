@@ -72,11 +72,11 @@ bool lane_is_uniform(const lane_scope *l, const ir_node *node) {
     return true;
 }
 
-bool lane_mentions_lifted(const lane_scope *l, const ir_node *node) {
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+bool lane_mentions_vector(const lane_scope *l, const ir_node *node) {
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VECTOR)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (lane_mentions_lifted(l, node->children[i]))
+        if (lane_mentions_vector(l, node->children[i]))
             return true;
     return false;
 }
@@ -92,13 +92,14 @@ bool lane_is_plain(const ir_node *node) {
     return true;
 }
 
-/** The lifted variable whose element or value this is, by subscripts that are allowed, or NULL. */
-static const ir_variable *lifted_root(const lane_scope *l, const ir_node *node,
+/** The lane_value variable whose element or value this is, by subscripts that are allowed, or NULL.
+ */
+static const ir_variable *vector_root(const lane_scope *l, const ir_node *node,
                                       bool (*allows)(const lane_scope *l,
                                                      const ir_node *subscript)) {
     for (;;) {
         if (node->kind == IR_VARIABLE)
-            return l->class_of[node->variable->id] == LANE_LIFTED ? node->variable : NULL;
+            return l->class_of[node->variable->id] == LANE_VECTOR ? node->variable : NULL;
         if (node->kind == IR_INDEX && allows(l, node->children[1]))
             node = node->children[0];
         else if (node->kind == IR_UNARY &&
@@ -109,25 +110,25 @@ static const ir_variable *lifted_root(const lane_scope *l, const ir_node *node,
     }
 }
 
-const ir_variable *lane_lifted_root(const lane_scope *l, const ir_node *node) {
-    return lifted_root(l, node, lane_is_uniform);
+const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node) {
+    return vector_root(l, node, lane_is_uniform);
 }
 
 static bool is_of_a_lane(const lane_scope *l, const ir_node *subscript) {
-    return lane_is_plain(subscript) && !lane_mentions_lifted(l, subscript);
+    return lane_is_plain(subscript) && !lane_mentions_vector(l, subscript);
 }
 
-const ir_variable *lane_lifted_element(const lane_scope *l, const ir_node *node) {
-    return lifted_root(l, node, is_of_a_lane);
+const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node) {
+    return vector_root(l, node, is_of_a_lane);
 }
 
-bool lane_has_whole_lifted(const lane_scope *l, const ir_node *node) {
-    if (lane_is_real(node->type) && lane_lifted_element(l, node))
+bool lane_has_whole_vector(const lane_scope *l, const ir_node *node) {
+    if (lane_is_real(node->type) && lane_vector_element(l, node))
         return false;
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VECTOR)
         return true;
     for (unsigned i = 0; i < node->child_count; i++)
-        if (lane_has_whole_lifted(l, node->children[i]))
+        if (lane_has_whole_vector(l, node->children[i]))
             return true;
     return false;
 }
@@ -146,7 +147,7 @@ bool lane_has_operator(ir_operator op) {
 }
 
 bool lane_is_safe(const lane_scope *l, const ir_node *node) {
-    if (lane_is_real(node->type) && lane_lifted_root(l, node))
+    if (lane_is_real(node->type) && lane_vector_root(l, node))
         return true;
     if (node->kind == IR_INDEX || node->kind == IR_CALL || node->kind == IR_ASSIGN ||
         node->kind == IR_OPAQUE || (node->kind == IR_MEMBER && node->flags & IR_ARROW) ||
@@ -170,7 +171,7 @@ bool lane_is_safe(const lane_scope *l, const ir_node *node) {
 /** `d > 0 ? 1 : 0`: the operands may as well be converted before one is taken, where none is
  *  converted to an integer of another type. */
 bool lane_is_integer_choice(const lane_scope *l, const ir_node *node) {
-    return node->kind == IR_CONDITIONAL && lane_mentions_lifted(l, node->children[0]) &&
+    return node->kind == IR_CONDITIONAL && lane_mentions_vector(l, node->children[0]) &&
            ir_type_equal(node->children[1]->type, node->type) &&
            ir_type_equal(node->children[2]->type, node->type);
 }
@@ -185,7 +186,7 @@ static lane_class first_class(lane_scope *l, const ir_variable *variable, const 
         variable->storage == IR_STATIC_LOCAL || variable->storage == IR_THREAD_LOCAL)
         lane_problem(l, NO_LANES_STORAGE, node);
     if (lane_is_real(innermost) && type->size > 0)
-        return LANE_LIFTED;
+        return LANE_VECTOR;
     if (type->kind != IR_INTEGER && type->kind != IR_BOOLEAN && type->kind != IR_POINTER)
         lane_problem(l, NO_LANES_VARIABLE_TYPE, node);
     return LANE_UNIFORM;
@@ -201,7 +202,7 @@ static bool find_mask(ir_node *node, void *context) {
     lane_scope *l = context;
     if (node->kind == IR_DECLARATOR && node->child_count > 0 && lane_is_own(l, node->variable) &&
         node->variable->type->kind == IR_INTEGER && node->variable->type->is_const &&
-        is_truth(node->children[0]) && lane_mentions_lifted(l, node->children[0]))
+        is_truth(node->children[0]) && lane_mentions_vector(l, node->children[0]))
         l->class_of[node->variable->id] = LANE_MASK;
     return true;
 }
@@ -215,7 +216,7 @@ static void spread(spreading *s, const ir_variable *variable, const ir_node *val
     lane_scope *l = s->l;
     if (!lane_is_own(l, variable) || l->class_of[variable->id] != LANE_UNIFORM)
         return;
-    if (variable->type->kind == IR_POINTER && lane_mentions_lifted(l, value))
+    if (variable->type->kind == IR_POINTER && lane_mentions_vector(l, value))
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
     if (lane_is_uniform(l, value))
         return;

@@ -18,7 +18,7 @@ typedef enum lane_class {
     LANE_UNIFORM, /* the same in all lanes: a scalar */
     LANE_VARYING, /* an integer or pointer of each lane: an array of them */
     LANE_MASK,  /* a constant integer that is a comparison of doubles or floats: a mask, -1 for 1 */
-    LANE_LIFTED /* a double or float, or an array of them, of each lane: vectors */
+    LANE_VECTOR /* a double or float, or an array of them, of each lane: vectors */
 } lane_class;
 
 /** What is written for vectors: the loop's body, or a function that it calls. */
@@ -45,13 +45,13 @@ bool lane_is_own(const lane_scope *l, const ir_variable *variable);
 bool lane_is_uniform(const lane_scope *l, const ir_node *node);
 /** No call, no assignment in it. */
 bool lane_is_plain(const ir_node *node);
-/** Is a lifted variable mentioned other than for one of its elements? */
-bool lane_has_whole_lifted(const lane_scope *l, const ir_node *node);
-bool lane_mentions_lifted(const lane_scope *l, const ir_node *node);
-/** The lifted variable whose element or value this is, the same one in all lanes, or NULL. */
-const ir_variable *lane_lifted_root(const lane_scope *l, const ir_node *node);
+/** Is a lane_value variable mentioned other than for one of its elements? */
+bool lane_has_whole_vector(const lane_scope *l, const ir_node *node);
+bool lane_mentions_vector(const lane_scope *l, const ir_node *node);
+/** The lane_value variable whose element or value this is, the same one in all lanes, or NULL. */
+const ir_variable *lane_vector_root(const lane_scope *l, const ir_node *node);
 /** The same where each lane may have another element: its subscripts are integers of the lane. */
-const ir_variable *lane_lifted_element(const lane_scope *l, const ir_node *node);
+const ir_variable *lane_vector_element(const lane_scope *l, const ir_node *node);
 /** A double or a float: what has vectors. */
 bool lane_is_real(const ir_type *type);
 /** May it be evaluated where the program does not? */

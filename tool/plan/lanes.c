@@ -17,8 +17,8 @@ static bool has_other_values(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_stepped)
             return true;
-    return facts->scalar_count > 0 || facts->forward_count > 0 || has_sought_values(facts) ||
-           has_last_values(facts);
+    return facts->scalar_count > 0 || facts->forward_count > 0 ||
+           has_conditional_live_outs(facts) || has_live_outs(facts);
 }
 
 lane_reason plan_lanes(const loop_plan *plan) {
@@ -97,7 +97,7 @@ static void check_update(lane_scope *l, const ir_node *statement) {
     bool is_plain = value && (value->kind == IR_ASSIGN || value->kind == IR_UNARY);
     for (unsigned i = 0; is_plain && i < value->child_count; i++)
         is_plain =
-            lane_is_plain(value->children[i]) && !lane_has_whole_lifted(l, value->children[i]);
+            lane_is_plain(value->children[i]) && !lane_has_whole_vector(l, value->children[i]);
     if (!is_plain)
         lane_problem(l, NO_LANES_UPDATE, statement);
 }
@@ -110,9 +110,9 @@ static bool check_update_node(ir_node *node, void *context) {
         check_update(l, node);
         return false;
     }
-    if (lane_is_real(node->type) && lane_lifted_element(l, node))
+    if (lane_is_real(node->type) && lane_vector_element(l, node))
         return false;
-    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_LIFTED)
+    if (node->kind == IR_VARIABLE && l->class_of[node->variable->id] == LANE_VECTOR)
         lane_problem(l, NO_LANES_ARRAY_AS_POINTER, node);
     const ir_variable *variable = assigned_by(node, &other);
     if (other || node->kind == IR_CALL || node->kind == IR_OPAQUE || node->kind == IR_CONTINUE ||
@@ -216,8 +216,8 @@ bool lane_loop_is_uniform(lane_scope *l, const ir_node *loop) {
 
 enum { MOST_DEPTH = 8 /* of calls */ };
 
-/** A lifted variable's element: of a pointer, what it points to. */
-const ir_type *lane_lifted_type(const ir_variable *variable) {
+/** A lane_value variable's element: of a pointer, what it points to. */
+const ir_type *lane_vector_type(const ir_variable *variable) {
     const ir_type *type = variable->type;
     return ir_type_innermost(type->kind == IR_POINTER ? type->target : type);
 }
@@ -227,18 +227,18 @@ lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, con
     const ir_type *type = parameter->type;
     if (type->is_volatile || type->is_atomic)
         lane_problem(l, NO_LANES_STORAGE, value);
-    const ir_variable *root = lane_lifted_root(l, value);
+    const ir_variable *root = lane_vector_root(l, value);
     if (lane_is_real(type))
-        return LANE_LIFTED;
+        return LANE_VECTOR;
     if (type->kind == IR_POINTER && root) {
         const ir_type *element = ir_type_innermost(type->target);
-        if (!lane_is_real(element) || element->size != lane_lifted_type(root)->size)
+        if (!lane_is_real(element) || element->size != lane_vector_type(root)->size)
             lane_problem(l, NO_LANES_ARRAY_AS_POINTER, value);
-        return LANE_LIFTED;
+        return LANE_VECTOR;
     }
     if (type->kind != IR_POINTER && type->kind != IR_INTEGER && type->kind != IR_BOOLEAN)
         lane_problem(l, NO_LANES_OPERAND_TYPE, value);
-    if (lane_mentions_lifted(l, value))
+    if (lane_mentions_vector(l, value))
         lane_problem(l, NO_LANES_FROM_DOUBLE, value);
     return lane_is_uniform(l, value) ? LANE_UNIFORM : LANE_VARYING;
 }
@@ -258,6 +258,6 @@ bool lane_can_be_called(const ir_function *function, const ir_node *call, unsign
 void lane_check_operand(lane_scope *l, const ir_node *value) {
     if (!lane_is_plain(value))
         lane_problem(l, lane_effect_of(value), value);
-    if (lane_mentions_lifted(l, value))
+    if (lane_mentions_vector(l, value))
         lane_problem(l, NO_LANES_FROM_DOUBLE, value);
 }

@@ -44,6 +44,6 @@ bool lane_can_be_called(const ir_function *function, const ir_node *call, unsign
 /** Of what class is the parameter, with this argument? */
 lane_class lane_parameter_class(lane_scope *l, const ir_variable *parameter, const ir_node *value);
 /** The element of a variable of vectors: of a pointer, what it points to. */
-const ir_type *lane_lifted_type(const ir_variable *variable);
+const ir_type *lane_vector_type(const ir_variable *variable);
 
 #endif

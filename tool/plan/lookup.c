@@ -85,21 +85,21 @@ bool counter_outlives(const loop_facts *facts) {
     return facts->counter_is_live_after && !facts->counted.counter_is_declared_in_header;
 }
 
-bool has_last_values(const loop_facts *facts) {
+bool has_live_outs(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_live_after)
             return true;
     return false;
 }
 
-bool has_sought_values(const loop_facts *facts) {
+bool has_conditional_live_outs(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.private_count; i++)
         if (facts->variables.privates[i].is_last_sought)
             return true;
     return false;
 }
 
-int sought_value_of(const loop_facts *facts, const ir_node *statement) {
+int conditional_live_out_of(const loop_facts *facts, const ir_node *statement) {
     const ir_node *assignment = statement->kind == IR_EXPRESSION ? ir_child(statement, 0) : NULL;
     const ir_node *target =
         assignment && (assignment->kind == IR_ASSIGN || ir_is_increment(assignment))

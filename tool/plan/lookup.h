@@ -29,10 +29,10 @@ bool is_copied_in(const ir_variable *variable);
 bool counter_outlives(const loop_facts *facts);
 /** Are there private variables whose last value is wanted: of those that each iteration assigns; of
  * those that only some do? */
-bool has_last_values(const loop_facts *facts);
-bool has_sought_values(const loop_facts *facts);
+bool has_live_outs(const loop_facts *facts);
+bool has_conditional_live_outs(const loop_facts *facts);
 /** The number of the private variable, assigned by some iterations only and wanted after the loop,
  * that this statement assigns; or -1. */
-int sought_value_of(const loop_facts *facts, const ir_node *statement);
+int conditional_live_out_of(const loop_facts *facts, const ir_node *statement);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Macros of the program that would change generated text: the runtime's names for what it tells
+ * Macros of the program that would change generated text: the runtime's names for what it hands out
  * (`worker.first`), keywords, and the user's own names where they are written once more may all be
  * names of macros. Of the user's own bytes, copied, all macros mean what they did.
  */

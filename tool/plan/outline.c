@@ -95,7 +95,7 @@ static bool has_stepped(const loop_facts *facts) {
 
 /** What the macros of loop.h have no place for. */
 static bool has_values_to_leave(const loop_facts *facts) {
-    return has_last_values(facts) || has_sought_values(facts) || has_stepped(facts) ||
+    return has_live_outs(facts) || has_conditional_live_outs(facts) || has_stepped(facts) ||
            facts->scalar_count > 0;
 }
 

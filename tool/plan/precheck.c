@@ -62,7 +62,7 @@ static bool check_updates_at(unverified_reads *s, const ir_node *node, control h
     return is_update;
 }
 
-/** What the slice holds of the node, and what it tells there. */
+/** What the slice holds of the node, and what it logs there. */
 static void check_held(unverified_reads *s, const ir_node *node, control how) {
     const loop_facts *facts = s->plan->facts;
     const bool is_held = facts->slice.holds[node->id];
@@ -118,7 +118,7 @@ static void check_ahead(unverified_reads *s, const ir_node *node, bool as_addres
     }
 }
 
-/** Keys, bases, and where the rows lie that are known beforehand; what an iteration tells before
+/** Keys, bases, and where the rows lie that are known beforehand; what an iteration logs before
  * its first statement, perhaps long before it is read. */
 static bool harms_ahead(loop_plan *plan, const bool *is_suspect) {
     const loop_facts *facts = plan->facts;
@@ -164,7 +164,7 @@ void plan_precheck(loop_plan *plan) {
     }
     if (!slice_is_harmed(plan, is_suspect))
         return;
-    /* what is known beforehand is seen to by a dry run of the updates */
+    /* what is known beforehand is covered by a pre-check of the updates */
     for (unsigned i = 0; i < facts->source_count; i++)
         is_suspect[i] &= facts->sources[i].extent == EXTENT_TOUCHED;
     plan->precheck = slice_is_harmed(plan, is_suspect) ? PRECHECK_OF_ALL : PRECHECK_OF_UPDATES;

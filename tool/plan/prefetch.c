@@ -17,7 +17,7 @@ enum {
     EXPENSIVE = 8,    /* a division, a square root, a call of mathematics */
     SOME = 4,         /* iterations of a loop inside, where the text does not say how many */
     MOST_DEPTH = 8,   /* of calls */
-    MOST_WORK = 10000 /* more need not be told apart */
+    MOST_WORK = 10000 /* more need not be distinguished */
 };
 
 /** Of `for (c = 0; c < 3; c++)` 3; 0: the text does not say it. */

@@ -33,19 +33,19 @@ static bool passes_by_jump(const loop_facts *facts, const ir_node *node, const i
     return false;
 }
 
-bool is_bare(const loop_facts *facts, const ir_node *statement) {
+bool is_unconditional(const loop_facts *facts, const ir_node *statement) {
     for (const ir_node *node = statement->parent; node && node != facts->loop; node = node->parent)
         if (has_condition(node) && !facts->slice.holds[node->id])
             return true;
     return passes_by_jump(facts, facts->counted.body, statement);
 }
 
-bool update_is_bare(const loop_facts *facts, const reduction_update *update) {
-    return update->statement->kind == IR_IF || is_bare(facts, update->statement);
+bool update_is_unconditional(const loop_facts *facts, const reduction_update *update) {
+    return update->statement->kind == IR_IF || is_unconditional(facts, update->statement);
 }
 
-bool source_is_bare(const loop_facts *facts, const loop_source *read) {
-    return read->is_ahead || !read->place || is_bare(facts, read->place);
+bool source_is_unconditional(const loop_facts *facts, const loop_source *read) {
+    return read->is_ahead || !read->place || is_unconditional(facts, read->place);
 }
 
 bool row_needs_address(const row_address *address) {

@@ -261,11 +261,11 @@ static bool is_evaluated_anyway(const unverified_reads *s, const ir_node *node) 
 }
 
 /** The inspector reads the subscripts of such an update in each iteration as well. */
-static bool is_subscript_of_bare_update(const unverified_reads *s, const ir_node *node) {
+static bool is_subscript_of_unconditional_update(const unverified_reads *s, const ir_node *node) {
     const loop_facts *facts = s->plan->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (ir_contains(facts->updates[i].target, node))
-            return is_bare(facts, facts->updates[i].statement);
+            return is_unconditional(facts, facts->updates[i].statement);
     return false;
 }
 
@@ -293,7 +293,8 @@ static void check_access(unverified_reads *s, const ir_node *node, control how) 
     if (how.is_certain)
         VECTOR_PUSH(s->plan->arena, &s->certain, node);
     else if (how.is_unverified && !is_fixed_part(node))
-        s->is_harmful |= !is_evaluated_anyway(s, node) && !is_subscript_of_bare_update(s, node);
+        s->is_harmful |=
+            !is_evaluated_anyway(s, node) && !is_subscript_of_unconditional_update(s, node);
 }
 
 static bool is_division(const ir_node *node) {

@@ -41,10 +41,10 @@ static const char *local_name(const ir_node *node, void *context) {
 }
 
 /** The same where the program may not come to what is written: sums wrap around. */
-static const char *bare_name(const ir_node *node, void *context) {
+static const char *wrapping_name(const ir_node *node, void *context) {
     const char *name = local_name(node, context);
     arena *a = ((const loop_text *)context)->arena;
-    return name ? name : wrapping_operation(a, node, bare_name, context);
+    return name ? name : wrapping_operation(a, node, wrapping_name, context);
 }
 
 /** Not to catch an `else` of its own, nor to look as if it did. */
@@ -105,7 +105,7 @@ static bool print_forward(body_copy *copy, const ir_node *statement) {
 
 /** k = e; and that it was assigned in this iteration. */
 static bool print_noted(body_copy *copy, const ir_node *statement) {
-    const int number = sought_value_of(copy->loop->facts, statement);
+    const int number = conditional_live_out_of(copy->loop->facts, statement);
     if (number < 0 || copy->within == statement)
         return false;
     writer_line(copy->printer.out, "{");
@@ -227,7 +227,7 @@ static void replace_name(body_copy *copy, const ir_node *node, const char *name)
 /* ---- guards -------------------------------------------------------------------------------- */
 
 static void choose_noted(body_copy *copy, const ir_node *node) {
-    if (sought_value_of(copy->loop->facts, node) >= 0)
+    if (conditional_live_out_of(copy->loop->facts, node) >= 0)
         print_instead(copy, node);
     for (unsigned i = 0; !ir_is_expression(node) && i < node->child_count; i++)
         choose_noted(copy, node->children[i]);
@@ -280,7 +280,7 @@ static void append_nests(body_copy *copy, const ir_node *node) {
 static const char *row_number(loop_text *loop, const ir_node *row) {
     row_address address;
     return row_address_of(row, &address)
-               ? address_number(loop->arena, &address, NULL, bare_name, loop)
+               ? address_number(loop->arena, &address, NULL, wrapping_name, loop)
                : NULL;
 }
 
@@ -381,7 +381,7 @@ static const char *copied_text(body_copy *copy) {
         print_instead(copy, loop->facts->scalars[i].statement);
     for (unsigned i = 0; i < loop->facts->forward_count; i++)
         print_instead(copy, loop->facts->forwards[i].statement);
-    if (has_sought_values(loop->facts))
+    if (has_conditional_live_outs(loop->facts))
         choose_noted(copy, body);
     visit_names(copy, body, print_name_in_macro);
     choose_accessors(copy, body);

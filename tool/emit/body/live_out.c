@@ -10,7 +10,7 @@
 #include "emit/text/origin.h"
 #include "plan/lookup.h"
 
-void declare_sought_values(loop_text *loop, writer *out, bool in_region) {
+void declare_conditional_live_outs(loop_text *loop, writer *out, bool in_region) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
@@ -29,8 +29,8 @@ void write_note(loop_text *loop, writer *out, unsigned number) {
     writer_line(out, "}");
 }
 
-void gather_sought_values(loop_text *loop, writer *out) {
-    if (!has_sought_values(loop->facts))
+void gather_conditional_live_outs(loop_text *loop, writer *out) {
+    if (!has_conditional_live_outs(loop->facts))
         return;
     buffer_text(&out->out, "#pragma omp critical (redcc__found)\n");
     writer_line(out, "{");
@@ -45,7 +45,7 @@ void gather_sought_values(loop_text *loop, writer *out) {
     writer_line(out, "}");
 }
 
-void take_sought_values(loop_text *loop, writer *out) {
+void take_conditional_live_outs(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         if (!loop->facts->variables.privates[i].is_last_sought)
             continue;
@@ -65,7 +65,7 @@ static const char *start_value(const ir_type *type) {
     return type->kind == IR_ARRAY || type->kind == IR_RECORD ? " = {0}" : " = 0";
 }
 
-void declare_last_values(loop_text *loop, writer *out) {
+void declare_live_outs(loop_text *loop, writer *out) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         if (item->is_live_after)
@@ -82,7 +82,7 @@ static void copy_value(writer *out, const ir_type *type, const char *to, const c
         writer_line(out, "%s = %s;", to, from);
 }
 
-void write_last_values(loop_text *loop, writer *out, bool into_variables) {
+void write_live_outs(loop_text *loop, writer *out, bool into_variables) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
         if (!item->is_live_after)

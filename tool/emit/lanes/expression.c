@@ -6,21 +6,21 @@
  */
 #include <string.h>
 
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 #include "plan/lookup.h"
 
-static const lifted nothing = {"0.0", false};
+static const lane_value nothing = {"0.0", false};
 
-static lifted refuse(const lifter *l, lane_reason why, const ir_node *node) {
+static lane_value refuse(const vectoriser *l, lane_reason why, const ir_node *node) {
     lane_problem(&l->in, why, node);
     return nothing;
 }
 
 /* ---- the text of one lane ------------------------------------------------------------------- */
 
-static const char *operand(lifter *l, const ir_node *node, ir_c_rename rename) {
+static const char *operand(vectoriser *l, const ir_node *node, ir_c_rename rename) {
     const char *text = text_operand(l->loop->arena, node, rename, l);
     if (!text)
         lane_problem(&l->in, NO_LANES_SPELLING, node);
@@ -29,7 +29,7 @@ static const char *operand(lifter *l, const ir_node *node, ir_c_rename rename) {
 
 /** Arrays that are updated, and integers and pointers of lane redcc__l. */
 static const char *rename_integer(const ir_node *node, void *context) {
-    lifter *l = context;
+    vectoriser *l = context;
     arena *a = l->loop->arena;
     const int array = loop_array_of_base(l->loop->facts, node);
     if (array >= 0 && !l->in.function)
@@ -45,21 +45,21 @@ static const char *rename_integer(const ir_node *node, void *context) {
 }
 
 const char *lane_rename(const ir_node *node, void *context) {
-    lifter *l = context;
-    if (!lane_is_real(node->type) || !lane_lifted_element(&l->in, node))
+    vectoriser *l = context;
+    if (!lane_is_real(node->type) || !lane_vector_element(&l->in, node))
         return rename_integer(node, l);
     return origin_value(
         l->loop->arena, node->type,
         arena_format(l->loop->arena, "%s[redcc__l]", operand(l, node, rename_integer)));
 }
 
-const char *lane_scalar(lifter *l, const ir_node *node) {
-    if (lane_has_whole_lifted(&l->in, node))
+const char *lane_scalar(vectoriser *l, const ir_node *node) {
+    if (lane_has_whole_vector(&l->in, node))
         lane_problem(&l->in, NO_LANES_ARRAY_AS_POINTER, node);
     return operand(l, node, lane_rename);
 }
 
-const char *lane_condition(lifter *l, const ir_node *node) {
+const char *lane_condition(vectoriser *l, const ir_node *node) {
     const char *text = text_expression(l->loop->arena, node, lane_rename, l);
     if (!text)
         lane_problem(&l->in, NO_LANES_SPELLING, node);
@@ -67,84 +67,85 @@ const char *lane_condition(lifter *l, const ir_node *node) {
 }
 
 /** An operand that is read from memory, in its own type, or an integer as one of that type. */
-static lifted leaf(lifter *l, const ir_node *node, const ir_type *type) {
+static lane_value leaf(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     if (!lane_is_plain(node))
         return refuse(l, lane_effect_of(node), node);
-    if (lane_mentions_lifted(&l->in, node) && !lane_lifted_element(&l->in, node))
+    if (lane_mentions_vector(&l->in, node) && !lane_vector_element(&l->in, node))
         return refuse(l, NO_LANES_FROM_DOUBLE, node);
     const char *text = lane_scalar(l, node);
     if (!lane_is_real(node->type))
         text = arena_format(a, "(%s)%s", lane_words_of(type)->scalar, text);
     if (lane_is_uniform(&l->in, node) && (!l->may_be_none || lane_is_safe(&l->in, node)))
-        return (lifted){arena_format(a, "(%s)", text), false};
-    return (lifted){
+        return (lane_value){arena_format(a, "(%s)", text), false};
+    return (lane_value){
         arena_format(a, "%s(%s)", lane_words_of(type)->gather, lane_guarded(l, node, text)), true};
 }
 
 /* ---- arithmetic ----------------------------------------------------------------------------- */
 
-const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to) {
+const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to) {
     return lane_spread(l, lane_expression(l, node, to), to);
 }
 
-static lifted arithmetic(lifter *l, const ir_node *node) {
+static lane_value arithmetic(vectoriser *l, const ir_node *node) {
     if (!lane_has_operator(node->op))
         return refuse(l, NO_LANES_OPERAND_EFFECT, node);
-    const lifted left = lane_expression(l, node->children[0], node->type);
-    const lifted right = lane_expression(l, node->children[1], node->type);
-    return (lifted){arena_format(l->loop->arena, "(%s %s %s)", left.text,
-                                 ir_operator_spelling(node->op), right.text),
-                    left.is_vector || right.is_vector};
+    const lane_value left = lane_expression(l, node->children[0], node->type);
+    const lane_value right = lane_expression(l, node->children[1], node->type);
+    return (lane_value){arena_format(l->loop->arena, "(%s %s %s)", left.text,
+                                     ir_operator_spelling(node->op), right.text),
+                        left.is_vector || right.is_vector};
 }
 
 /** Its operands converted to `type`. */
-static lifted conditional(lifter *l, const ir_node *node, const ir_type *type) {
+static lane_value conditional(vectoriser *l, const ir_node *node, const ir_type *type) {
     arena *a = l->loop->arena;
     const ir_node *condition = node->children[0];
     if (l->may_be_none && !lane_is_safe(&l->in, node))
         return refuse(l, NO_LANES_CHOICE, node);
     if (lane_is_uniform(&l->in, condition)) {
-        const lifted yes = lane_expression(l, node->children[1], type);
-        const lifted no = lane_expression(l, node->children[2], type);
+        const lane_value yes = lane_expression(l, node->children[1], type);
+        const lane_value no = lane_expression(l, node->children[2], type);
         if (!yes.is_vector && !no.is_vector)
-            return (lifted){
+            return (lane_value){
                 arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition), yes.text, no.text),
                 false};
-        return (lifted){arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition),
-                                     lane_spread(l, yes, type), lane_spread(l, no, type)),
-                        true};
+        return (lane_value){arena_format(a, "(%s ? %s : %s)", lane_scalar(l, condition),
+                                         lane_spread(l, yes, type), lane_spread(l, no, type)),
+                            true};
     }
     if (!lane_is_safe(&l->in, condition) || !lane_is_safe(&l->in, node->children[1]) ||
         !lane_is_safe(&l->in, node->children[2]))
         return refuse(l, NO_LANES_CHOICE, node);
-    return (lifted){arena_format(a, "%s(%s, %s, %s)", lane_words_of(type)->select,
-                                 lane_mask(l, condition), lane_vector(l, node->children[1], type),
-                                 lane_vector(l, node->children[2], type)),
-                    true};
+    return (lane_value){arena_format(a, "%s(%s, %s, %s)", lane_words_of(type)->select,
+                                     lane_mask(l, condition),
+                                     lane_vector(l, node->children[1], type),
+                                     lane_vector(l, node->children[2], type)),
+                        true};
 }
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
 /** A function of the library that has lanes; dead lanes give it what sets no errno. */
-static lifted known_call(lifter *l, const char *name, const ir_node *call) {
+static lane_value known_call(vectoriser *l, const char *name, const ir_node *call) {
     arena *a = l->loop->arena;
     const lane_words *words = lane_words_of(call->type);
     const char *operand = lane_vector(l, call->children[1], call->type);
     if (l->mask)
         operand = arena_format(a, "%s(%s, %s, %s((%s)1))", words->select, l->mask, operand,
                                words->same, words->scalar);
-    return (lifted){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
+    return (lane_value){arena_format(a, "redcc_lanes_%s(%s)", name, operand), true};
 }
 
-static lifted call(lifter *l, const ir_node *node) {
+static lane_value call(vectoriser *l, const ir_node *node) {
     static const char *const known[] = {"sqrt", "fabs", "sqrtf", "fabsf"};
     const ir_function *callee =
         node->children[0]->kind == IR_FUNCTION ? node->children[0]->function : NULL;
     if (!callee)
         return refuse(l, NO_LANES_CALL, node);
     if (callee->body)
-        return (lifted){lane_call(l, node), true};
+        return (lane_value){lane_call(l, node), true};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (callee->is_from_system && strcmp(callee->name, known[i]) == 0 &&
             !callee->linkage.is_renamed && node->child_count == 2)
@@ -155,9 +156,9 @@ static lifted call(lifter *l, const ir_node *node) {
 /* ---- all ------------------------------------------------------------------------------------ */
 
 /** In the expression's own type, which is real. */
-static lifted real_expression(lifter *l, const ir_node *node) {
-    if (lane_lifted_root(&l->in, node))
-        return (lifted){operand(l, node, NULL), true};
+static lane_value real_expression(vectoriser *l, const ir_node *node) {
+    if (lane_vector_root(&l->in, node))
+        return (lane_value){operand(l, node, NULL), true};
     switch (node->kind) {
     case IR_BINARY:
         return arithmetic(l, node);
@@ -169,10 +170,10 @@ static lifted real_expression(lifter *l, const ir_node *node) {
         return lane_expression(l, node->children[0], node->type);
     case IR_UNARY:
         if (node->op == IR_OP_MINUS || node->op == IR_OP_PLUS) {
-            const lifted operand = lane_expression(l, node->children[0], node->type);
-            return (lifted){arena_format(l->loop->arena, "(%s%s)",
-                                         node->op == IR_OP_MINUS ? "-" : "+", operand.text),
-                            operand.is_vector};
+            const lane_value operand = lane_expression(l, node->children[0], node->type);
+            return (lane_value){arena_format(l->loop->arena, "(%s%s)",
+                                             node->op == IR_OP_MINUS ? "-" : "+", operand.text),
+                                operand.is_vector};
         }
         return leaf(l, node, node->type);
     default:
@@ -180,7 +181,7 @@ static lifted real_expression(lifter *l, const ir_node *node) {
     }
 }
 
-lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to) {
+lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to) {
     const ir_type *type = node->type;
     if (lane_is_real(type))
         return lane_convert(l, real_expression(l, node), type, to);

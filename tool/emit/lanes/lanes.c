@@ -8,7 +8,7 @@
 #include "emit/lanes/lanes.h"
 
 #include "emit/base/names.h"
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "emit/text/print.h"
 #include "plan/lookup.h"
@@ -18,11 +18,11 @@
 
 typedef struct update_printer {
     printer printer; /* first: the printer's hook gets at the rest through it */
-    lifter *l;
+    vectoriser *l;
 } update_printer;
 
 static bool print_update(printer *p, const ir_node *statement) {
-    lifter *l = ((update_printer *)p)->l;
+    vectoriser *l = ((update_printer *)p)->l;
     const reduction_update *update = loop_update_at(l->loop->facts, statement);
     if (!update)
         return false;
@@ -41,7 +41,7 @@ static const char *pragma_of_updates(const ir_node *loop) {
     return is_unrolled_lane_update(loop) ? "REDCC_UNROLLED_PLAIN " : "";
 }
 
-static void write_update(lifter *l, const ir_node *statement, writer *out) {
+static void write_update(vectoriser *l, const ir_node *statement, writer *out) {
     lane_note_place(&l->in, statement);
     lane_check_updates(&l->in, statement);
     update_printer self = {.printer = {.arena = l->loop->arena, .out = out, .before = print_update},
@@ -56,7 +56,7 @@ static void write_update(lifter *l, const ir_node *statement, writer *out) {
 
 /* ---- the function ---------------------------------------------------------------------------- */
 
-static void declare_outer(lifter *l) {
+static void declare_outer(vectoriser *l) {
     const loop_facts *facts = l->loop->facts;
     const ir_variable *counter = facts->counted.counter;
     arena *a = l->loop->arena;
@@ -77,7 +77,7 @@ static void declare_outer(lifter *l) {
 }
 
 /** Most lanes need not ask who owns what: for them compilers have a text without conditions. */
-static void write_updates(lifter *l, const char *updates) {
+static void write_updates(vectoriser *l, const char *updates) {
     if (l->mask)
         writer_line(l->out, "REDCC_EACH_LANE if (%s[redcc__l]) {", l->mask);
     else
@@ -93,7 +93,7 @@ static void write_updates(lifter *l, const char *updates) {
 }
 
 /** Lanes for which the condition holds have done all that they do. */
-static void write_exit(lifter *l, const ir_node *condition) {
+static void write_exit(vectoriser *l, const ir_node *condition) {
     if (lane_is_uniform(&l->in, condition)) {
         writer_line(l->out, "if (%s)", lane_condition(l, condition));
         writer_line(l->out, "    return;");
@@ -104,10 +104,10 @@ static void write_exit(lifter *l, const ir_node *condition) {
     writer_line(l->out, "    return;");
 }
 
-static void write_block(lifter *l, const ir_node *block);
+static void write_block(vectoriser *l, const ir_node *block);
 
 /** The last of what is done: nothing that the other lanes hold is of use any more. */
-static void write_last_part(lifter *l, const ir_node *node) {
+static void write_last_part(vectoriser *l, const ir_node *node) {
     const char *const outer = l->mask;
     if (lane_is_uniform(&l->in, node->children[0])) {
         writer_line(l->out, "if (%s) {", lane_condition(l, node->children[0]));
@@ -123,7 +123,7 @@ static void write_last_part(lifter *l, const ir_node *node) {
 }
 
 /** What is computed, and then the updates. */
-static void write_block(lifter *l, const ir_node *block) {
+static void write_block(vectoriser *l, const ir_node *block) {
     const loop_facts *facts = l->loop->facts;
     writer updates = {.depth = l->out->depth + 2};
     bool is_pending = false;
@@ -167,17 +167,17 @@ static const char *function_text(loop_text *loop, const char *name, bool *is_kep
     lane_clone_list clones = {0};
     writer front = {0}, text = {.depth = 1};
     unsigned mask_count = 0;
-    lifter l = {.in = {.plan = loop->plan,
-                       .body = facts->counted.body,
-                       .class_of = ARENA_ARRAY(a, lane_class, loop->unit->variable_count + 1),
-                       .place = facts->loop->range,
-                       .outcome = loop->lanes.outcome},
-                .loop = loop,
-                .clones = &clones,
-                .front = &front,
-                .out = &text,
-                .is_kept = is_kept,
-                .mask_count = &mask_count};
+    vectoriser l = {.in = {.plan = loop->plan,
+                           .body = facts->counted.body,
+                           .class_of = ARENA_ARRAY(a, lane_class, loop->unit->variable_count + 1),
+                           .place = facts->loop->range,
+                           .outcome = loop->lanes.outcome},
+                    .loop = loop,
+                    .clones = &clones,
+                    .front = &front,
+                    .out = &text,
+                    .is_kept = is_kept,
+                    .mask_count = &mask_count};
     lane_classify(&l.in);
     declare_outer(&l);
     write_block(&l, l.in.body);

@@ -2,10 +2,10 @@
 /**
  * Loops inside what is written for vectors: their iterations are the same for all lanes.
  */
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 #include "plan/unroll.h"
 
-void lane_for(lifter *l, const ir_node *node) {
+void lane_for(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const ir_node *first = node->children[0], *condition = node->children[1],
                   *step = node->children[2];

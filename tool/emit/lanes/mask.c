@@ -3,21 +3,21 @@
  * What only some lanes do: conditions as masks, and statements below them. What is read from memory
  * is read in lanes that do it alone, and what a variable of the others held is selected back.
  */
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 
-const char *lane_guarded(lifter *l, const ir_node *node, const char *text) {
+const char *lane_guarded(vectoriser *l, const ir_node *node, const char *text) {
     if (!l->mask || lane_is_safe(&l->in, node))
         return text;
     return arena_format(l->loop->arena, "(%s[redcc__l] ? %s : 0)", l->mask, text);
 }
 
-bool lane_needs_select(const lifter *l, const ir_variable *variable) {
+bool lane_needs_select(const vectoriser *l, const ir_variable *variable) {
     return l->mask && l->region && !ir_declarator_in(l->region, variable);
 }
 
-const char *lane_new_mask(lifter *l, const char *condition) {
+const char *lane_new_mask(vectoriser *l, const char *condition) {
     arena *a = l->loop->arena;
     const char *name = arena_format(a, "redcc__m%u", ++*l->mask_count);
     writer_line(l->out, "const redcc_mask %s = %s%s%s;", name, l->mask ? l->mask : "",
@@ -26,7 +26,7 @@ const char *lane_new_mask(lifter *l, const char *condition) {
 }
 
 /** Right of && and || is evaluated only where the left does not decide. */
-static const char *both(lifter *l, const ir_node *node) {
+static const char *both(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     const bool is_and = node->op == IR_OP_AND;
     const char *left = lane_mask(l, node->children[0]);
@@ -44,14 +44,14 @@ static const char *both(lifter *l, const ir_node *node) {
     return arena_format(a, "(%s %s %s)", left, is_and ? "&" : "|", right);
 }
 
-const char *lane_mask(lifter *l, const ir_node *node) {
+const char *lane_mask(vectoriser *l, const ir_node *node) {
     arena *a = l->loop->arena;
     if (node->kind == IR_VARIABLE && l->in.class_of[node->variable->id] == LANE_MASK)
         return origin_variable(a, node->variable);
-    if (node->kind == IR_UNARY && node->op == IR_OP_NOT && lane_mentions_lifted(&l->in, node))
+    if (node->kind == IR_UNARY && node->op == IR_OP_NOT && lane_mentions_vector(&l->in, node))
         return arena_format(a, "(~%s)", lane_mask(l, node->children[0]));
     if (node->kind == IR_BINARY && (node->op == IR_OP_AND || node->op == IR_OP_OR) &&
-        lane_mentions_lifted(&l->in, node))
+        lane_mentions_vector(&l->in, node))
         return both(l, node);
     const bool is_comparison =
         node->kind == IR_BINARY && node->op >= IR_OP_LESS && node->op <= IR_OP_NOT_EQUAL;
@@ -61,13 +61,13 @@ const char *lane_mask(lifter *l, const ir_node *node) {
         return arena_format(a, "%s(%s %s %s)", lane_words_of(type)->mask,
                             lane_vector(l, node->children[0], type), ir_operator_spelling(node->op),
                             lane_vector(l, node->children[1], type));
-    if (lane_is_plain(node) && !lane_mentions_lifted(&l->in, node))
+    if (lane_is_plain(node) && !lane_mentions_vector(&l->in, node))
         return arena_format(a, "REDCC_TELL(%s)", lane_guarded(l, node, lane_scalar(l, node)));
     lane_problem(&l->in, NO_LANES_CONDITION, node);
     return "0";
 }
 
-static void write_branch(lifter *l, const ir_node *branch, const char *mask) {
+static void write_branch(vectoriser *l, const ir_node *branch, const char *mask) {
     const char *const outer_mask = l->mask;
     const ir_node *const outer_region = l->region;
     l->mask = mask;
@@ -78,7 +78,7 @@ static void write_branch(lifter *l, const ir_node *branch, const char *mask) {
     l->region = outer_region;
 }
 
-void lane_masked_if(lifter *l, const ir_node *node) {
+void lane_masked_if(vectoriser *l, const ir_node *node) {
     const char *mask = lane_new_mask(l, lane_mask(l, node->children[0]));
     write_branch(l, node->children[1], mask);
     if (node->child_count > 2)

@@ -3,7 +3,7 @@
  * Doubles and floats: the vectors of each, and how C converts one to the other. A vector of floats
  * has as many lanes as one of doubles: what an iteration computes stays in its lane.
  */
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 
 const lane_words *lane_words_of(const ir_type *type) {
     static const lane_words of_doubles = {.vector = "redcc_vector",
@@ -23,16 +23,16 @@ const lane_words *lane_words_of(const ir_type *type) {
     return type->size == 4 ? &of_floats : &of_doubles;
 }
 
-lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to) {
+lane_value lane_convert(vectoriser *l, lane_value value, const ir_type *from, const ir_type *to) {
     arena *a = l->loop->arena;
     if (from->size == to->size)
         return value;
     if (value.is_vector)
-        return (lifted){arena_format(a, "%s(%s)", lane_words_of(to)->of, value.text), true};
-    return (lifted){arena_format(a, "((%s)%s)", lane_words_of(to)->scalar, value.text), false};
+        return (lane_value){arena_format(a, "%s(%s)", lane_words_of(to)->of, value.text), true};
+    return (lane_value){arena_format(a, "((%s)%s)", lane_words_of(to)->scalar, value.text), false};
 }
 
-const char *lane_spread(lifter *l, lifted value, const ir_type *type) {
+const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type) {
     return value.is_vector
                ? value.text
                : arena_format(l->loop->arena, "%s(%s)", lane_words_of(type)->same, value.text);

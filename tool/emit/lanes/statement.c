@@ -6,14 +6,14 @@
 #include <string.h>
 
 #include "emit/base/names.h"
-#include "emit/lanes/lifter.h"
+#include "emit/lanes/vectoriser.h"
 #include "emit/text/origin.h"
 #include "ir/ir_words.h"
 
 /* ---- declarations --------------------------------------------------------------------------- */
 
 /** Without the variable's own qualifiers: each lane's is assigned. */
-const char *lane_type(lifter *l, const ir_type *type) {
+const char *lane_type(vectoriser *l, const ir_type *type) {
     arena *a = l->loop->arena;
     ir_type *plain = ARENA_NEW(a, ir_type);
     *plain = *type;
@@ -28,7 +28,7 @@ const char *lane_type(lifter *l, const ir_type *type) {
 }
 
 /** "[3][3]". */
-static const char *extents(lifter *l, const ir_type *type) {
+static const char *extents(vectoriser *l, const ir_type *type) {
     const char *text = "";
     for (; type->kind == IR_ARRAY; type = type->target) {
         if (type->count <= 0)
@@ -54,7 +54,7 @@ static bool is_zero(const ir_node *node) {
 }
 
 /** " = {{{0}}}": all lanes of all elements. */
-static const char *zeros(lifter *l, const ir_type *type) {
+static const char *zeros(vectoriser *l, const ir_type *type) {
     const char *text = "{0}";
     for (; type->kind == IR_ARRAY; type = type->target)
         text = arena_format(l->loop->arena, "{%s}", text);
@@ -62,7 +62,7 @@ static const char *zeros(lifter *l, const ir_type *type) {
 }
 
 /** The initialiser of an array: zeros, or a value for each element of one row. */
-static const char *array_initialiser(lifter *l, const ir_type *type, const ir_node *value) {
+static const char *array_initialiser(vectoriser *l, const ir_type *type, const ir_node *value) {
     arena *a = l->loop->arena;
     if (value->kind == IR_INITIALIZERS && is_zero(value))
         return zeros(l, type);
@@ -79,7 +79,7 @@ static const char *array_initialiser(lifter *l, const ir_type *type, const ir_no
     return arena_format(a, "{%s}", text);
 }
 
-static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node *value) {
+static void declare_vector(vectoriser *l, const ir_variable *variable, const ir_node *value) {
     const char *name = origin_declarator(l->loop->arena, variable);
     const ir_type *type = variable->type;
     const char *vector = lane_words_of(ir_type_innermost(type))->vector;
@@ -95,17 +95,17 @@ static void declare_lifted(lifter *l, const ir_variable *variable, const ir_node
 }
 
 /** A value of each lane, the user's own with the lane's variables. */
-static const char *lane_text(lifter *l, const ir_node *value) {
+static const char *lane_text(vectoriser *l, const ir_node *value) {
     lane_check_operand(&l->in, value);
     return lane_scalar(l, value);
 }
 
-static void declare_own(lifter *l, const ir_variable *variable, const ir_node *value) {
+static void declare_own(vectoriser *l, const ir_variable *variable, const ir_node *value) {
     arena *a = l->loop->arena;
     const char *name = origin_declarator(a, variable);
     switch (l->in.class_of[variable->id]) {
-    case LANE_LIFTED:
-        declare_lifted(l, variable, value);
+    case LANE_VECTOR:
+        declare_vector(l, variable, value);
         break;
     case LANE_MASK:
         writer_line(l->out, "redcc_mask %s = %s;", name, lane_mask(l, value));
@@ -126,13 +126,13 @@ static void declare_own(lifter *l, const ir_variable *variable, const ir_node *v
     }
 }
 
-void lane_declare(lifter *l, const ir_variable *variable) {
+void lane_declare(vectoriser *l, const ir_variable *variable) {
     declare_own(l, variable, NULL);
 }
 
 /* ---- calls ---------------------------------------------------------------------------------- */
 
-static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_class class) {
+static const char *parameter_text(vectoriser *l, const ir_variable *parameter, lane_class class) {
     arena *a = l->loop->arena;
     const ir_type *type = parameter->type;
     const char *name = origin_declarator(a, parameter);
@@ -140,14 +140,14 @@ static const char *parameter_text(lifter *l, const ir_variable *parameter, lane_
         return arena_format(a, "%s *%s", lane_type(l, type), name);
     if (class == LANE_UNIFORM)
         return arena_format(a, "%s %s", lane_type(l, type), name);
-    const char *vector = lane_words_of(lane_lifted_type(parameter))->vector;
+    const char *vector = lane_words_of(lane_vector_type(parameter))->vector;
     if (type->kind != IR_POINTER)
         return arena_format(a, "%s %s", vector, name);
     const char *of = extents(l, type->target);
     return arena_format(a, *of ? "%s (*%s)%s" : "%s *%s%s", vector, name, of);
 }
 
-static const char *argument_text(lifter *l, const ir_variable *parameter, lane_class class,
+static const char *argument_text(vectoriser *l, const ir_variable *parameter, lane_class class,
                                  const ir_node *value) {
     arena *a = l->loop->arena;
     if (class == LANE_UNIFORM)
@@ -163,7 +163,7 @@ static const char *argument_text(lifter *l, const ir_variable *parameter, lane_c
     return text ? text : "0";
 }
 
-static void write_parameters(lifter *l, const ir_function *function, const lane_class *classes,
+static void write_parameters(vectoriser *l, const ir_function *function, const lane_class *classes,
                              const char *name) {
     const ir_type *result = function->type->target;
     buffer head = {0};
@@ -182,10 +182,10 @@ static void write_parameters(lifter *l, const ir_function *function, const lane_
 }
 
 /** The function for vectors, in front of what is being written. */
-static void write_clone(lifter *l, const ir_function *function, const lane_class *classes,
+static void write_clone(vectoriser *l, const ir_function *function, const lane_class *classes,
                         const char *name) {
     writer text = {0};
-    lifter inner = *l;
+    vectoriser inner = *l;
     inner.in.function = function;
     inner.in.body = function->body;
     inner.depth = l->depth + 1;
@@ -210,7 +210,7 @@ static void write_clone(lifter *l, const ir_function *function, const lane_class
     buffer_text(&l->front->out, writer_text(l->loop->arena, &text));
 }
 
-static const char *clone_of(lifter *l, const ir_function *function, const lane_class *classes) {
+static const char *clone_of(vectoriser *l, const ir_function *function, const lane_class *classes) {
     arena *a = l->loop->arena;
     const size_t bytes = function->parameter_count * sizeof *classes;
     for (unsigned i = 0; i < l->clones->count; i++) {
@@ -227,7 +227,7 @@ static const char *clone_of(lifter *l, const ir_function *function, const lane_c
     return clone.name;
 }
 
-const char *lane_call(lifter *l, const ir_node *call) {
+const char *lane_call(vectoriser *l, const ir_node *call) {
     arena *a = l->loop->arena;
     const ir_function *function = call->children[0]->function;
     if (!lane_can_be_called(function, call, l->depth)) {
@@ -245,7 +245,7 @@ const char *lane_call(lifter *l, const ir_node *call) {
     }
     const char *name = clone_of(l, function, classes);
     for (unsigned i = 0; i < function->parameter_count; i++) {
-        const ir_variable *root = lane_lifted_root(&l->in, call->children[i + 1]);
+        const ir_variable *root = lane_vector_root(&l->in, call->children[i + 1]);
         if (root && function->parameters[i]->type->kind == IR_POINTER)
             l->is_kept[root->id] |= l->is_kept[function->parameters[i]->id];
     }
@@ -256,7 +256,7 @@ const char *lane_call(lifter *l, const ir_node *call) {
 
 /** What `target op= value` leaves, or `target = value`: a vector of the target's type. C computes
  * in the wider of both types, and converts. */
-static const char *assigned_value(lifter *l, const ir_node *node, const char *target) {
+static const char *assigned_value(vectoriser *l, const ir_node *node, const char *target) {
     const ir_node *value = node->children[1];
     const ir_type *type = node->children[0]->type;
     if (node->op == IR_OP_NONE)
@@ -266,18 +266,18 @@ static const char *assigned_value(lifter *l, const ir_node *node, const char *ta
         lane_problem(&l->in, computed ? NO_LANES_OPERAND_EFFECT : NO_LANES_OPERAND_TYPE, node);
         return target;
     }
-    const lifted held = lane_convert(l, (lifted){target, true}, type, computed);
-    const lifted sum = {arena_format(l->loop->arena, "(%s %s %s)", held.text,
-                                     ir_operator_spelling(node->op),
-                                     lane_expression(l, value, computed).text),
-                        true};
+    const lane_value held = lane_convert(l, (lane_value){target, true}, type, computed);
+    const lane_value sum = {arena_format(l->loop->arena, "(%s %s %s)", held.text,
+                                         ir_operator_spelling(node->op),
+                                         lane_expression(l, value, computed).text),
+                            true};
     return lane_convert(l, sum, computed, type).text;
 }
 
-static void assign_lifted(lifter *l, const ir_node *node) {
+static void assign_vector(vectoriser *l, const ir_node *node) {
     const ir_type *type = node->children[0]->type;
     const char *target = lane_expression(l, node->children[0], type).text;
-    const ir_variable *root = lane_lifted_root(&l->in, node->children[0]);
+    const ir_variable *root = lane_vector_root(&l->in, node->children[0]);
     const bool is_of_some = lane_needs_select(l, root);
     l->is_kept[root->id] |= is_of_some;
     const ir_type *computed = lane_common(type, node->children[1]->type);
@@ -294,10 +294,10 @@ static void assign_lifted(lifter *l, const ir_node *node) {
 }
 
 /** Of an own integer or pointer: for each lane, or once. */
-static const char *assignment_of(lifter *l, const ir_node *node) {
+static const char *assignment_of(vectoriser *l, const ir_node *node) {
     const ir_node *target = node->children[0];
     if (target->kind != IR_VARIABLE || !lane_is_own(&l->in, target->variable) ||
-        l->in.class_of[target->variable->id] == LANE_LIFTED ||
+        l->in.class_of[target->variable->id] == LANE_VECTOR ||
         (!ir_is_increment(node) && node->kind != IR_ASSIGN)) {
         lane_problem(&l->in, NO_LANES_STATEMENT, node);
         return "(void)0";
@@ -310,15 +310,15 @@ static const char *assignment_of(lifter *l, const ir_node *node) {
     return text ? text : "(void)0";
 }
 
-static void write_expression(lifter *l, const ir_node *node) {
+static void write_expression(vectoriser *l, const ir_node *node) {
     if (node->kind == IR_CALL && node->children[0]->kind == IR_FUNCTION &&
         node->children[0]->function->body) {
         writer_line(l->out, "%s;", lane_call(l, node));
         return;
     }
     if (node->kind == IR_ASSIGN && lane_is_real(node->children[0]->type) &&
-        lane_lifted_root(&l->in, node->children[0])) {
-        assign_lifted(l, node);
+        lane_vector_root(&l->in, node->children[0])) {
+        assign_vector(l, node);
         return;
     }
     const char *text = assignment_of(l, node);
@@ -331,7 +331,7 @@ static void write_expression(lifter *l, const ir_node *node) {
         writer_line(l->out, "%s%s;", varies ? "REDCC_EACH_LANE " : "", text);
 }
 
-void lane_part(lifter *l, const ir_node *part) {
+void lane_part(vectoriser *l, const ir_node *part) {
     l->out->depth++;
     if (part->kind != IR_BLOCK)
         lane_statement(l, part);
@@ -341,7 +341,7 @@ void lane_part(lifter *l, const ir_node *part) {
     writer_line(l->out, "}");
 }
 
-static void write_if(lifter *l, const ir_node *node) {
+static void write_if(vectoriser *l, const ir_node *node) {
     if (!lane_is_uniform(&l->in, node->children[0])) {
         lane_masked_if(l, node);
         return;
@@ -354,7 +354,7 @@ static void write_if(lifter *l, const ir_node *node) {
     lane_part(l, node->children[2]);
 }
 
-void lane_statement(lifter *l, const ir_node *statement) {
+void lane_statement(vectoriser *l, const ir_node *statement) {
     lane_note_place(&l->in, statement);
     switch (statement->kind) {
     case IR_EMPTY:

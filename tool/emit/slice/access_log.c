@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* Telling the runtime addresses: of one row, of a row's elements at once, of what a function that
+/* Logging addresses: of one row, of a row's elements at once, of what a function that
  * is called reads in its loops; and the same as probes. */
 #include "emit/slice/access_log.h"
 
@@ -22,35 +22,35 @@ const char *inspector_note_variable(const ir_node *node, void *context) {
     if (node->kind == IR_VARIABLE)
         self->is_mentioned[node->variable->id] = true;
     const char *name = forward_read_name(self->loop, node);
-    if (name || !self->is_bare)
+    if (name || !self->is_unconditional)
         return name;
     return wrapping_operation(self->loop->arena, node, inspector_note_variable, self);
 }
 
-bool told_same(const told_row *a, const told_row *b) {
+bool logged_same(const logged_row *a, const logged_row *b) {
     return a->source == b->source && a->array == b->array && syntax_same(a->row, b->row);
 }
 
-static bool is_listed(const row_list *rows, told_row item) {
+static bool is_listed(const row_list *rows, logged_row item) {
     for (unsigned i = 0; i < rows->count; i++)
-        if (told_same(&rows->items[i], &item))
+        if (logged_same(&rows->items[i], &item))
             return true;
     return false;
 }
 
-static bool was_just_told(inspector *self, told_row item) {
+static bool was_just_logged(inspector *self, logged_row item) {
     if (self->printer.out->out.length != self->recent_end)
         self->recent.count = 0;
     return is_listed(&self->recent, item);
 }
 
-static void remember(inspector *self, told_row item) {
+static void remember(inspector *self, logged_row item) {
     VECTOR_PUSH(self->printer.arena, &self->recent, item);
     self->recent_end = self->printer.out->out.length;
 }
 
 /** As the slice names things: what it has stored is in variables. */
-const char *tell_row_text(inspector *self, const ir_node *row) {
+const char *log_row_text(inspector *self, const ir_node *row) {
     const char *text = text_operand(self->loop->arena, row, inspector_note_variable, self);
     if (!text)
         loop_obstacle(self->loop, row->range, "an expression of the loop cannot be spelled");
@@ -65,11 +65,11 @@ static bool is_numbered(const ir_node *row, const ir_node *base) {
 
 /** &row, or, where the program may not come to it, as a number: a pointer has a meaning only within
  *  its object. Of a span: for the counter's present value. */
-const char *tell_address_text(inspector *self, const ir_node *row, const ir_variable *counter) {
+const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter) {
     arena *a = self->loop->arena;
     row_address address;
     const char *number = NULL;
-    if (self->is_bare && row_address_of(row, &address)) {
+    if (self->is_unconditional && row_address_of(row, &address)) {
         number = address_number(a, &address, counter, inspector_note_variable, self);
         if (row_needs_address(&address) && number) /* a pointer may stand for it: another address */
             self->loop->outline.possible = false;
@@ -77,14 +77,14 @@ const char *tell_address_text(inspector *self, const ir_node *row, const ir_vari
     if (number)
         return arena_format(a, "(const char *)(%s)", number);
     const char *plain = row->type->is_restrict ? "(const void *)" : ""; /* compilers would warn */
-    return arena_format(a, "%s&%s", plain, tell_row_text(self, row));
+    return arena_format(a, "%s&%s", plain, log_row_text(self, row));
 }
 
 /** All of an array, by a macro of loop.h: in a function of its own the slice has a pointer to its
  * first element, of whose number it knows nothing. */
-static void tell_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
+static void log_array(inspector *self, const ir_node *row, const char *what, unsigned number) {
     const ir_type *type = row->type, *element = type->target;
-    const char *text = tell_row_text(self, row);
+    const char *text = log_row_text(self, row);
     if (type->size < 0 || element->size <= 0) {
         self->loop->outline.possible = false;
         return;
@@ -95,19 +95,19 @@ static void tell_array(inspector *self, const ir_node *row, const char *what, un
 }
 
 /** The same by a macro of loop.h. */
-static void tell_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
-                        const ir_node *base) {
+static void log_either(inspector *self, const ir_node *row, bool is_update, unsigned number,
+                       const ir_node *base) {
     arena *a = self->loop->arena;
     const char *what = is_update ? "TOUCH" : "READ";
-    const char *text = tell_row_text(self, row);
-    const char *address = tell_address_text(self, row, NULL);
+    const char *text = log_row_text(self, row);
+    const char *address = log_address_text(self, row, NULL);
     writer *out = self->printer.out;
     const bool is_row = base && is_numbered(row, base);
-    const char *array = is_row ? tell_row_text(self, row->children[0]) : NULL;
-    const char *subscript = is_row ? tell_row_text(self, row->children[1]) : NULL;
+    const char *array = is_row ? log_row_text(self, row->children[0]) : NULL;
+    const char *subscript = is_row ? log_row_text(self, row->children[1]) : NULL;
     if (row->kind == IR_VARIABLE && row->type->kind == IR_ARRAY)
-        tell_array(self, row, what, number);
-    else if (is_row && !self->is_bare)
+        log_array(self, row, what, number);
+    else if (is_row && !self->is_unconditional)
         writer_line(out, "REDCC_%s_ROW(%u, %s, %s);", what, number, macro_argument(a, array),
                     macro_argument(a, subscript));
     else if (is_row)
@@ -128,12 +128,12 @@ static bool is_guarded(const loop_text *loop, unsigned number) {
     return false;
 }
 
-const char *dry_run_end(loop_text *loop) {
+const char *precheck_end(loop_text *loop) {
     const ir_position place = ir_position_of(loop->unit, loop->facts->loop->range.begin);
     return arena_format(loop->arena, "redcc__over_%u_%u", place.line, place.column);
 }
 
-/** A dry run may end after this was told. */
+/** A dependence pre-check may end after this was logged. */
 static void may_end_here(inspector *self, bool is_update, unsigned number) {
     loop_text *loop = self->loop;
     writer *out = self->printer.out;
@@ -144,24 +144,24 @@ static void may_end_here(inspector *self, bool is_update, unsigned number) {
         writer_line(out, "REDCC_RETURN_IF_OVER");
     else if (self->is_either)
         writer_line(out, "REDCC_RETURN_IF_STALE(%u)", number);
-    else if (!self->probes && is_update) /* a dry run probes nothing */
-        writer_line(out, "if (!redcc__worker.last) goto %s;", dry_run_end(loop));
+    else if (!self->probes && is_update) /* a pre-check probes nothing */
+        writer_line(out, "if (!redcc__worker.last) goto %s;", precheck_end(loop));
     else if (!self->probes)
         writer_line(out, "if (redcc_is_over(&redcc__worker, %u)) goto %s;", number,
-                    dry_run_end(loop));
+                    precheck_end(loop));
 }
 
-/** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
+/** Logs a row of array or source `number`, or probes it; `is_update` or read. `base`: as of
  *  is_numbered, or NULL. */
-void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
-              const ir_node *base) {
+void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
+             const ir_node *base) {
     const char *what = is_update ? "touch" : "read";
-    const char *text = tell_row_text(self, row);
-    const char *address = tell_address_text(self, row, NULL);
+    const char *text = log_row_text(self, row);
+    const char *address = log_address_text(self, row, NULL);
     const char *plain = row->type->is_restrict ? "(const void *)" : "";
     writer *out = self->printer.out;
     if (self->is_either)
-        tell_either(self, row, is_update, number, base);
+        log_either(self, row, is_update, number, base);
     else if (!self->probes)
         writer_line(out, "redcc_%s(&redcc__worker, %u, %s, sizeof(%s));", what, number, address,
                     text);
@@ -169,36 +169,36 @@ void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned numb
         writer_line(out,
                     "redcc_probe_%s_row(&redcc__probe, &redcc__worker, %u, %s%s, (redcc_int)%s, "
                     "sizeof(%s));",
-                    what, number, plain, tell_row_text(self, row->children[0]),
-                    tell_row_text(self, row->children[1]), text);
+                    what, number, plain, log_row_text(self, row->children[0]),
+                    log_row_text(self, row->children[1]), text);
     else
         writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, %s, sizeof(%s));", what,
                     number, address, text);
     may_end_here(self, is_update, number);
 }
 
-bool told_is_update(const told_row *item) {
+bool logged_is_update(const logged_row *item) {
     return item->source == SOURCE_NOT_LOGGED;
 }
 
 /** Of the array that is updated, or of the source. */
-unsigned told_number(const told_row *item) {
-    return told_is_update(item) ? item->array : (unsigned)item->source;
+unsigned logged_number(const logged_row *item) {
+    return logged_is_update(item) ? item->array : (unsigned)item->source;
 }
 
 /** Row number `row` of the list, from its first on, whose address was noted, to this one. */
-void tell_up_to(inspector *self, const told_row *item, unsigned row, const ir_variable *counter) {
-    const unsigned number = told_number(item);
+void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter) {
+    const unsigned number = logged_number(item);
     arena *a = self->printer.arena;
-    self->is_bare = item->is_bare;
+    self->is_unconditional = item->is_unconditional;
     const char *end =
-        item->is_bare
-            ? arena_format(a, "%s + sizeof(%s)", tell_address_text(self, item->row, counter),
-                           tell_row_text(self, item->row))
-            : arena_format(a, "(const char *)(&%s + 1)", tell_row_text(self, item->row));
+        item->is_unconditional
+            ? arena_format(a, "%s + sizeof(%s)", log_address_text(self, item->row, counter),
+                           log_row_text(self, item->row))
+            : arena_format(a, "(const char *)(&%s + 1)", log_row_text(self, item->row));
     const char *bytes = arena_format(a, "(redcc_size)(%s - redcc__begin_%u)", end, row);
     writer *out = self->printer.out;
-    if (self->is_either && told_is_update(item))
+    if (self->is_either && logged_is_update(item))
         writer_line(out, "REDCC_TOUCH_SPAN(%u, redcc__begin_%u, %s);", number, row,
                     macro_argument(a, end));
     else if (self->is_either)
@@ -206,14 +206,14 @@ void tell_up_to(inspector *self, const told_row *item, unsigned row, const ir_va
                     macro_argument(a, bytes));
     else if (self->probes)
         writer_line(out, "redcc_probe_%s(&redcc__probe, &redcc__worker, %u, redcc__begin_%u, %s);",
-                    told_is_update(item) ? "touch" : "read", number, row, bytes);
-    else if (told_is_update(item))
+                    logged_is_update(item) ? "touch" : "read", number, row, bytes);
+    else if (logged_is_update(item))
         writer_line(out, "redcc_touch_span(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
                     end);
     else
         writer_line(out, "redcc_read(&redcc__worker, %u, redcc__begin_%u, %s);", number, row,
                     bytes);
-    may_end_here(self, told_is_update(item), number);
+    may_end_here(self, logged_is_update(item), number);
 }
 
 /* ---- loops of functions that are called ---------------------------------------------------- */
@@ -226,20 +226,20 @@ static void open_loops(inspector *self, const loop_source *read, bool is_span) {
         const source_loop *loop = &read->loops[i];
         const char *name = source_loop_counter(a, i);
         const char *type = origin_type(a, loop->counter->type);
-        const char *lower = tell_row_text(self, loop->lower);
+        const char *lower = log_row_text(self, loop->lower);
         self->loop_count = i + 1;
         if (!type)
             loop_obstacle(self->loop, read->row->range, "the type of a counter has no name");
         writer_line(out, "{ %s %s = (%s)%s;", type, name, type, lower);
         writer_line(out, "%s {",
-                    source_loop_header(a, read, i, name, tell_row_text(self, loop->bound),
+                    source_loop_header(a, read, i, name, log_row_text(self, loop->bound),
                                        is_span && i + 1 == read->loop_count));
     }
 }
 
-/** Tells what a function that is called reads in its loops: `for` each turn, or at once. */
-static void tell_in_loops(inspector *self, const loop_source *read, unsigned number,
-                          const ir_node *base) {
+/** Logs what a function that is called reads in its loops: in each iteration, or at once. */
+static void log_in_loops(inspector *self, const loop_source *read, unsigned number,
+                         const ir_node *base) {
     const source_loop *last = &read->loops[read->loop_count - 1];
     const bool is_span = source_loop_is_span(last, read->row);
     arena *a = self->loop->arena;
@@ -248,13 +248,14 @@ static void tell_in_loops(inspector *self, const loop_source *read, unsigned num
     open_loops(self, read, is_span);
     if (is_span) {
         writer_line(out, "const char *const redcc__begin_0 = (const char *)%s;",
-                    tell_address_text(self, read->row, last->counter));
+                    log_address_text(self, read->row, last->counter));
         writer_line(out, "%s = (%s)(%s%s);", source_loop_counter(a, read->loop_count - 1),
-                    origin_type(a, last->counter->type), tell_row_text(self, last->bound),
+                    origin_type(a, last->counter->type), log_row_text(self, last->bound),
                     last->comparison == IR_OP_LESS ? " - 1" : "");
-        tell_up_to(self, &(told_row){read->row, (int)number, 0, self->is_bare}, 0, last->counter);
+        log_up_to(self, &(logged_row){read->row, (int)number, 0, self->is_unconditional}, 0,
+                  last->counter);
     } else {
-        tell_row(self, read->row, false, number, base);
+        log_row(self, read->row, false, number, base);
     }
     self->loop_count = 0;
     for (unsigned i = 0; i < read->loop_count; i++)
@@ -262,26 +263,26 @@ static void tell_in_loops(inspector *self, const loop_source *read, unsigned num
     self->recent.count = 0;
 }
 
-void tell_update(inspector *self, const reduction_update *update) {
-    const told_row item = {update->row, SOURCE_NOT_LOGGED, update->array, false};
-    if (was_just_told(self, item))
+void log_update(inspector *self, const reduction_update *update) {
+    const logged_row item = {update->row, SOURCE_NOT_LOGGED, update->array, false};
+    if (was_just_logged(self, item))
         return;
-    self->is_bare = update_is_bare(self->loop->facts, update);
-    tell_row(self, update->row, true, update->array, self->loop->facts->arrays[update->array].base);
+    self->is_unconditional = update_is_unconditional(self->loop->facts, update);
+    log_row(self, update->row, true, update->array, self->loop->facts->arrays[update->array].base);
     remember(self, item);
 }
 
-void tell_read(inspector *self, const loop_source *read, int number) {
-    const told_row item = {read->row, number, 0, false};
-    if (!read->loop_count && was_just_told(self, item))
+void log_read(inspector *self, const loop_source *read, int number) {
+    const logged_row item = {read->row, number, 0, false};
+    if (!read->loop_count && was_just_logged(self, item))
         return;
     const bool is_fixed =
         read->base && self->loop->plan->has_ready_base[read - self->loop->facts->sources];
-    self->is_bare = source_is_bare(self->loop->facts, read);
+    self->is_unconditional = source_is_unconditional(self->loop->facts, read);
     if (read->loop_count) {
-        tell_in_loops(self, read, (unsigned)number, is_fixed ? read->base : NULL);
+        log_in_loops(self, read, (unsigned)number, is_fixed ? read->base : NULL);
         return;
     }
-    tell_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
+    log_row(self, read->row, false, (unsigned)number, is_fixed ? read->base : NULL);
     remember(self, item);
 }

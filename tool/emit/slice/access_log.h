@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The inspector being written: what it has told, and how it tells. For inspector.c. */
+/** The inspector that is being written: what it has logged, and how it logs. */
 #ifndef EMIT_SLICE_ACCESS_LOG_H
 #define EMIT_SLICE_ACCESS_LOG_H
 
@@ -7,58 +7,58 @@
 #include "emit/text/print.h"
 #include "support/vector.h"
 
-/** A row whose address is told. */
-typedef struct told_row {
+/** A row whose address is logged. */
+typedef struct logged_row {
     const ir_node *row;
     int source; /* or SOURCE_NOT_LOGGED, for an update */
     unsigned array;
-    bool is_bare;
-} told_row;
+    bool is_unconditional;
+} logged_row;
 
-typedef VECTOR(told_row) row_list;
+typedef VECTOR(logged_row) row_list;
 
 typedef struct inspector {
     printer printer; /* first: the printer's hook gets at the rest through it */
     loop_text *loop;
-    bool probes;         /* addresses are compared, not told; */
-    bool is_either;      /* or the text does for both */
-    bool *update_told;   /* by update */
-    bool *source_told;   /* by the facts' source */
-    bool *is_mentioned;  /* by variable: in what was printed */
-    bool is_bare;        /* what is printed now may be evaluated where the program does not */
-    unsigned loop_count; /* around what is printed now, of a function that the loop calls */
+    bool probes;           /* addresses are compared, not logged; */
+    bool is_either;        /* or the text does for both */
+    bool *update_logged;   /* by update */
+    bool *source_logged;   /* by the facts' source */
+    bool *is_mentioned;    /* by variable: in what was printed */
+    bool is_unconditional; /* what is printed now may be evaluated where the program does not */
+    unsigned loop_count;   /* around what is printed now, of a function that the loop calls */
     const source_loop *loops;
-    row_list recent;   /* told since the slice last did something else */
+    row_list recent;   /* logged since the slice last did something else */
     size_t recent_end; /* length of the text when the last of them was */
 } inspector;
 
-bool told_same(const told_row *a, const told_row *b);
-/** Is it told as updated, not as read? */
-bool told_is_update(const told_row *item);
+bool logged_same(const logged_row *a, const logged_row *b);
+/** Is it logged as updated, not as read? */
+bool logged_is_update(const logged_row *item);
 /** The number of the array that is updated, or of the source. */
-unsigned told_number(const told_row *item);
+unsigned logged_number(const logged_row *item);
 
 /** The printer's hook for spellings: notes the variables. context: the inspector. */
 const char *inspector_note_variable(const ir_node *node, void *context);
 /** &row, or, where the program may not come to it, as a number: a pointer has a meaning only within
  *  its object. Of a span: for the counter's present value; else counter is NULL. */
-const char *tell_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
+const char *log_address_text(inspector *self, const ir_node *row, const ir_variable *counter);
 /** As the slice names things: what it has stored is in variables. */
-const char *tell_row_text(inspector *self, const ir_node *row);
+const char *log_row_text(inspector *self, const ir_node *row);
 
-/** Tells a row of array or source `number`, or probes it; `is_update` or read. `base`: of an array
- *  or pointer that no iteration changes, for rows that may be told by their number; or NULL. */
-void tell_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
-              const ir_node *base);
+/** Logs a row of array or source `number`, or probes it; `is_update` or read. `base`: of an array
+ *  or pointer that no iteration changes, for rows that may be logged by their number; or NULL. */
+void log_row(inspector *self, const ir_node *row, bool is_update, unsigned number,
+             const ir_node *base);
 /** Row number `row` of a list, from its first element on, whose address was noted, to this one. */
-void tell_up_to(inspector *self, const told_row *item, unsigned row, const ir_variable *counter);
-/** Tells what an update writes, unless that was just told; */
-void tell_update(inspector *self, const reduction_update *update);
+void log_up_to(inspector *self, const logged_row *item, unsigned row, const ir_variable *counter);
+/** Logs what an update writes, unless that was just logged; */
+void log_update(inspector *self, const reduction_update *update);
 /** and what is read, in the loops of a function that is called where it is there. */
-void tell_read(inspector *self, const loop_source *read, int number);
+void log_read(inspector *self, const loop_source *read, int number);
 
-/** In the text of a loop that is written in place: the label at an iteration's end, where a dry run
- *  that is over goes on. */
-const char *dry_run_end(loop_text *loop);
+/** In the text of a loop that is written in place: the label at an iteration's end, where a
+ *  dependence pre-check that has stopped goes on. */
+const char *precheck_end(loop_text *loop);
 
 #endif

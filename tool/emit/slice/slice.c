@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
  * The inspector: the slice of the body that computes the subscripts, and where the body would
- * update or read, a call that tells the runtime the address; or, to probe the iteration, one that
+ * update or read, a call that logs the address; or, to probe the iteration, one that
  * only compares it with what the iterations before have touched.
  */
 #include "emit/slice/slice.h"
@@ -22,8 +22,8 @@ static bool is_declared_in_block(const ir_node *node) {
            node->parent->parent && node->parent->parent->kind == IR_BLOCK;
 }
 
-/** Is this the statement before which the source's address is to be told, or the declarator? Those
- *  before it in its declaration may be needed for the address. */
+/** Is this the statement before which the source's address is to be logged, or the declarator?
+ * Those before it in its declaration may be needed for the address. */
 static bool is_place(const loop_facts *facts, const loop_source *read, const ir_node *statement) {
     if (!read->place || read->place == facts->loop)
         return statement == facts->counted.body;
@@ -39,43 +39,43 @@ static bool before_statement(printer *p, const ir_node *statement) {
         const int number = self->loop->plan->source_number[i];
         if (facts->sources[i].extent == EXTENT_TOUCHED && number != SOURCE_NOT_LOGGED &&
             is_place(facts, &facts->sources[i], statement)) {
-            tell_read(self, &facts->sources[i], number);
-            self->source_told[i] = true;
+            log_read(self, &facts->sources[i], number);
+            self->source_logged[i] = true;
         }
     }
-    self->is_bare = is_bare(facts, statement);
+    self->is_unconditional = is_unconditional(facts, statement);
     const forwarded_store *store = forward_stored_by(facts, statement);
     if (store && facts->slice.holds[statement->id])
         write_forward(self->loop, p->out, store, inspector_note_variable, self);
     bool is_update = false;
     for (unsigned i = 0; i < facts->update_count; i++)
         if (facts->updates[i].statement == statement) {
-            tell_update(self, &facts->updates[i]);
-            self->update_told[i] = true;
+            log_update(self, &facts->updates[i]);
+            self->update_logged[i] = true;
             is_update = true;
         }
-    self->is_bare = is_bare(facts, statement);
+    self->is_unconditional = is_unconditional(facts, statement);
     const ir_node *increment = facts->counted.increment;
     return is_update || statement == increment ||
            (increment && statement->kind == IR_EXPRESSION && ir_child(statement, 0) == increment);
 }
 
-/* ---- loops told at once -------------------------------------------------------------------- */
+/* ---- loops logged at once -------------------------------------------------------------------- */
 
 static bool is_at_once(const printer *p, const ir_node *loop) {
     return span_of(((const inspector *)p)->loop->facts, loop) != NULL;
 }
 
-static void list_row(inspector *self, row_list *rows, told_row item) {
+static void list_row(inspector *self, row_list *rows, logged_row item) {
     for (unsigned i = 0; i < rows->count; i++)
-        if (told_same(&rows->items[i], &item)) {
-            rows->items[i].is_bare |= item.is_bare;
+        if (logged_same(&rows->items[i], &item)) {
+            rows->items[i].is_unconditional |= item.is_unconditional;
             return;
         }
     VECTOR_PUSH(self->printer.arena, rows, item);
 }
 
-/** What the body of a span tells, each row once. */
+/** What the body of a span logs, each row once. */
 static row_list rows_of_span(inspector *self, const ir_node *body) {
     const loop_facts *facts = self->loop->facts;
     row_list rows = {0};
@@ -85,60 +85,61 @@ static row_list rows_of_span(inspector *self, const ir_node *body) {
         if (read->extent != EXTENT_TOUCHED || number == SOURCE_NOT_LOGGED || !read->place ||
             !ir_contains(body, read->place))
             continue;
-        list_row(self, &rows, (told_row){read->row, number, 0, source_is_bare(facts, read)});
-        self->source_told[i] = true;
+        list_row(self, &rows,
+                 (logged_row){read->row, number, 0, source_is_unconditional(facts, read)});
+        self->source_logged[i] = true;
     }
     for (unsigned i = 0; i < facts->update_count; i++) {
         const reduction_update *update = &facts->updates[i];
         if (!ir_contains(body, update->statement))
             continue;
         list_row(self, &rows,
-                 (told_row){update->row, SOURCE_NOT_LOGGED, update->array,
-                            update_is_bare(facts, update)});
-        self->update_told[i] = true;
+                 (logged_row){update->row, SOURCE_NOT_LOGGED, update->array,
+                              update_is_unconditional(facts, update)});
+        self->update_logged[i] = true;
     }
     return rows;
 }
 
 /** The counter has its first value; afterwards it has the one that the loop leaves it with. */
-static void tell_at_once(printer *p, const ir_node *loop) {
+static void log_at_once(printer *p, const ir_node *loop) {
     inspector *self = (inspector *)p;
     const counted_loop *counted = &span_of(self->loop->facts, loop)->counted;
     const char *counter = origin_variable(p->arena, counted->counter);
     const row_list rows = rows_of_span(self, counted->body);
     for (unsigned i = 0; i < rows.count; i++)
         if (expression_mentions(rows.items[i].row, counted->counter)) {
-            self->is_bare = rows.items[i].is_bare;
+            self->is_unconditional = rows.items[i].is_unconditional;
             writer_line(p->out, "const char *const redcc__begin_%u = (const char *)%s;", i,
-                        tell_address_text(self, rows.items[i].row, counted->counter));
+                        log_address_text(self, rows.items[i].row, counted->counter));
         }
     for (unsigned i = 0; i < rows.count; i++) {
-        const told_row *item = &rows.items[i];
-        self->is_bare = item->is_bare;
+        const logged_row *item = &rows.items[i];
+        self->is_unconditional = item->is_unconditional;
         if (!expression_mentions(item->row, counted->counter))
-            tell_row(self, item->row, told_is_update(item), told_number(item), NULL);
+            log_row(self, item->row, logged_is_update(item), logged_number(item), NULL);
     }
-    self->is_bare = is_bare(self->loop->facts, loop);
+    self->is_unconditional = is_unconditional(self->loop->facts, loop);
     writer_line(p->out, "%s = (__typeof__(%s))(%s%s);", counter, counter,
-                tell_row_text(self, counted->bound),
+                log_row_text(self, counted->bound),
                 counted->comparison == IR_OP_LESS ? " - 1" : "");
     for (unsigned i = 0; i < rows.count; i++)
         if (expression_mentions(rows.items[i].row, counted->counter))
-            tell_up_to(self, &rows.items[i], i, counted->counter);
+            log_up_to(self, &rows.items[i], i, counted->counter);
     if (!counted->counter_is_declared_in_header)
         writer_line(p->out, "%s++;", counter);
 }
 
 /** Nothing that the loop touches may stay untold. */
-static void check_all_told(inspector *self) {
+static void check_all_logged(inspector *self) {
     const loop_facts *facts = self->loop->facts;
     for (unsigned i = 0; i < facts->update_count; i++)
-        if (!self->update_told[i])
+        if (!self->update_logged[i])
             loop_obstacle(self->loop, facts->updates[i].target->range,
                           "the inspector cannot reach an update of '%s'",
                           facts->arrays[facts->updates[i].array].name);
     for (unsigned i = 0; i < facts->source_count; i++)
-        if (facts->sources[i].extent == EXTENT_TOUCHED && !self->source_told[i] &&
+        if (facts->sources[i].extent == EXTENT_TOUCHED && !self->source_logged[i] &&
             self->loop->plan->source_number[i] != SOURCE_NOT_LOGGED)
             loop_obstacle(self->loop, facts->sources[i].row->range,
                           "the inspector cannot reach a read of '%s'", facts->sources[i].name);
@@ -146,7 +147,7 @@ static void check_all_told(inspector *self) {
 
 /* ---- the variables of the slice ------------------------------------------------------------ */
 
-/** Is the variable needed by what was printed, or by an address that was told? */
+/** Is the variable needed by what was printed, or by an address that was logged? */
 static bool is_needed(const inspector *self, const ir_variable *variable) {
     const loop_facts *facts = self->loop->facts;
     if (self->is_mentioned[variable->id])
@@ -155,7 +156,7 @@ static bool is_needed(const inspector *self, const ir_variable *variable) {
         if (expression_mentions(facts->updates[i].row, variable))
             return true;
     for (unsigned i = 0; i < facts->source_count; i++)
-        if (facts->sources[i].extent == EXTENT_TOUCHED && self->source_told[i] &&
+        if (facts->sources[i].extent == EXTENT_TOUCHED && self->source_logged[i] &&
             expression_mentions(facts->sources[i].row, variable))
             return true;
     return false;
@@ -192,7 +193,7 @@ static void write_gathers(loop_text *loop, writer *out, bool *is_mentioned) {
     writer_fill(out, false);
 }
 
-static void tell_gathers(printer *p) {
+static void write_gathers_at_end(printer *p) {
     inspector *self = (inspector *)p;
     if (self->is_either)
         write_gathers(self->loop, p->out, self->is_mentioned);
@@ -219,20 +220,20 @@ static void write_statements(loop_text *loop, writer *out, bool probes, bool is_
                                   .keep = facts->slice.holds,
                                   .before = before_statement,
                                   .is_at_once = is_at_once,
-                                  .print_at_once = tell_at_once,
-                                  .at_end = tell_gathers},
+                                  .print_at_once = log_at_once,
+                                  .at_end = write_gathers_at_end},
                       .loop = loop,
                       .probes = probes,
                       .is_either = is_either,
-                      .update_told = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
-                      .source_told = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
+                      .update_logged = ARENA_ARRAY(loop->arena, bool, facts->update_count + 1),
+                      .source_logged = ARENA_ARRAY(loop->arena, bool, facts->source_count + 1),
                       .is_mentioned = is_mentioned};
     self.printer.rename = inspector_note_variable;
     self.printer.context = &self;
     writer slice = {.depth = out->depth, .fills = is_either};
     self.printer.out = &slice;
     print_body(&self.printer, facts->counted.body);
-    check_all_told(&self);
+    check_all_logged(&self);
     if (self.printer.problem)
         loop_obstacle(loop, facts->loop->range, "%s", self.printer.problem);
 
@@ -268,6 +269,6 @@ void write_inspected_iteration(loop_text *loop, writer *out, bool probes) {
     } else {
         writer_line(out, "redcc_iteration_done(&redcc__worker);");
         if (loop->plan->precheck != PRECHECK_NONE)
-            writer_line(out, "%s:;", dry_run_end(loop));
+            writer_line(out, "%s:;", precheck_end(loop));
     }
 }

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/** The slice of an iteration, which tells the addresses that it touches. */
+/** The slice of an iteration, which logs the addresses that it touches. */
 #ifndef EMIT_SLICE_SLICE_H
 #define EMIT_SLICE_SLICE_H
 
 #include "emit/base/loop.h"
 
-/** inspector.c: the statements of one iteration, counter and private variables declared: they tell
- *  its addresses, or probe them and leave the loop around them where they must be told. */
+/** The statements of one iteration, counter and private variables declared: they log
+ *  its addresses, or probe them and leave the loop around them where they must be logged. */
 void write_inspected_iteration(loop_text *loop, writer *out, bool probes);
 
 /** The same by the macros of loop.h, which do either; sets is_mentioned for each variable, by its
  *  number, that is named. */
 void write_slice_statements(loop_text *loop, writer *out, bool *is_mentioned);
 
-/** source_loops.c: in the inspector, the name of the counter number `depth` of a source's loops, */
+/** In the inspector, the name of the counter number `depth` of a source's loops, */
 const char *source_loop_counter(arena *a, unsigned depth);
-/** and the head of the loop, after which a block follows: `if` where one turn tells all of it. */
+/** and the head of the loop, after which a block follows: `if` where one iteration logs all of it.
+ */
 const char *source_loop_header(arena *a, const loop_source *read, unsigned depth,
                                const char *counter, const char *bound, bool is_span);
 

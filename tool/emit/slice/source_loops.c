@@ -9,7 +9,7 @@ const char *source_loop_counter(arena *a, unsigned depth) {
     return arena_format(a, "redcc__each_%u", depth);
 }
 
-/** Does what is told, and how often, depend on this loop's counter? */
+/** Does what is logged, and how often, depend on this loop's counter? */
 static bool is_asked_for(const loop_source *read, unsigned depth) {
     const ir_variable *counter = read->loops[depth].counter;
     for (unsigned i = depth + 1; i < read->loop_count; i++)

@@ -250,7 +250,7 @@ static void print_case(printer *p, const ir_node *node) {
 }
 
 /** A jump is printed where all control between it and what it leaves is: what is left out of a
- *  slice only makes the inspector tell more than is touched. */
+ *  slice only makes the inspector log more than is touched. */
 static void print_jump(printer *p, const ir_node *node) {
     const bool is_break = node->kind == IR_BREAK;
     if ((is_break ? p->unkept_since_break : p->unkept_since_continue) > 0)

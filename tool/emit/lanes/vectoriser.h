@@ -3,8 +3,8 @@
  * Several iterations at once (redcc/lanes.h): the body of a loop, and the functions that it calls,
  * written once more for vectors.
  */
-#ifndef EMIT_LANES_LIFTER_H
-#define EMIT_LANES_LIFTER_H
+#ifndef EMIT_LANES_VECTORISER_H
+#define EMIT_LANES_VECTORISER_H
 
 #include "emit/base/loop.h"
 #include "plan/lanes.h"
@@ -20,7 +20,7 @@ typedef struct lane_clone {
 
 typedef VECTOR(lane_clone) lane_clone_list;
 
-typedef struct lifter {
+typedef struct vectoriser {
     lane_scope in; /* what is being written */
     loop_text *loop;
     lane_clone_list *clones;
@@ -32,14 +32,14 @@ typedef struct lifter {
     const ir_node *region; /* below whose condition it stands; NULL: the others have done all */
     bool may_be_none;      /* perhaps there is no such lane */
     unsigned *mask_count;
-} lifter;
+} vectoriser;
 
 /** An expression of doubles or of floats: its text, a primary expression; a vector, or a scalar
  * that is the same for all lanes. */
-typedef struct lifted {
+typedef struct lane_value {
     const char *text;
     bool is_vector;
-} lifted;
+} lane_value;
 
 /** lanes_real.c: what is called one way for doubles and another way for floats. */
 typedef struct lane_words {
@@ -55,44 +55,44 @@ typedef struct lane_words {
 /** Those of a type that lane_is_real. */
 const lane_words *lane_words_of(const ir_type *type);
 /** The expression's value, computed in its own type, in that of `to`, as C converts it. */
-lifted lane_convert(lifter *l, lifted value, const ir_type *from, const ir_type *to);
+lane_value lane_convert(vectoriser *l, lane_value value, const ir_type *from, const ir_type *to);
 /** The value as a vector, also where all lanes are the same. */
-const char *lane_spread(lifter *l, lifted value, const ir_type *type);
+const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);
 
 /** lanes_expression.c: the expression for all lanes, converted to a type that lane_is_real. */
-lifted lane_expression(lifter *l, const ir_node *node, const ir_type *to);
+lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to);
 /** The same as a vector, also where all lanes are the same. */
-const char *lane_vector(lifter *l, const ir_node *node, const ir_type *to);
+const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
 /** The text of lane redcc__l; of a uniform expression its own. */
-const char *lane_scalar(lifter *l, const ir_node *node);
+const char *lane_scalar(vectoriser *l, const ir_node *node);
 /** The text of a uniform condition, without parentheses around it. */
-const char *lane_condition(lifter *l, const ir_node *node);
-/** A rename of ir_c.h with a lifter as its context: things of lane redcc__l. */
+const char *lane_condition(vectoriser *l, const ir_node *node);
+/** A rename of ir_c.h with a vectoriser as its context: things of lane redcc__l. */
 const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */
-const char *lane_call(lifter *l, const ir_node *call);
+const char *lane_call(vectoriser *l, const ir_node *call);
 
 /** lanes_mask.c: which lanes a condition holds for. */
-const char *lane_mask(lifter *l, const ir_node *node);
+const char *lane_mask(vectoriser *l, const ir_node *node);
 /** Writes a variable for the lanes of l->mask of which the condition holds as well; its name. */
-const char *lane_new_mask(lifter *l, const char *condition);
+const char *lane_new_mask(vectoriser *l, const char *condition);
 /** The text of one lane's value; 0 in lanes that do not evaluate it, where it may not be. */
-const char *lane_guarded(lifter *l, const ir_node *node, const char *text);
+const char *lane_guarded(vectoriser *l, const ir_node *node, const char *text);
 /** Do lanes that do not execute an assignment to the variable need its old value? */
-bool lane_needs_select(const lifter *l, const ir_variable *variable);
+bool lane_needs_select(const vectoriser *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */
-void lane_masked_if(lifter *l, const ir_node *node);
+void lane_masked_if(vectoriser *l, const ir_node *node);
 
 /** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
-void lane_declare(lifter *l, const ir_variable *variable);
+void lane_declare(vectoriser *l, const ir_variable *variable);
 /** The type without qualifiers of its own. */
-const char *lane_type(lifter *l, const ir_type *type);
+const char *lane_type(vectoriser *l, const ir_type *type);
 /** Writes what stands in a block that is open, and closes it. */
-void lane_part(lifter *l, const ir_node *part);
+void lane_part(vectoriser *l, const ir_node *part);
 /** Writes what the statement computes, for all lanes. */
-void lane_statement(lifter *l, const ir_node *statement);
+void lane_statement(vectoriser *l, const ir_node *statement);
 
 /** lanes_loop.c: writes a `for` in a block, which begins with what the `for` declares. */
-void lane_for(lifter *l, const ir_node *loop);
+void lane_for(vectoriser *l, const ir_node *loop);
 
 #endif
