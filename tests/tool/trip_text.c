@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "emit/base/loop.h"
+#include "emit/call.h"
 #include "emit/text/origin.h"
 #include "ir/ir.h"
 
@@ -95,7 +96,9 @@ static void print_generated(arena *a, unsigned number, const struct type_row *co
         .comparison = form->comparison,
         .step = form->step,
     };
-    loop_text loop = {.arena = a, .facts = &facts, .counter_type = counter->spelling};
+    const loop_plan plan = {.facts = &facts};
+    loop_text loop = {
+        .arena = a, .facts = &facts, .plan = &plan, .counter_type = counter->spelling};
     writer out = {.depth = 1};
     const char *entry = plain(a, write_trip_count(&loop, &out));
     printf("static redcc_int generated_%u(%s from, %s to, redcc_int *last) {\n", number,

@@ -54,7 +54,7 @@ const ir_node *expression_written(const ir_node *node);
 /** May evaluating this very node (not what is below) trap, or have no meaning, for some operands:
  * calls, divisions, shifts, conversions of floating values, assignments with an operator? Sums and
  *  products of signed integers may too: they are written so that they wrap around
- *  (emit/unconditional.c), but for those that assign. */
+ *  (emit/base/wrapping.c), but for those that assign. */
 bool expression_is_hazard(const ir_node *node);
 /** The same of it and all that is below. Loads do not count. */
 bool expression_has_hazard(const ir_node *node);

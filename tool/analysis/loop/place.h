@@ -19,7 +19,7 @@ bool slice_is_ahead(const ir_node *node, const ir_node *place);
 
 /** May this expression be evaluated where the program did not: no loads, no calls, nothing that may
  *  trap or have no meaning (divisions, conversions of floating values, shifts)? Overflow of signed
- *  sums and products is left to who writes it: emit/unconditional.c. */
+ *  sums and products is left to who writes it: emit/base/wrapping.c. */
 bool slice_is_safe_anywhere(const ir_node *row);
 
 /** Has each of the loops bounds that are constants? */

@@ -41,7 +41,7 @@ typedef struct lane_value {
     bool is_vector;
 } lane_value;
 
-/** lanes_real.c: what is called one way for doubles and another way for floats. */
+/** What is called one way for doubles and another way for floats. */
 typedef struct lane_words {
     const char *vector; /* the type of their vectors */
     const char *gather; /* makes one of a lane's text */
@@ -59,7 +59,7 @@ lane_value lane_convert(vectoriser *l, lane_value value, const ir_type *from, co
 /** The value as a vector, also where all lanes are the same. */
 const char *lane_spread(vectoriser *l, lane_value value, const ir_type *type);
 
-/** lanes_expression.c: the expression for all lanes, converted to a type that lane_is_real. */
+/** The expression for all lanes, converted to a type that lane_is_real. */
 lane_value lane_expression(vectoriser *l, const ir_node *node, const ir_type *to);
 /** The same as a vector, also where all lanes are the same. */
 const char *lane_vector(vectoriser *l, const ir_node *node, const ir_type *to);
@@ -72,7 +72,7 @@ const char *lane_rename(const ir_node *node, void *context);
 /** The call of a function written for vectors. */
 const char *lane_call(vectoriser *l, const ir_node *call);
 
-/** lanes_mask.c: which lanes a condition holds for. */
+/** Which lanes a condition holds for. */
 const char *lane_mask(vectoriser *l, const ir_node *node);
 /** Writes a variable for the lanes of l->mask of which the condition holds as well; its name. */
 const char *lane_new_mask(vectoriser *l, const char *condition);
@@ -83,7 +83,7 @@ bool lane_needs_select(const vectoriser *l, const ir_variable *variable);
 /** Writes an `if` whose condition is not the same for all lanes. */
 void lane_masked_if(vectoriser *l, const ir_node *node);
 
-/** lanes_statement.c: the declaration of a variable of the iteration, without a value. */
+/** The declaration of a variable of the iteration, without a value. */
 void lane_declare(vectoriser *l, const ir_variable *variable);
 /** The type without qualifiers of its own. */
 const char *lane_type(vectoriser *l, const ir_type *type);
@@ -92,7 +92,7 @@ void lane_part(vectoriser *l, const ir_node *part);
 /** Writes what the statement computes, for all lanes. */
 void lane_statement(vectoriser *l, const ir_node *statement);
 
-/** lanes_loop.c: writes a `for` in a block, which begins with what the `for` declares. */
+/** Writes a `for` in a block, which begins with what the `for` declares. */
 void lane_for(vectoriser *l, const ir_node *loop);
 
 #endif

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* Loops, and what tool/plan decides about them: see plan_test.c. */
+#include <math.h>
+
+struct vector {
+    double x, y, z;
+};
+
+/* Each row has a record of its own, one adds and one subtracts. */
+void springs(int n, const int (*edge)[2], const double (*restrict x)[3], double k,
+             double (*restrict b)[3]) {
+    for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 2 tags in 1 streams; prefetch: 16 if light; gathers: 2; lanes: yes
+        int i = edge[t][0], j = edge[t][1];
+        for (int c = 0; c < 3; c++) {
+            double f = k * (x[j][c] - x[i][c]);
+            b[i][c] += f;
+            b[j][c] -= f;
+        }
+    }
+}
+
+/* Three elements side by side are one row. */
+void vectors(int n, const int *restrict s, const double *restrict w, struct vector *restrict f) {
+    for (int t = 0; t < n; t++) { // PLAN: bins: 1 records of 3 values, 1 tags in 1 streams; no prefetch: an iteration is too short
+        f[s[t]].x += w[t];
+        f[s[t]].y += w[t] * 2;
+        f[s[t]].z -= w[t] * 3;
+    }
+}
+
+/* Updates that differ in their operands alone have one tag; another operator has another. */
+void tags(int n, const int *restrict s, const int *restrict r, const double *restrict w,
+          double *restrict h) {
+    for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 1 tags in 1 streams
+        h[s[t]] += w[t];
+        h[r[t]] += w[n - 1 - t];
+    }
+    for (int t = 0; t < n; t++) { // PLAN: bins: 2 records of 1 values, 2 tags in 1 streams
+        h[s[t]] += w[t];
+        h[r[t]] -= w[t];
+    }
+}
+
+/* An unverified value of w may let the body read s behind its end. */
+void decided(int n, const int *restrict s, const double *w, double *h) {
+    for (int t = 0; t < n; t++) // PLAN: no bins: its body may fail with values that are not verified
+        if (w[t] > 0)
+            h[s[t]] += w[t];
+}
+
+/* The same, where w is no part of h. */
+void decided_apart(int n, const int *restrict s, const double *restrict w, double *restrict h) {
+    for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 1 values, 1 tags in 1 streams; precheck: none
+        if (w[t] > 0)
+            h[s[t]] += w[t];
+}
+
+/* k[t] may be no subscript of map until an iteration before has made it one. */
+void made_valid(int n, const int *map, const int *k, int *g) {
+    for (int t = 0; t < n; t++) // PLAN: precheck: updates
+        g[map[k[t]]] += 1;
+}
+
+void not_made_valid(int n, const int *restrict map, const int *restrict k, int *restrict g) {
+    for (int t = 0; t < n; t++) // PLAN: bins: 1 records of 0 values, 1 tags in 1 streams; precheck: none
+        g[map[k[t]]] += 1;
+}
+
+/* Much work behind the row's name. */
+void neighbours(int n, const int *restrict begin, const int *restrict list,
+                const double *restrict x, double *restrict f) {
+    for (int i = 0; i < n; i++) // PLAN: no prefetch: its subscripts are computed in a loop of unknown length; skip: 2 rows
+        for (int k = begin[i]; k < begin[i + 1]; k++) {
+            int j = list[k];
+            double d = x[i] - x[j], r = d * d + 1, e = d / (r * r * r) - d / (r * r);
+            f[i] += e;
+            f[j] -= e;
+        }
+}
+
+/* Nothing is computed before the row is known. */
+void light_neighbours(int n, const int *restrict begin, const int *restrict list,
+                      const double *restrict x, double *restrict f) {
+    for (int i = 0; i < n; i++) // PLAN: no skip: the rows that it updates cannot be named before its work
+        for (int k = begin[i]; k < begin[i + 1]; k++)
+            f[list[k]] += x[i];
+}
+
+/* A sum that is read for something else than an update. */
+void sums(int n, const int *restrict begin, const int *restrict list, const double *restrict x,
+          double *restrict f) {
+    for (int i = 0; i < n; i++) { // PLAN: no skip: a sum that it adds to is read by something else than an update
+        double sum = 0;
+        for (int k = begin[i]; k < begin[i + 1]; k++) {
+            int j = list[k];
+            double d = x[i] - x[j], r = d * d + 1, e = d / (r * r * r) - d / (r * r);
+            sum += e;
+            f[j] -= e;
+        }
+        if (sum > 0)
+            f[i] += sum;
+    }
+}
+
+/* A counter that is a pointer has no lanes. */
+void pointers(const int *begin, const int *end, double *restrict h) {
+    for (const int *p = begin; p < end; p++) // PLAN: lanes: counter; keys: 1
+        h[*p] += 1;
+}
+
+/* The body stands twice: a static variable cannot. */
+void statics(int n, const int *restrict s, double *restrict h) {
+    for (int t = 0; t < n; t++) { // PLAN: obstacle: its body declares 'table' static
+        static int table[2] = {1, 2};
+        h[s[t]] += table[t & 1];
+    }
+}
+
+/* The key: the trip count, the row's base, and the subscripts' array. */
+struct system {
+    double *b;
+};
+
+void keys(int n, const int *restrict s, struct system *restrict m) {
+    for (int t = 0; t < n; t++) // PLAN: keys: 3
+        m->b[s[t]] += 1;
+}
