@@ -135,9 +135,7 @@ static char *logical_line(arena *a, const char *text, const char *at) {
             break;
         buffer_byte(&line, *c);
     }
-    char *copy = arena_copy(a, line.data ? line.data : "", line.length);
-    buffer_free(&line);
-    return copy;
+    return buffer_take(a, &line);
 }
 
 static bool is_same_for_all_versions(const char *expression) {

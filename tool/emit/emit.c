@@ -11,6 +11,7 @@
 #include "ir/ir_position.h"
 #include "plan/contraction.h"
 #include "plan/macros.h"
+#include "plan/place.h"
 
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
@@ -21,15 +22,6 @@ static const char reserved_prefix[] = "redcc__";
 static bool has_crlf(const source *s) {
     const char *end = memchr(s->text, '\n', s->length);
     return end && end > s->text && end[-1] == '\r';
-}
-
-static bool mentions(const source *s, const char *word) {
-    const size_t length = strlen(word);
-    const char *end = s->text + s->length, *at = s->text;
-    for (; (size_t)(end - at) >= length && (at = memchr(at, word[0], (size_t)(end - at))); at++)
-        if ((size_t)(end - at) >= length && memcmp(at, word, length) == 0)
-            return true;
-    return false;
 }
 
 /** The head of the file. */
@@ -55,7 +47,7 @@ static const char *prelude(arena *a, const ir_unit *unit, contraction where, uns
 
 /** Why no loop of the file can be written; NULL: nothing forbids it. */
 static const char *obstacle_of_file(arena *a, const ir_unit *unit) {
-    if (mentions(unit->source, reserved_prefix))
+    if (holds_word(unit->source, 0, (uint32_t)unit->source->length, reserved_prefix))
         return "the file uses names that begin with redcc__, which are reserved for what redcc "
                "writes";
     const char *macro = macro_name_in_head(unit);

@@ -84,12 +84,6 @@ static void add_stand_ins(loop_text *loop, head *h) {
     }
 }
 
-static const char *take(arena *a, buffer *text) {
-    const char *copy = arena_copy(a, text->data ? text->data : "", text->length);
-    buffer_free(text);
-    return copy;
-}
-
 static void write_slice(loop_text *loop, writer *out) {
     const loop_facts *facts = loop->facts;
     bool *is_mentioned = ARENA_ARRAY(loop->arena, bool, loop->unit->variable_count + 1);
@@ -100,11 +94,11 @@ static void write_slice(loop_text *loop, writer *out) {
     add_variables(loop, is_mentioned, false, &h);
     loop->outline.slice_call =
         arena_format(loop->arena, "%s(REDCC_SLICE_ARGUMENTS, %s%s)", outlined_name(loop, "slice"),
-                     loop_counter_value(loop), take(loop->arena, &h.arguments));
+                     loop_counter_value(loop), buffer_take(loop->arena, &h.arguments));
     const bool is_unfused = loop->is_unfused && facts->slice.has_floating_work;
     writer_line(out, "REDCC_SLICE %s(REDCC_SLICE_PARAMETERS, %s%s) {%s",
                 outlined_name(loop, "slice"), counter_parameter(loop, is_used),
-                take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
+                buffer_take(loop->arena, &h.parameters), is_unfused ? " REDCC_UNFUSED_BLOCK" : "");
     if (statements.out.length > 0)
         buffer_shorten(&statements.out, 1); /* the line goes on */
     buffer_text(&out->out, writer_text(loop->arena, &statements));
@@ -121,8 +115,8 @@ static void write_body(loop_text *loop, writer *out) {
     add_variables(loop, is_mentioned, true, &h);
     const unsigned count = facts->array_count;
     const char *kind = loop->bins ? "BINNED" : "BODY";
-    loop->outline.body_arguments = take(loop->arena, &h.arguments);
-    loop->outline.body_parameters = take(loop->arena, &h.parameters);
+    loop->outline.body_arguments = buffer_take(loop->arena, &h.arguments);
+    loop->outline.body_parameters = buffer_take(loop->arena, &h.parameters);
     loop->outline.body_call =
         arena_format(loop->arena, "%s(REDCC_%s_ARGUMENTS_%u, %s%s)", outlined_name(loop, "body"),
                      kind, count, loop_counter_value(loop), loop->outline.body_arguments);

@@ -26,9 +26,7 @@ static const char *firstprivate_clause(loop_text *loop) {
     }
     if (out.length > 0)
         buffer_text(&out, ")");
-    const char *clause = arena_copy(loop->arena, out.length > 0 ? out.data : "", out.length);
-    buffer_free(&out);
-    return clause;
+    return buffer_take(loop->arena, &out);
 }
 
 /** Thread-local scalars cannot be named in the clause: what this thread's hold goes by a copy. */

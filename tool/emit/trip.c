@@ -255,7 +255,5 @@ const char *write_trip_count(loop_text *loop, writer *out) {
              counter_outlives(loop->facts))
         writer_line(out, "const redcc_int redcc__final = %s;", final_text(loop->arena, &h));
     writer_fill(out, false);
-    const char *text = arena_copy(loop->arena, entry.text.data, entry.text.length);
-    buffer_free(&entry.text);
-    return text;
+    return buffer_take(loop->arena, &entry.text);
 }

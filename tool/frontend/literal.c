@@ -154,9 +154,7 @@ static const char *without_trigraphs(converter *c, const char *literal) {
     buffer out = {0};
     for (const char *at = literal; *at; at++)
         buffer_format(&out, at > literal && at[0] == '?' && at[-1] == '?' ? "\\%c" : "%c", *at);
-    const char *text = arena_copy(c->arena, out.data, out.length);
-    buffer_free(&out);
-    return text;
+    return buffer_take(c->arena, &out);
 }
 
 static ir_node *convert_string(converter *c, CXCursor cursor) {

@@ -72,9 +72,8 @@ int operand_number(const bins_record *record, const ir_node *node) {
 static bool has_value_always(const loop_facts *facts, const ir_node *node) {
     if (node->kind != IR_VARIABLE)
         return false;
-    bool is_outer = node->variable == facts->counted.counter;
-    for (unsigned i = 0; i < facts->variables.captured_count; i++)
-        is_outer |= facts->variables.captured[i] == node->variable;
+    const bool is_outer =
+        node->variable == facts->counted.counter || is_captured(facts, node->variable);
     const ir_node *declared = ir_declarator_in(facts->counted.body, node->variable);
     return is_outer || (declared && declared->child_count > 0);
 }

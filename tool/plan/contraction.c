@@ -86,27 +86,19 @@ static bool may_be_contracted(arena *a, const ir_unit *unit, const loop_facts *f
 
 /* ---- places -------------------------------------------------------------------------------- */
 
-static bool has_word(const source *s, uint32_t begin, uint32_t end, const char *word) {
-    const size_t length = strlen(word);
-    for (uint32_t at = begin; at + length <= end; at++)
-        if (memcmp(s->text + at, word, length) == 0)
-            return true;
-    return false;
-}
-
 /** gcc inlines no function into another where only one may be contracted: one that is declared
  *  inline is left as it is. An attribute is no part of a declaration without a type. */
 static bool may_have_attribute(arena *a, const ir_unit *unit, const ir_function *function) {
     const uint32_t begin = function->range.begin;
     return has_place_in_front(a, unit, function) &&
-           !has_word(unit->source, begin, function->body->range.begin, "inline") &&
+           !holds_word(unit->source, begin, function->body->range.begin, "inline") &&
            !source_starts_with(unit->source->text + begin, function->name) &&
            !has_directive(unit, begin, function->body->range.begin, false);
 }
 
 bool may_name_targets(const ir_unit *unit) {
     bool is_found = unit->text.names_target ||
-                    has_word(unit->source, 0, (uint32_t)unit->source->length, "target");
+                    holds_word(unit->source, 0, (uint32_t)unit->source->length, "target");
     for (unsigned i = 0; i < unit->text.header_pragma_count; i++)
         is_found |= strstr(unit->text.header_pragmas[i], "target") != NULL;
     return is_found;

@@ -13,18 +13,10 @@ static bool has_unnamed_array(const loop_facts *facts) {
     return false;
 }
 
-static bool has_other_values(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped)
-            return true;
-    return facts->scalar_count > 0 || facts->forward_count > 0 ||
-           has_conditional_live_outs(facts) || has_live_outs(facts);
-}
-
 lane_reason plan_lanes(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    return has_other_values(facts)             ? NO_LANES_OTHER_VALUES
-           : plan->options->order == ORDER_ANY ? NO_LANES_ANY_ORDER
+    return leaves_values(facts) || facts->forward_count > 0 ? NO_LANES_OTHER_VALUES
+           : plan->options->order == ORDER_ANY              ? NO_LANES_ANY_ORDER
            : facts->counted.counter->type->kind == IR_POINTER || facts->counted.stride
                ? NO_LANES_COUNTER
            : facts->counted.body->kind != IR_BLOCK ? NO_LANES_BODY

@@ -31,6 +31,8 @@ bool counter_outlives(const loop_facts *facts);
  * those that only some do? */
 bool has_live_outs(const loop_facts *facts);
 bool has_conditional_live_outs(const loop_facts *facts);
+/** Does it leave more than its updates of arrays? */
+bool leaves_values(const loop_facts *facts);
 /** The number of the private variable, assigned by some iterations only and wanted after the loop,
  * that this statement assigns; or -1. */
 int conditional_live_out_of(const loop_facts *facts, const ir_node *statement);

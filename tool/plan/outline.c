@@ -22,14 +22,6 @@ static bool has_place(const loop_plan *plan) {
                           syntax_statement_end(file, plan->facts->loop), false);
 }
 
-static bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
-    const size_t length = strlen(word);
-    for (uint32_t at = begin; at + length <= end; at++)
-        if (memcmp(file->text + at, word, length) == 0)
-            return true;
-    return false;
-}
-
 /** A string that a macro makes up may be the function's name. */
 static bool has_string_of_macro(const ir_node *node) {
     if (node->kind == IR_STRING && node->flags & IR_FROM_MACRO)
@@ -86,19 +78,6 @@ static bool is_stand_in(const loop_plan *plan, const ir_variable *variable, bool
     return false;
 }
 
-static bool has_stepped(const loop_facts *facts) {
-    for (unsigned i = 0; i < facts->variables.private_count; i++)
-        if (facts->variables.privates[i].is_stepped)
-            return true;
-    return false;
-}
-
-/** What the macros of loop.h have no place for. */
-static bool has_values_to_leave(const loop_facts *facts) {
-    return has_live_outs(facts) || has_conditional_live_outs(facts) || has_stepped(facts) ||
-           facts->scalar_count > 0;
-}
-
 static bool has_thread_local(const loop_facts *facts) {
     for (unsigned i = 0; i < facts->variables.captured_count; i++)
         if (facts->variables.captured[i]->storage == IR_THREAD_LOCAL)
@@ -121,7 +100,7 @@ handing handing_of(const loop_plan *plan, const ir_variable *variable, bool of_b
 
 const char *plan_outline(const loop_plan *plan) {
     const loop_facts *facts = plan->facts;
-    if (has_values_to_leave(facts) || facts->counted.steps_inside)
+    if (leaves_values(facts) || facts->counted.steps_inside)
         return "the loop leaves more than its updates of arrays";
     if (facts->array_count > MOST_ARRAYS)
         return "it updates too many arrays";

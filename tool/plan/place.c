@@ -16,6 +16,14 @@ bool has_directive(const ir_unit *unit, uint32_t begin, uint32_t end, bool pragm
     return false;
 }
 
+bool holds_word(const source *file, uint32_t begin, uint32_t end, const char *word) {
+    const size_t length = strlen(word);
+    for (uint32_t at = begin; at + length <= end; at++)
+        if (memcmp(file->text + at, word, length) == 0)
+            return true;
+    return false;
+}
+
 /** The last byte before `end` that is neither blank nor part of a directive or comment: its place
  *  plus 1; 0: there is none. */
 static uint32_t end_of_last_token(const ir_unit *unit, uint32_t end) {

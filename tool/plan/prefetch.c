@@ -2,6 +2,7 @@
 #include "plan/prefetch.h"
 
 #include "analysis/base/counted.h"
+#include "plan/lookup.h"
 #include "support/map.h"
 #include "support/vector.h"
 
@@ -214,10 +215,7 @@ static bool is_rows(const loop_facts *facts, const ir_variable *base) {
     const ir_type *type = base->type;
     if (type->kind != IR_POINTER || !type->target || type->target->size <= 0)
         return false;
-    for (unsigned i = 0; i < facts->variables.captured_count; i++)
-        if (facts->variables.captured[i] == base)
-            return true;
-    return false;
+    return is_captured(facts, base);
 }
 
 static bool has_continue(const loop_facts *facts, const ir_node *node) {

@@ -3,6 +3,7 @@
 
 #include "analysis/base/expression.h"
 #include "ir/ir_syntax.h"
+#include "plan/lookup.h"
 #include "plan/unconditional.h"
 
 enum { DEEPEST_CALL = 6 };
@@ -61,17 +62,10 @@ static bool may_read_unverified(const unverified_reads *s, const ir_node *path) 
     return hangs_on_guarded(s, path, true) && !(s->in_slice && is_known_fresh(s, path));
 }
 
-static bool is_captured(const unverified_reads *s, const ir_variable *variable) {
-    for (unsigned i = 0; i < s->plan->facts->variables.captured_count; i++)
-        if (s->plan->facts->variables.captured[i] == variable)
-            return true;
-    return false;
-}
-
 /** A pointer that the iteration has computed: where it leads is not looked for. */
 static bool begins_with_private_pointer(const unverified_reads *s, const ir_node *path) {
     const ir_variable *root = ir_root_variable(path);
-    return !root || (root->type->kind == IR_POINTER && !is_captured(s, root));
+    return !root || (root->type->kind == IR_POINTER && !is_captured(s->plan->facts, root));
 }
 
 static bool is_access(const ir_node *node) {
@@ -131,7 +125,7 @@ static bool passes_private_memory(const unverified_reads *s, const ir_node *call
             ir_root_variable(is_address_of(argument) ? argument->children[0] : argument);
         if (is_address_like(argument->type) &&
             (!root || ((root->storage == IR_LOCAL || root->storage == IR_PARAMETER) &&
-                       !is_captured(s, root))))
+                       !is_captured(s->plan->facts, root))))
             return true;
     }
     return false;
@@ -154,7 +148,7 @@ static bool variable_is_unverified(const unverified_reads *s, const ir_node *nod
     if (s->is_unverified[variable->id])
         return true;
     if (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER)
-        return variable->address_taken && !is_captured(s, variable);
+        return variable->address_taken && !is_captured(s->plan->facts, variable);
     return s->in_callee ? callee_may_read_unverified(s, node->type) : may_read_unverified(s, node);
 }
 

@@ -44,8 +44,7 @@ static const char *text_of(arena *a, const ir_unit *unit) {
     const ir_unit shown = without_branches(a, unit);
     buffer text = {0};
     ir_print(&text, &shown);
-    char *copy = arena_copy(a, text.data ? text.data : "", text.length);
-    buffer_free(&text);
+    char *copy = buffer_take(a, &text);
     drop_attributes(copy);
     return copy;
 }

@@ -54,9 +54,7 @@ static const char *array_list(arena *a, const loop_facts *facts) {
     buffer out = {0};
     for (unsigned i = 0; i < facts->array_count; i++)
         append_array(&out, &facts->arrays[i], i > 0);
-    const char *text = arena_copy(a, out.length > 0 ? out.data : "", out.length);
-    buffer_free(&out);
-    return text;
+    return buffer_take(a, &out);
 }
 
 const char *verdict_sentence(arena *a, const loop_verdict *verdict) {

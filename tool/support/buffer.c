@@ -76,6 +76,13 @@ void buffer_shorten(buffer *b, size_t count) {
     b->data[b->length] = 0;
 }
 
+char *buffer_take(arena *a, buffer *b) {
+    char *text = arena_copy(a, b->length > 0 ? b->data : "", b->length);
+    buffer_free(b);
+    *b = (buffer){0};
+    return text;
+}
+
 void buffer_free(buffer *b) {
     free(b->data);
     *b = (buffer){0};

@@ -5,6 +5,8 @@
 
 #include <stddef.h>
 
+#include "support/arena.h"
+
 typedef struct buffer {
     char *data; /* owned; never NULL after the first append */
     size_t length;
@@ -19,6 +21,8 @@ void buffer_byte(buffer *b, char c);
 void buffer_uri(buffer *b, const char *path);
 /** Takes bytes off the end, at most what there are. */
 void buffer_shorten(buffer *b, size_t count);
+/** The text, in the arena; the buffer is empty again. */
+char *buffer_take(arena *a, buffer *b);
 void buffer_free(buffer *b);
 
 #endif

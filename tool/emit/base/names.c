@@ -75,9 +75,7 @@ static const char *spelling_of(arena *a, const ir_type *type) {
             buffer_byte(&out, *at);
         at += is_word ? LENGTH : 1;
     }
-    const char *text = arena_copy(a, out.data ? out.data : "", out.length);
-    buffer_free(&out);
-    return text;
+    return buffer_take(a, &out);
 }
 
 const char *declaration_text(loop_text *loop, const ir_type *type, const char *name) {

@@ -190,9 +190,7 @@ static const char *values_text(loop_text *loop, const bins_record *record) {
                       value_text(loop, record, i, stream->kinds[i]));
     if (count > 1)
         buffer_byte(&out, ')');
-    const char *text = arena_copy(loop->arena, out.data, out.length);
-    buffer_free(&out);
-    return text;
+    return buffer_take(loop->arena, &out);
 }
 
 static const bins_record *record_of(const bins_plan *bins, const reduction_update *update) {
@@ -288,9 +286,7 @@ static const char *updates_text(loop_text *loop, unsigned stream) {
         else
             buffer_format(&out, tag > 1 ? "{ %s}" : "%s", text);
     }
-    const char *updates = arena_copy(loop->arena, out.data ? out.data : "", out.length);
-    buffer_free(&out);
-    return updates;
+    return buffer_take(loop->arena, &out);
 }
 
 static void write_record(loop_text *loop, writer *out, unsigned stream) {

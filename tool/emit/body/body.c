@@ -161,9 +161,7 @@ static const char *line_ends(const loop_text *loop, uint32_t begin, uint32_t end
     for (uint32_t i = begin; i < end; i++)
         if (text[i] == '\n')
             buffer_byte(&out, '\n');
-    const char *ends = arena_copy(loop->arena, out.length > 0 ? out.data : "", out.length);
-    buffer_free(&out);
-    return ends;
+    return buffer_take(loop->arena, &out);
 }
 
 static void replace_bytes(body_copy *copy, uint32_t begin, uint32_t end, const char *text) {
@@ -407,9 +405,7 @@ static const char *copied_text(body_copy *copy) {
     if (!edit_apply_marked(&out, text->text, body->range.begin, syntax_statement_end(text, body),
                            &copy->edits))
         loop_obstacle(loop, body->range, "the changes to its text overlap");
-    const char *result = arena_copy(loop->arena, out.data ? out.data : "", out.length);
-    buffer_free(&out);
-    return result;
+    return buffer_take(loop->arena, &out);
 }
 
 static bool reads_below(const ir_node *node, const ir_variable *variable, const ir_node *left_out) {

@@ -76,10 +76,7 @@ void writer_line(writer *w, const char *format, ...) {
 
 const char *writer_text(arena *a, writer *w) {
     assert(!w->out.data || w->out.data[w->out.length] == 0);
-    const char *text = arena_copy(a, w->out.length > 0 ? w->out.data : "", w->out.length);
-    buffer_free(&w->out);
-    w->out = (buffer){0};
-    return text;
+    return buffer_take(a, &w->out);
 }
 
 const char *text_quoted(arena *a, const char *text) {
@@ -97,9 +94,7 @@ const char *text_quoted(arena *a, const char *text) {
             buffer_byte(&out, *c);
     }
     buffer_byte(&out, '"');
-    const char *quoted = arena_copy(a, out.data, out.length);
-    buffer_free(&out);
-    return quoted;
+    return buffer_take(a, &out);
 }
 
 /* ---- expressions --------------------------------------------------------------------------- */
@@ -158,8 +153,7 @@ const char *text_expression(arena *a, const ir_node *expression, ir_c_rename ren
     const char *text = NULL;
     marking m = {a, rename, context};
     if (ir_c_expression_spelled(&out, expression, marked_name, marked_type, &m))
-        text = arena_copy(a, out.data, out.length);
-    buffer_free(&out);
+        text = buffer_take(a, &out);
     return text;
 }
 
