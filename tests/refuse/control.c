@@ -171,8 +171,8 @@ void while_increment_skipped(int n, const int *k, double *h) {
 
 int length_of(const int *k);
 
-void declared_and_read(int n, const int *k, double *h) {
-    for (int t = 0, last = n - 1; t <= last; t++) // EXPECT: refuse trip-count
+void declared_and_stepped(int n, const int *k, double *h) {
+    for (int t = 0, last = n - 1; t <= last; t++, last--) // EXPECT: refuse trip-count
         h[k[t]] += last;
 }
 

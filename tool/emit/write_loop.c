@@ -45,6 +45,7 @@ static void write_attempt(loop_text *loop, writer *out) {
         writer_line(out, "REDCC_PREFETCH(%u);", loop->plan->prefetch.ahead);
     declare_extents(loop, out);
     declare_operands(loop, out);
+    write_starts(loop, out);
     declare_entry_values(loop, out, false);
     write_thread_local_copies(loop, out, false);
     for (unsigned i = 0; i < facts->array_count; i++)

@@ -2,7 +2,43 @@
 /* What a for loop's header does before the first iteration. */
 #include "analysis/base/counted_start.h"
 
+#include "analysis/base/counted.h"
 #include "analysis/base/expression.h"
+
+/* ---- what is set, and to which value ----------------------------------------------------------
+ */
+
+static bool add_start(counted_loop *counted, loop_start start) {
+    if (counted->start_count == sizeof counted->starts / sizeof counted->starts[0] ||
+        !expression_is_plain(start.value) || expression_mentions(counted->bound, start.variable))
+        return false;
+    counted->starts[counted->start_count++] = start;
+    return true;
+}
+
+static bool mentions_start(const ir_node *node, const counted_loop *counted) {
+    for (unsigned i = 0; i < counted->start_count; i++)
+        if (expression_mentions(node, counted->starts[i].variable))
+            return true;
+    return false;
+}
+
+/* Do the values depend on nothing that the initialisation sets, nor is one set twice? */
+static bool starts_are_apart(const counted_loop *counted) {
+    if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
+        return false;
+    for (unsigned i = 0; i < counted->start_count; i++) {
+        const loop_start *start = &counted->starts[i];
+        if (mentions_start(start->value, counted) ||
+            expression_mentions(start->value, counted->counter) ||
+            (counted->bound_variable && expression_mentions(start->value, counted->bound_variable)))
+            return false;
+        for (unsigned k = 0; k < i; k++)
+            if (counted->starts[k].variable == start->variable)
+                return false;
+    }
+    return true;
+}
 
 /* ---- declarations ---------------------------------------------------------------------------- */
 
@@ -13,52 +49,101 @@ static const ir_node *declarator_of(const ir_node *declaration, const ir_variabl
     return NULL;
 }
 
-static bool mentions_declared(const ir_node *node, const ir_node *declaration,
-                              const ir_variable *except) {
+static bool mentions_declared(const ir_node *node, const ir_node *declaration) {
     for (unsigned i = 0; i < declaration->child_count; i++)
-        if (declaration->children[i]->variable != except &&
-            expression_mentions(node, declaration->children[i]->variable))
+        if (expression_mentions(node, declaration->children[i]->variable))
             return true;
     return false;
 }
 
-/* for (int t = 0, last = n - 1; t <= last; t++): with the value of `last`, where that is all there
- * is of it, in its place. */
+/* for (int t = 0, last = n - 1; t <= last; t++): with the value of `last`, which it keeps, in its
+ * place. */
+static bool split_declared_bound(const ir_node *loop, const ir_node *declaration,
+                                 counted_loop *counted) {
+    const ir_node *bound = counted->bound->kind == IR_VARIABLE
+                               ? declarator_of(declaration, counted->bound->variable)
+                               : NULL;
+    if (!bound)
+        return true;
+    const ir_type *type = bound->variable->type;
+    if (!bound->child_count || type->is_volatile || type->is_atomic ||
+        !ir_type_equal(type, bound->children[0]->type) ||
+        variable_is_written_in(loop->children[2], bound->variable) ||
+        variable_is_written_in(counted->body, bound->variable))
+        return false;
+    counted->bound = bound->children[0];
+    return true;
+}
+
+/* for (int t = 0, q = 5; t < n; t++, q += 3) */
+static bool split_declared_start(const ir_node *loop, const ir_node *declarator,
+                                 counted_loop *counted) {
+    ir_variable *variable = declarator->variable;
+    const bool is_used = expression_mentions(loop->children[2], variable) ||
+                         expression_mentions(counted->body, variable);
+    if (variable == counted->counter || !is_used)
+        return !declarator->child_count || expression_is_plain(declarator->children[0]);
+    return declarator->child_count &&
+           add_start(counted, (loop_start){variable, declarator->children[0], declarator, true});
+}
+
 bool counted_split_declaration(const ir_node *loop, const ir_node *declaration,
                                counted_loop *counted) {
     const ir_node *own = declarator_of(declaration, counted->counter);
-    const ir_variable *counter = counted->counter;
     if (!own || !own->child_count)
         return false;
     counted->lower = own->children[0];
     counted->counter_is_declared_in_header = true;
     if (declaration->child_count == 1)
         return true;
-    const ir_node *bound = counted->bound->kind == IR_VARIABLE
-                               ? declarator_of(declaration, counted->bound->variable)
-                               : NULL;
-    if (bound) {
-        const ir_type *type = bound->variable->type;
-        if (!bound->child_count || type->is_volatile || type->is_atomic ||
-            !ir_type_equal(type, bound->children[0]->type))
-            return false;
-        counted->bound = bound->children[0];
-    }
+    if (!split_declared_bound(loop, declaration, counted))
+        return false;
     for (unsigned i = 0; i < declaration->child_count; i++)
-        if (declaration->children[i]->child_count &&
-            !expression_is_plain(declaration->children[i]->children[0]))
+        if (!split_declared_start(loop, declaration->children[i], counted))
             return false;
-    return !mentions_declared(counted->lower, declaration, NULL) &&
-           !mentions_declared(counted->bound, declaration, NULL) &&
-           !mentions_declared(loop->children[2], declaration, counter) &&
-           !mentions_declared(counted->body, declaration, counter);
+    return !mentions_declared(counted->lower, declaration) &&
+           !mentions_declared(counted->bound, declaration) && starts_are_apart(counted);
+}
+
+/* ---- assignments ----------------------------------------------------------------------------- */
+
+/* Is the constant, converted to the type, the number that it was? */
+static bool keeps_constant(const ir_type *type, int64_t value) {
+    if (!ir_type_is_plain_integer(type))
+        return false;
+    const int bits = (int)type->size * 8 - (type->is_signed ? 1 : 0);
+    if (bits >= 63)
+        return type->is_signed || value >= 0;
+    const int64_t end = (int64_t)1 << bits;
+    return value < end && value >= (type->is_signed ? -end : 0);
+}
+
+static bool keeps_all(const ir_type *outer, const ir_type *inner) {
+    return ir_type_equal(outer, inner) ||
+           (ir_type_is_plain_integer(outer) && ir_type_is_plain_integer(inner) &&
+            outer->is_signed == inner->is_signed && outer->size >= inner->size);
+}
+
+/* Of i = q = e the value of i: e, where q has it unchanged. NULL: q may have another. */
+static const ir_node *chained_value(const ir_node *value) {
+    while (value && value->kind == IR_ASSIGN && value->op == IR_OP_NONE &&
+           value->children[0]->kind == IR_VARIABLE) {
+        const ir_type *type = value->children[0]->variable->type;
+        const ir_node *inner = chained_value(value->children[1]);
+        int64_t constant;
+        const bool is_kept = inner && !type->is_volatile && !type->is_atomic &&
+                             (expression_constant(inner, &constant) ? keeps_constant(type, constant)
+                                                                    : keeps_all(type, inner->type));
+        value = is_kept ? inner : NULL;
+    }
+    return value;
 }
 
 /* The value that an assignment of the variable by = gives it; NULL: it is none. */
 static const ir_node *assigned_value(const ir_node *node, const ir_variable *variable) {
     return node->kind == IR_ASSIGN && node->op == IR_OP_NONE &&
                    expression_is_variable(node->children[0], variable)
-               ? node->children[1]
+               ? chained_value(node->children[1])
                : NULL;
 }
 
@@ -86,44 +171,20 @@ static bool split_bound(const ir_node *loop, const ir_node *node, counted_loop *
  */
 static bool split_start(const ir_node *node, counted_loop *counted) {
     const ir_node *target = node->kind == IR_ASSIGN ? node->children[0] : NULL;
-    if (!target || target->kind != IR_VARIABLE || target->variable == counted->counter ||
-        counted->start_count == sizeof counted->starts / sizeof counted->starts[0] ||
-        !assigned_value(node, target->variable) || !expression_is_plain(node->children[1]) ||
-        expression_mentions(counted->bound, target->variable))
+    if (!target || target->kind != IR_VARIABLE || target->variable == counted->counter)
         return false;
-    counted->starts[counted->start_count++] = node;
-    return true;
+    const ir_node *value = assigned_value(node, target->variable);
+    return value && add_start(counted, (loop_start){target->variable, value, node, false});
 }
 
-static bool mentions_start(const ir_node *node, const counted_loop *counted) {
-    for (unsigned i = 0; i < counted->start_count; i++)
-        if (expression_mentions(node, counted->starts[i]->children[0]->variable))
-            return true;
-    return false;
-}
-
-/* Do the values depend on nothing that the initialisation sets, nor is one set twice? */
-static bool starts_are_apart(const counted_loop *counted) {
-    if (mentions_start(counted->lower, counted) || mentions_start(counted->bound, counted))
-        return false;
-    for (unsigned i = 0; i < counted->start_count; i++) {
-        const ir_node *start = counted->starts[i];
-        if (mentions_start(start->children[1], counted) ||
-            expression_mentions(start->children[1], counted->counter) ||
-            (counted->bound_variable &&
-             expression_mentions(start->children[1], counted->bound_variable)))
-            return false;
-        for (unsigned k = 0; k < i; k++)
-            if (counted->starts[k]->children[0]->variable == start->children[0]->variable)
-                return false;
-    }
-    return true;
-}
-
+/* The assignment of the counter, in a sequence or a chain of such. */
 static const ir_node *start_of_counter(const ir_node *node, const ir_variable *counter) {
-    if (node->kind != IR_BINARY || node->op != IR_OP_COMMA)
+    const bool is_sequence = node->kind == IR_BINARY && node->op == IR_OP_COMMA;
+    if (node->kind == IR_ASSIGN && expression_is_variable(node->children[0], counter))
         return assigned_value(node, counter);
-    const ir_node *left = start_of_counter(node->children[0], counter);
+    if (!is_sequence && node->kind != IR_ASSIGN)
+        return NULL;
+    const ir_node *left = is_sequence ? start_of_counter(node->children[0], counter) : NULL;
     return left ? left : start_of_counter(node->children[1], counter);
 }
 
@@ -131,6 +192,10 @@ static bool split_others(const ir_node *loop, const ir_node *node, counted_loop 
     if (node->kind == IR_BINARY && node->op == IR_OP_COMMA)
         return split_others(loop, node->children[0], counted) &&
                split_others(loop, node->children[1], counted);
+    if (node->kind != IR_ASSIGN)
+        return false;
+    if (node->children[1]->kind == IR_ASSIGN && !split_others(loop, node->children[1], counted))
+        return false;
     return assigned_value(node, counted->counter) == counted->lower ||
            (!counted->bound_variable && split_bound(loop, node, counted)) ||
            split_start(node, counted);

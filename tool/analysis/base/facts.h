@@ -33,6 +33,15 @@ typedef struct reason {
 
 /* ---- the counted loop ---------------------------------------------------------------------- */
 
+/** A variable that the header sets before the first iteration: `q` of for (i = 0, q = 5; ...), of
+ * for (i = q = 5; ...), of for (int i = 0, q = 5; ...). */
+typedef struct loop_start {
+    ir_variable *variable;
+    const ir_node *value; /* plain, and of nothing else that the header sets */
+    const ir_node *node;  /* the assignment or declarator */
+    bool is_declared;     /* it is the loop's own */
+} loop_start;
+
 /** for (counter = lower; counter <comparison> bound; counter += step), or a while or do like it.
  * The counter is an integer, or a pointer to objects: then lower and bound are pointers, or arrays.
  */
@@ -44,9 +53,9 @@ typedef struct counted_loop {
     const ir_variable *bound_variable; /* that the header sets to `bound`, and that is mentioned
                                           nowhere else in the loop; NULL: there is none */
     unsigned start_count;
-    const ir_node *starts[4]; /* v = e of other variables, in the initialisation */
-    ir_operator comparison;   /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
-                                 as counter <comparison> bound */
+    loop_start starts[4];   /* what the header sets beside the counter and the bound */
+    ir_operator comparison; /* LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, NOT_EQUAL (step +-1);
+                               as counter <comparison> bound */
     int64_t ahead; /* of an integer that moves up by 1: counter + ahead <comparison> bound */
     int64_t step;  /* non-zero constant; sign agrees with comparison. Of a pointer: bytes */
     const ir_node *stride; /* the counter is an integer, and moves by `step`, 1 or -1, times this
@@ -169,6 +178,8 @@ typedef struct private_variable {
     bool is_down;      /* `by` is subtracted */
     const ir_node *entry; /* is_stepped: its value on entry, which the header gives it; NULL: the
                              one that it has */
+    bool is_declared_in_header; /* beside the counter: there is none of it outside the loop. Its
+                                   type can be spelled */
 } private_variable;
 
 /** How an operand of a scalar's update is kept: as the type in which the operation is made. */

@@ -227,11 +227,13 @@ static reason first_problem(const loop_analysis *j, const access_list *list) {
     return analysis_reason(j, p->why, p->node, p->name);
 }
 
-/* The counter's first value is computed once more by the original loop, if that is to run. */
+/* The first values are computed once more by the original loop, if that is to run. */
 static reason check_lower(const loop_analysis *j) {
     access_list list = {0};
     if (j->counted.lower)
         access_collect(j->an->effects, j->counted.lower, &list);
+    for (unsigned i = 0; i < j->counted.start_count; i++)
+        access_collect(j->an->effects, j->counted.starts[i].value, &list);
     return first_problem(j, &list);
 }
 

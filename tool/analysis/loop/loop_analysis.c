@@ -94,6 +94,18 @@ bool analysis_declares(const loop_analysis *j, const ir_variable *variable) {
     return declarator && ir_contains(j->loop, declarator);
 }
 
+const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *variable) {
+    for (unsigned i = 0; i < j->counted.start_count; i++)
+        if (j->counted.starts[i].variable == variable)
+            return &j->counted.starts[i];
+    return NULL;
+}
+
+bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable) {
+    const loop_start *start = analysis_start_of(j, variable);
+    return start && start->is_declared && variable->type->spelling;
+}
+
 bool analysis_leaves(const loop_analysis *j, const ir_node *node) {
     return node->kind == IR_VARIABLE && variable_is_automatic(node->variable) &&
            !node->variable->address_taken && !node->type->is_volatile &&

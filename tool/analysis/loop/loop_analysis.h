@@ -108,6 +108,11 @@ bool has_address_as_value(const ir_node *node, const ir_node *base);
 /** Does the loop's text declare the variable? */
 bool analysis_declares(const loop_analysis *j, const ir_variable *variable);
 
+/** What the header sets beside the counter: the variable's part; NULL: it sets it to nothing. */
+const loop_start *analysis_start_of(const loop_analysis *j, const ir_variable *variable);
+/** Is it declared in the header, with a type of which a copy may be declared elsewhere? */
+bool analysis_header_declares(const loop_analysis *j, const ir_variable *variable);
+
 /** A local variable that nothing but the text could change, and that the loop leaves as it is. */
 bool analysis_leaves(const loop_analysis *j, const ir_node *node);
 

@@ -30,27 +30,22 @@ static bool is_of_function(const loop_analysis *j, const ir_variable *variable) 
     const ir_node *declarator = variable_fact_of(j->an->facts, variable)->declarator;
     return (variable->storage == IR_LOCAL || variable->storage == IR_PARAMETER) &&
            variable->function == j->function && !variable->address_taken &&
-           !variable->has_other_name && !(declarator && ir_contains(j->loop, declarator));
-}
-
-/* What the header sets the variable to when the loop begins; NULL: nothing. */
-static const ir_node *start_of(const loop_analysis *j, const ir_variable *variable) {
-    for (unsigned i = 0; i < j->counted.start_count; i++)
-        if (j->counted.starts[i]->children[0]->variable == variable)
-            return j->counted.starts[i];
-    return NULL;
+           !variable->has_other_name &&
+           (analysis_header_declares(j, variable) ||
+            !(declarator && ir_contains(j->loop, declarator)));
 }
 
 /* The sum of all steps in the loop, at most one of which is no constant; false: there is another
  * write. */
 static bool sum_steps(const loop_analysis *j, const ir_variable *variable, private_variable *item) {
     const variable_fact *fact = variable_fact_of(j->an->facts, variable);
+    const loop_start *start = analysis_start_of(j, variable);
     int64_t sum = 0;
     for (unsigned i = 0; i < fact->writes.count; i++) {
         const ir_node *write = fact->writes.items[i];
         ir_variable *stepped;
         int64_t step;
-        if (!ir_contains(j->loop, write) || write == start_of(j, variable))
+        if (!ir_contains(j->loop, write) || (start && write == start->node))
             continue;
         if (!is_executed_once(j, write))
             return false;
@@ -71,9 +66,10 @@ static bool is_taken(const loop_analysis *j, const ir_variable *variable) {
 }
 
 bool induction_take(loop_analysis *j, const ir_variable *variable) {
-    const ir_node *start = start_of(j, variable);
+    const loop_start *start = analysis_start_of(j, variable);
     private_variable item = {.variable = (ir_variable *)variable,
-                             .entry = start ? start->children[1] : NULL,
+                             .entry = start ? start->value : NULL,
+                             .is_declared_in_header = start && start->is_declared,
                              .is_stepped = true};
     if (is_taken(j, variable))
         return true;
@@ -81,7 +77,8 @@ bool induction_take(loop_analysis *j, const ir_variable *variable) {
         !is_of_function(j, variable) || !sum_steps(j, variable, &item))
         return false;
     /* Where the header sets nothing the loop itself, reached once more, goes on with the value. */
-    item.is_step_wanted = !start || variable_is_live_after(j->an->facts, j->loop, variable);
+    item.is_step_wanted =
+        !start || (!start->is_declared && variable_is_live_after(j->an->facts, j->loop, variable));
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }
@@ -120,12 +117,20 @@ static bool take_steps(loop_analysis *j, const ir_node *part) {
     return true;
 }
 
+/* May the start be made in front of the loop as well, where the original makes it once more? What
+ * becomes of the variable is decided where the loop writes it. */
+static bool is_start_of_own(const loop_analysis *j, const loop_start *start) {
+    const ir_variable *v = start->variable;
+    return variable_is_automatic(v) && v->function == j->function && !v->address_taken &&
+           !v->has_other_name && !v->type->is_volatile && !v->type->is_atomic &&
+           (!start->is_declared || v->type->spelling) && variable_is_written_in(j->counted.body, v);
+}
+
 static bool take_starts(loop_analysis *own) {
     for (unsigned i = 0; i < own->counted.start_count; i++) {
-        const ir_variable *variable = own->counted.starts[i]->children[0]->variable;
-        if (!induction_take(own, variable))
-            return analysis_refuse(own, REASON_SCALAR_CARRIED, own->counted.starts[i],
-                                   variable->name);
+        const loop_start *start = &own->counted.starts[i];
+        if (!induction_take(own, start->variable) && !is_start_of_own(own, start))
+            return analysis_refuse(own, REASON_SCALAR_CARRIED, start->node, start->variable->name);
     }
     return true;
 }

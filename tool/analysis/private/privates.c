@@ -23,7 +23,7 @@ static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable 
         variable->type->is_atomic)
         return false;
     for (unsigned i = 0; i < fact->writes.count; i++)
-        if (ir_contains(j->loop, fact->writes.items[i]) &&
+        if (ir_contains(j->counted.body, fact->writes.items[i]) &&
             !is_statement(fact->writes.items[i], variable))
             return false;
     return true;
@@ -31,7 +31,7 @@ static bool is_assigned_by_statements(const loop_analysis *j, const ir_variable 
 
 static bool check_last_value(loop_analysis *j, private_variable *item) {
     const ir_variable *variable = item->variable;
-    if (item->is_declared_inside || item->is_stepped)
+    if (item->is_declared_inside || item->is_declared_in_header || item->is_stepped)
         return true;
     if (variable_escapes(j->an->facts, variable))
         return analysis_refuse(j, REASON_ESCAPES, j->loop, variable->name);

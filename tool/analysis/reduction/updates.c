@@ -36,12 +36,15 @@ static bool is_own_object(const loop_analysis *j, const location *where) {
 static bool take_private(loop_analysis *j, const ir_variable *variable) {
     if (variable == j->counted.counter || find_private(j, variable))
         return true;
-    bool is_inside = analysis_declares(j, variable);
+    const bool is_in_header = analysis_header_declares(j, variable);
+    const bool is_inside = analysis_declares(j, variable) && !is_in_header;
     const user_pragma *word = pragma_above(j->an->pragmas, j->loop, PRAGMA_PRIVATE);
     if (!is_inside && !pragma_names(word, variable->name) &&
         must_write_check(j->an->prover, j->counted.body, variable).verdict != PRIVATE_PROVED)
         return false;
-    private_variable item = {.variable = (ir_variable *)variable, .is_declared_inside = is_inside};
+    private_variable item = {.variable = (ir_variable *)variable,
+                             .is_declared_inside = is_inside,
+                             .is_declared_in_header = is_in_header};
     VECTOR_PUSH(j->an->memory, &j->privates, item);
     return true;
 }

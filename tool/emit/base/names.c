@@ -105,8 +105,9 @@ const char *outlined_name(loop_text *loop, const char *part) {
                         place.line);
 }
 
-const char *private_declaration(loop_text *loop, const ir_variable *variable) {
-    if (loop->outline.done)
+const char *private_declaration(loop_text *loop, const private_variable *item) {
+    const ir_variable *variable = item->variable;
+    if (loop->outline.done || item->is_declared_in_header)
         return outlined_declaration(loop, variable);
     return arena_format(loop->arena, "__typeof__(%s) %s", origin_variable(loop->arena, variable),
                         origin_declarator(loop->arena, variable));

@@ -15,6 +15,6 @@ const char *loop_lanes_name(loop_text *loop);
 /** The declaration of something of this type in a function in front of the user's. */
 const char *declaration_text(loop_text *loop, const ir_type *type, const char *name);
 /** The declaration of a private variable, of an iteration or of its slice. */
-const char *private_declaration(loop_text *loop, const ir_variable *variable);
+const char *private_declaration(loop_text *loop, const private_variable *item);
 
 #endif

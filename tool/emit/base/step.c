@@ -23,6 +23,13 @@ static const char *stride_text(loop_text *loop, const private_variable *item) {
                         (long long)(item->step * size), item->is_down ? '-' : '+', by);
 }
 
+/** Its type, in a place where it may not be declared. */
+static const char *type_of(loop_text *loop, const private_variable *item) {
+    return item->is_declared_in_header ? origin_type(loop->arena, item->variable->type)
+                                       : arena_format(loop->arena, "__typeof__(%s)",
+                                                      origin_variable(loop->arena, item->variable));
+}
+
 void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
     for (unsigned i = 0; i < loop->facts->variables.private_count; i++) {
         const private_variable *item = &loop->facts->variables.privates[i];
@@ -32,8 +39,8 @@ void declare_entry_values(loop_text *loop, writer *out, bool by_header) {
         if (!item->is_stepped || by_header != (item->entry != NULL))
             continue;
         if (by_header)
-            writer_line(out, "const redcc_word redcc__from_%u = (redcc_word)(__typeof__(%s))%s;", i,
-                        name, loop_operand(loop, item->entry));
+            writer_line(out, "const redcc_word redcc__from_%u = (redcc_word)(%s)%s;", i,
+                        type_of(loop, item), loop_operand(loop, item->entry));
         else
             writer_line(out, "const redcc_word redcc__from_%u = (redcc_word)%s;", i, name);
     }
@@ -60,5 +67,22 @@ void write_stepped_values(loop_text *loop, writer *out) {
         if (item->is_stepped && item->is_step_wanted)
             writer_line(out, "%s = (__typeof__(%s))(%s + %s * (redcc_word)redcc__trip);", name,
                         name, from, stride_text(loop, item));
+    }
+}
+
+static bool is_stepped(const loop_facts *facts, const ir_variable *variable) {
+    for (unsigned i = 0; i < facts->variables.private_count; i++)
+        if (facts->variables.privates[i].variable == variable)
+            return facts->variables.privates[i].is_stepped;
+    return false;
+}
+
+void write_starts(loop_text *loop, writer *out) {
+    const counted_loop *counted = &loop->facts->counted;
+    for (unsigned i = 0; i < counted->start_count; i++) {
+        const loop_start *start = &counted->starts[i];
+        if (!start->is_declared && !is_stepped(loop->facts, start->variable))
+            writer_line(out, "%s = %s;", origin_variable(loop->arena, start->variable),
+                        loop_operand(loop, start->value));
     }
 }

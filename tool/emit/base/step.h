@@ -11,5 +11,7 @@
 void declare_entry_values(loop_text *loop, writer *out, bool by_header);
 const char *stepped_value(loop_text *loop, unsigned number);
 void write_stepped_values(loop_text *loop, writer *out);
+/** What the header sets of the variables that are not stepped. The original does it again. */
+void write_starts(loop_text *loop, writer *out);
 
 #endif

@@ -439,7 +439,7 @@ static void declare_variables(loop_text *loop, writer *out) {
         const private_variable *item = &facts->variables.privates[i];
         if (item->is_declared_inside || item->is_live_after)
             continue;
-        writer_line(out, "%s%s%s;", private_declaration(loop, item->variable),
+        writer_line(out, "%s%s%s;", private_declaration(loop, item),
                     body_reads(facts, item->variable) ? "" : " __attribute__((__unused__))",
                     stepped_value(loop, i));
     }

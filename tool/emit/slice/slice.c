@@ -171,9 +171,9 @@ static void declare_variables(const inspector *self, writer *out) {
         writer_line(out, "%s %s%s = %s;", loop->counter_type,
                     origin_declarator(loop->arena, counter), unused, loop_counter_value(loop));
     for (unsigned i = 0; i < facts->variables.private_count; i++) {
-        const ir_variable *variable = facts->variables.privates[i].variable;
-        if (!facts->variables.privates[i].is_declared_inside && is_needed(self, variable))
-            writer_line(out, "%s%s;", private_declaration(loop, variable), stepped_value(loop, i));
+        const private_variable *item = &facts->variables.privates[i];
+        if (!item->is_declared_inside && is_needed(self, item->variable))
+            writer_line(out, "%s%s;", private_declaration(loop, item), stepped_value(loop, i));
     }
     declare_forwards(loop, out, true);
 }
