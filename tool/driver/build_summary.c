@@ -15,8 +15,9 @@ struct count {
 
 struct totals {
     json_int_t files, translated_files, left_alone, parallel, refused_loops;
-    json_t *refused; /* reason's id and slug -> how often */
-    json_t *reasons; /* why a file was left alone -> how often */
+    json_int_t remade, never; /* of those parallel: by a plan for each execution; never so */
+    json_t *refused;          /* reason's id and slug -> how often */
+    json_t *reasons;          /* why a file was left alone -> how often */
 };
 
 static void count_one(json_t *counts, const char *text) {
@@ -27,7 +28,10 @@ static void count_one(json_t *counts, const char *text) {
 static void add_loop(struct totals *totals, const json_t *loop, bool *translated) {
     const char *verdict = json_string_value(json_object_get(loop, "verdict"));
     if (verdict && strcmp(verdict, "transformed") == 0) {
+        const char *plan = json_string_value(json_object_get(loop, "plan"));
         totals->parallel++;
+        totals->remade += plan && strcmp(plan, "remade") == 0;
+        totals->never += plan && strcmp(plan, "never") == 0;
         *translated = true;
         return;
     }
@@ -92,6 +96,11 @@ static void print_totals(const struct totals *totals, FILE *out) {
             (long long)totals->files, (long long)totals->translated_files,
             (long long)totals->left_alone, (long long)totals->parallel,
             (long long)totals->refused_loops);
+    if (totals->remade > 0)
+        fprintf(out, "  parallel by a plan for each execution: %lld\n", (long long)totals->remade);
+    if (totals->never > 0)
+        fprintf(out, "  translated, with too few iterations to run in parallel: %lld\n",
+                (long long)totals->never);
     print_counts(totals->refused, "refused", out);
     print_counts(totals->reasons, "left alone", out);
 }

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "analysis/base/stateful.h"
 #include "driver/files.h"
 #include "redcc/nearest.h"
 #include "support/compiler_options.h"
@@ -195,7 +196,11 @@ static const char *read_pure(arena *a, options *o, const char *value) {
         const size_t length = strcspn(value, ",");
         if (length == 0)
             return "--pure takes names of functions, separated by commas";
-        VECTOR_PUSH(a, &o->pure, arena_copy(a, value, length));
+        const char *name = arena_copy(a, value, length);
+        if (stateful_deed(name))
+            return arena_format(a, "--pure=%s: '%s' %s, so that it has side effects", name, name,
+                                stateful_deed(name));
+        VECTOR_PUSH(a, &o->pure, name);
         value += length + (value[length] == ',');
     }
     return NULL;

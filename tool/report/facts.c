@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "report/plan.h"
+
 const char *verdict_word(const loop_verdict *verdict) {
     switch (verdict->kind) {
     case VERDICT_TRANSFORM:
@@ -57,11 +59,18 @@ static const char *array_list(arena *a, const loop_facts *facts) {
     return buffer_take(a, &out);
 }
 
+static const char *plan_words(arena *a, const loop_verdict *verdict) {
+    const char *plan = verdict_plan(a, verdict).word;
+    return strcmp(plan, "never") == 0    ? "is translated, but stays sequential"
+           : strcmp(plan, "remade") == 0 ? "runs in parallel, by a plan for each execution"
+                                         : "runs in parallel";
+}
+
 const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
     const char *function = verdict->function->name;
     switch (verdict->kind) {
     case VERDICT_TRANSFORM:
-        return arena_format(a, "loop in '%s' runs in parallel: %s", function,
+        return arena_format(a, "loop in '%s' %s: %s", function, plan_words(a, verdict),
                             array_list(a, verdict->facts));
     case VERDICT_REFUSE:
         return arena_format(a, "loop in '%s' stays sequential: %s: %s", function,

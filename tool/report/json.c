@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "report/facts.h"
+#include "report/plan.h"
 #include "support/json_text.h"
 
 static json_t *arrays_of(const loop_verdict *verdict) {
@@ -76,6 +77,25 @@ static json_t *lanes_of(const report_input *input, const lanes_remark *lanes) {
     return object;
 }
 
+static void add_plan(arena *a, json_t *loop, const report_input *input,
+                     const loop_verdict *verdict) {
+    const plan_answer plan = verdict_plan(a, verdict);
+    if (!plan.word)
+        return;
+    json_object_set_new(loop, "plan", json_text(plan.word));
+    if (!plan.cause)
+        return;
+    const ir_position at =
+        ir_position_of(input->unit, plan.range.begin < plan.range.end ? plan.range.begin
+                                                                      : verdict_offset(verdict));
+    json_t *why = json_object();
+    json_object_set_new(why, "message", json_text(plan.cause));
+    json_object_set_new(why, "advice", plan.advice ? json_text(plan.advice) : json_null());
+    json_object_set_new(why, "line", json_integer(at.line));
+    json_object_set_new(why, "column", json_integer(at.column));
+    json_object_set_new(loop, "plan_cause", why);
+}
+
 static json_t *loop_object(arena *a, const report_input *input, const loop_verdict *verdict) {
     const ir_position at = verdict_position(input, verdict);
     json_t *loop = json_object();
@@ -86,6 +106,7 @@ static json_t *loop_object(arena *a, const report_input *input, const loop_verdi
     json_object_set_new(loop, "reason", reason_of(input, verdict));
     json_object_set_new(loop, "arrays", arrays_of(verdict));
     json_object_set_new(loop, "guards", guards_of(a, verdict));
+    add_plan(a, loop, input, verdict);
     if (verdict->foreign_count > 0)
         json_object_set_new(loop, "from_other_files", foreign_of(verdict));
     if (verdict->pragma_count > 0)

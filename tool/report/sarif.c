@@ -2,6 +2,7 @@
 /** SARIF 2.1.0 (OASIS standard): one run, one rule for each reason, one result a loop. */
 #include "analysis/base/reason.h"
 #include "report/facts.h"
+#include "report/plan.h"
 #include "support/json_text.h"
 
 #include <string.h>
@@ -41,14 +42,22 @@ static const char *rule_of(const loop_verdict *verdict) {
     return verdict->kind == VERDICT_REFUSE ? reason_code(verdict->why.id) : verdict_word(verdict);
 }
 
-/** A property bag: what is taken on the user's word. */
-static json_t *properties_of(const loop_verdict *verdict) {
-    json_t *pragmas = json_array();
+/** A property bag: what is taken on the user's word, what becomes of the plan. */
+static void add_properties(arena *a, json_t *result, const loop_verdict *verdict) {
+    const plan_answer plan = verdict_plan(a, verdict);
+    json_t *bag = json_object(), *pragmas = json_array();
     for (unsigned i = 0; i < verdict->pragma_count; i++)
         json_array_append_new(pragmas, json_text(verdict->pragmas[i].text));
-    json_t *bag = json_object();
-    json_object_set_new(bag, "pragmas", pragmas);
-    return bag;
+    if (verdict->pragma_count > 0)
+        json_object_set(bag, "pragmas", pragmas);
+    if (plan.word)
+        json_object_set_new(bag, "plan", json_text(plan.word));
+    if (plan.cause)
+        json_object_set_new(bag, "planCause", json_text(plan.cause));
+    if (json_object_size(bag) > 0)
+        json_object_set(result, "properties", bag);
+    json_decref(pragmas);
+    json_decref(bag);
 }
 
 /** What stands in the way, of the loop or of a form of it. */
@@ -73,8 +82,7 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
     json_t *locations = json_array();
     json_array_append_new(locations, location(verdict_position(input, verdict)));
     json_object_set_new(result, "locations", locations);
-    if (verdict->pragma_count > 0)
-        json_object_set_new(result, "properties", properties_of(verdict));
+    add_properties(a, result, verdict);
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (is_refused)
         add_related(result, reason_position(input, verdict), verdict->why.message);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "report/facts.h"
+#include "report/plan.h"
 
 /** The source line with a caret below it. */
 static void show_place(buffer *out, const ir_unit *unit, uint32_t offset) {
@@ -54,6 +55,20 @@ static void by_pragma(arena *a, buffer *out, const report_input *input,
                 arena_format(a, "by your word: %s", verdict->pragmas[i].text), "");
 }
 
+/** Why its plan is not kept. */
+static void say_plan(arena *a, buffer *out, const report_input *input,
+                     const loop_verdict *verdict) {
+    const plan_answer plan = verdict_plan(a, verdict);
+    if (!plan.cause)
+        return;
+    const char *text = strcmp(plan.word, "never") == 0
+                           ? plan.cause
+                           : arena_format(a, "each execution makes a plan: %s%s%s", plan.cause,
+                                          plan.advice ? "; " : "", plan.advice ? plan.advice : "");
+    message(out, input, has_place(plan.range) ? plan.range.begin : verdict_offset(verdict), "note",
+            text, "");
+}
+
 static void transformed(arena *a, buffer *out, const report_input *input,
                         const loop_verdict *verdict) {
     const loop_facts *facts = verdict->facts;
@@ -79,14 +94,7 @@ static void transformed(arena *a, buffer *out, const report_input *input,
                                  read->name),
                     "");
     }
-    if (!facts->slice.is_verifiable && facts->slice.unkept.name &&
-        has_place(facts->slice.unkept.range))
-        message(out, input, facts->slice.unkept.range.begin, "note",
-                arena_format(a,
-                             "the plan is made anew at each execution: what is read of '%s' here "
-                             "decides which elements are updated, and cannot be compared",
-                             facts->slice.unkept.name),
-                "");
+    say_plan(a, out, input, verdict);
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (lanes && lanes->slug)
         message(out, input, lanes->range.begin, "note",

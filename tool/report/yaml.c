@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /** LLVM optimization records: what opt-viewer and its like read (llvm.org/docs/Remarks.html). */
 #include "report/facts.h"
+#include "report/plan.h"
 
 /** A single-quoted YAML scalar on one line. */
 static void scalar(buffer *out, const char *text) {
@@ -32,6 +33,15 @@ static void record(arena *a, buffer *out, const report_input *input, const loop_
     for (unsigned i = 0; i < verdict->pragma_count; i++) {
         buffer_text(out, "\n  - Pragma:          ");
         scalar(out, verdict->pragmas[i].text);
+    }
+    const plan_answer plan = verdict_plan(a, verdict);
+    if (plan.word) {
+        buffer_text(out, "\n  - Plan:            ");
+        scalar(out, plan.word);
+    }
+    if (plan.cause) {
+        buffer_text(out, "\n  - PlanCause:       ");
+        scalar(out, plan.cause);
     }
     const lanes_remark *lanes = verdict_lanes(input, verdict);
     if (lanes && lanes->slug) {

@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "analysis/base/stateful.h"
 #include "support/buffer.h"
 
 static const char valid_pragmas[] =
@@ -131,6 +132,10 @@ static const char *read_names(reader *r, const char *word, user_pragma *result, 
         const char *name = take_word(r);
         if (!*name || isdigit((unsigned char)*name))
             return wrong(r, begin, offset, "a name is expected here");
+        if (strcmp(word, "pure") == 0 && stateful_deed(name))
+            return wrong(r, begin, offset,
+                         arena_format(r->memory, "'%s' %s, so that it has side effects", name,
+                                      stateful_deed(name)));
         VECTOR_PUSH(r->memory, &names, name);
     } while (take(r, ","));
     if (!take(r, ")"))

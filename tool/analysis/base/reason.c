@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "analysis/base/reason.h"
 
+#include "analysis/base/stateful.h"
+
 typedef struct reason_entry {
     const char *code;
     const char *slug;
@@ -49,7 +51,9 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_GOTO] = "use structured control",
-    [REASON_IMPURE_CALL] = "where it has none, say so: --pure=NAME, or #pragma redcc pure(NAME)",
+    [REASON_IMPURE_CALL] = "define it static inline in a header; or, where it has none, and writes "
+                           "nothing by its arguments, say so: --pure=NAME, or #pragma redcc "
+                           "pure(NAME)",
     [REASON_CALLEE_UPDATES] = "let it return the value, and update in the loop itself",
     [REASON_CALLEE_READS] =
         "where it reads nothing that is updated, declare the pointers restrict, or write #pragma "
@@ -88,4 +92,12 @@ reason reason_make(arena *a, reason_id id, const char *name, ir_range range) {
     else
         r.message = format;
     return r;
+}
+
+const char *reason_advice_on_call(arena *a, const char *name, bool has_body) {
+    const char *deed = has_body ? NULL : stateful_deed(name);
+    if (deed)
+        return arena_format(a, "it %s: call it in a loop of its own, before or after", deed);
+    return has_body ? "let it return the value, and store it in the loop itself"
+                    : advices[REASON_IMPURE_CALL];
 }

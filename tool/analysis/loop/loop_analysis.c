@@ -80,7 +80,12 @@ reason analysis_reason(const loop_analysis *j, reason_id why, const ir_node *nod
     ir_range range = node ? node->range : j->loop->range;
     if (range.begin >= range.end)
         range = j->loop->range;
-    return reason_make(j->an->memory, why, name ? name : "?", range);
+    reason result = reason_make(j->an->memory, why, name ? name : "?", range);
+    if (why == REASON_IMPURE_CALL && name) {
+        const ir_function *function = ir_function_named(j->an->unit, name);
+        result.advice = reason_advice_on_call(j->an->memory, name, function && function->body);
+    }
+    return result;
 }
 
 bool analysis_refuse(loop_analysis *own, reason_id why, const ir_node *node, const char *name) {

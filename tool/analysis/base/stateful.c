@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+/* C17 7.21, 7.22, 7.24 and 7.27, and what POSIX adds of the same kinds. A parallel loop calls a
+ * function without side effects as often as it likes, in any order: output would come twice. */
+#include "analysis/base/stateful.h"
+
+#include <stddef.h>
+#include <string.h>
+
+typedef struct deed {
+    const char *what;
+    const char *names; /* each between two blanks */
+} deed;
+
+static const deed deeds[] = {
+    {"writes output",
+     " printf fprintf vprintf vfprintf puts fputs putchar putc fputc fwrite perror "
+     "fflush write dprintf putwchar fputwc fputws wprintf fwprintf syslog "},
+    {"reads input", " scanf fscanf vscanf vfscanf getchar getc fgetc fgets fread ungetc getline "
+                    "getdelim read getwchar fgetwc "},
+    {"opens, closes or positions a file",
+     " fopen freopen fclose fseek ftell rewind setvbuf remove rename tmpfile open close lseek "},
+    {"allocates or frees memory",
+     " malloc calloc realloc reallocarray free aligned_alloc posix_memalign memalign valloc strdup "
+     "strndup alloca "},
+    {"keeps state between its calls",
+     " rand srand rand_r random srandom drand48 erand48 lrand48 nrand48 mrand48 jrand48 srand48 "
+     "strtok strtok_r setlocale signal atexit time clock gettimeofday clock_gettime getenv setenv "
+     "putenv usleep nanosleep sleep system raise "},
+    {"writes memory that it is given",
+     " memcpy memmove memset strcpy strncpy strcat strncat sprintf snprintf vsprintf vsnprintf "
+     "sscanf qsort frexp modf remquo strtol strtod strtoul "},
+    {"ends the program", " exit _Exit abort quick_exit longjmp "},
+};
+
+static int has_name(const char *names, const char *name) {
+    const size_t length = strlen(name);
+    for (const char *at = strstr(names, name); length && at; at = strstr(at + 1, name))
+        if (at[-1] == ' ' && at[length] == ' ')
+            return 1;
+    return 0;
+}
+
+const char *stateful_deed(const char *name) {
+    for (size_t i = 0; i < sizeof deeds / sizeof *deeds; i++)
+        if (has_name(deeds[i].names, name))
+            return deeds[i].what;
+    return NULL;
+}
