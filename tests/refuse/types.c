@@ -61,16 +61,6 @@ void thread_local_scalar(int n, const int *k, double *h) {
         h[k[t]] += chosen;
 }
 
-struct node {
-    double load;
-    struct node *parent;
-};
-
-void parents(int n, struct node *const *leaf) {
-    for (int t = 0; t < n; t++) // EXPECT: nothing
-        leaf[t]->parent->load += 1.0;
-}
-
 typedef double four __attribute__((vector_size(32)));
 void vectors(int n, const int *k, four *h, four v) {
     for (int t = 0; t < n; t++) // EXPECT: refuse element-type

@@ -6,7 +6,7 @@
 
 #include "analysis/base/expression.h"
 #include "analysis/loop/candidate.h"
-#include "analysis/loop/variation.h"
+#include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/verdict.h"
 
@@ -37,8 +37,10 @@ static const ir_node *updated_target(const analyser *an, const ir_node *node) {
     return node->kind == IR_IF ? stored_if(node->children[0], node->children[1]) : NULL;
 }
 
-/* Does the call update, through a pointer given to it, an element that is irregular in `loop`? */
-static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call) {
+/* Does the call update, through a pointer given to it, an element in which iterations of `loop`
+ * meet so? */
+static bool call_updates(const analyser *an, const ir_node *loop, const ir_node *call,
+                         conflict_kind kind) {
     access_list list = {0};
     if (call->children[0]->kind != IR_FUNCTION || !call->children[0]->function->body)
         return false;
@@ -46,40 +48,44 @@ static bool call_updates(const analyser *an, const ir_node *loop, const ir_node 
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->callee && a->kind == ACCESS_UPDATE && a->lvalue &&
-            variation_is_irregular(an->facts, loop, a->lvalue))
+            conflict_of(an->facts, loop, a->lvalue) == kind)
             return true;
     }
     return false;
 }
 
-static bool is_irregular_update(const analyser *an, const ir_node *loop, const ir_node *node) {
+static bool meets(const analyser *an, const ir_node *loop, const ir_node *node,
+                  conflict_kind kind) {
     if (node->kind == IR_CALL)
-        return call_updates(an, loop, node);
+        return call_updates(an, loop, node, kind);
     const ir_node *target = updated_target(an, node);
-    if (!target || !variation_is_irregular(an->facts, loop, target))
+    if (!target || conflict_of(an->facts, loop, target) != kind)
         return false;
     const ir_variable *object = location_of(an->facts, target, loop).object;
     const ir_node *declarator = object ? variable_fact_of(an->facts, object)->declarator : NULL;
     return !declarator || !variable_is_automatic(object) || !ir_contains(loop, declarator);
 }
 
-/* Is there an update below `node` that is irregular in `loop`? With `innermost`: and in no loop
- * inside of it. */
-static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
-                          bool innermost) {
-    if (is_irregular_update(an, loop, node)) {
-        if (!innermost)
-            return true;
-        const ir_node *inner = node->parent;
-        while (inner != loop && !(ir_is_loop(inner) && is_irregular_update(an, inner, node)))
+/* An update below `node` in which iterations of `loop` meet so; NULL: there is none. With
+ * `innermost`: and those of no loop inside of it. */
+static const ir_node *meeting(const analyser *an, const ir_node *loop, const ir_node *node,
+                              conflict_kind kind, bool innermost) {
+    if (meets(an, loop, node, kind)) {
+        const ir_node *inner = innermost ? node->parent : loop;
+        while (inner != loop && !(ir_is_loop(inner) && meets(an, inner, node, kind)))
             inner = inner->parent;
         if (inner == loop)
-            return true;
+            return node;
     }
-    for (unsigned i = 0; i < node->child_count; i++)
-        if (has_irregular(an, loop, node->children[i], innermost))
-            return true;
-    return false;
+    const ir_node *found = NULL;
+    for (unsigned i = 0; i < node->child_count && !found; i++)
+        found = meeting(an, loop, node->children[i], kind, innermost);
+    return found;
+}
+
+static bool has_irregular(const analyser *an, const ir_node *loop, const ir_node *node,
+                          bool innermost) {
+    return meeting(an, loop, node, CONFLICT_SHARED, innermost) != NULL;
 }
 
 /* NULL: it stands in none. */
@@ -156,7 +162,12 @@ static void search(loop_search *s, ir_node *node) {
         VECTOR_PUSH(s->an->memory, &s->verdicts, left);
         return;
     }
-    if (!is_irregular) {
+    const ir_node *regular =
+        is_irregular ? NULL : meeting(s->an, node, node, CONFLICT_REGULAR, true);
+    if (regular && !ignored) {
+        verdict = verdict_regular(s->an, s->function, node, regular);
+        VECTOR_PUSH(s->an->memory, &s->verdicts, verdict);
+    } else if (!is_irregular) {
         add_not_a_reduction(s, node);
     } else if (is_candidate(s->an, node)) {
         verdict = verdict_of(s->an, s->function, node);

@@ -9,9 +9,9 @@
 #include "analysis/base/reason.h"
 #include "analysis/inspector/inspection.h"
 #include "analysis/loop/candidate.h"
+#include "analysis/loop/conflict.h"
 #include "analysis/loop/gate.h"
 #include "analysis/loop/spans.h"
-#include "analysis/loop/variation.h"
 #include "analysis/overlap/sources.h"
 #include "analysis/private/induction.h"
 #include "analysis/private/live.h"
@@ -93,15 +93,15 @@ static void finish_arrays(const loop_analysis *j, loop_facts *facts) {
     facts->array_count = j->arrays.count;
 }
 
-/* Of a refused loop: what irregular updates there are, as far as they can be told. */
-static array_list irregular_arrays(const loop_analysis *j) {
+/* Of a refused loop: what updates of this kind there are, as far as they can be told. */
+static array_list arrays_of_kind(const loop_analysis *j, conflict_kind kind) {
     array_list arrays = {0};
     access_list list = {0};
     access_collect(j->an->effects, j->loop, &list);
     for (unsigned i = 0; i < list.items.count; i++) {
         const access *a = &list.items.items[i];
         if (a->kind != ACCESS_UPDATE || a->callee || !a->form.has_operator || !a->lvalue->type ||
-            !variation_is_irregular(j->an->facts, j->loop, a->lvalue))
+            conflict_of(j->an->facts, j->loop, a->lvalue) != kind)
             continue;
         location where = location_of(j->an->facts, a->lvalue, j->loop);
         const ir_node *base = where.base ? where.base : a->lvalue;
@@ -269,7 +269,7 @@ static loop_verdict analysed(const analyser *an, ir_function *function, ir_node 
     is_fine = is_fine && goes_on(&j, check_scalars(&j)) && add_privates(&j) && add_sources(&j) &&
               add_slice(&j);
     if (!is_fine)
-        j.arrays = irregular_arrays(&j);
+        j.arrays = arrays_of_kind(&j, CONFLICT_SHARED);
     return (loop_verdict){.kind = is_fine ? VERDICT_TRANSFORM : VERDICT_REFUSE,
                           .loop = loop,
                           .function = function,
@@ -298,15 +298,27 @@ loop_verdict verdict_of(const analyser *whole, ir_function *function, ir_node *l
     return rest.kind == VERDICT_TRANSFORM ? rest : found;
 }
 
+static loop_verdict refused(loop_analysis *j, reason why, conflict_kind kind) {
+    j->why = why;
+    j->arrays = arrays_of_kind(j, kind);
+    return (loop_verdict){.kind = VERDICT_REFUSE,
+                          .loop = j->loop,
+                          .function = j->function,
+                          .why = why,
+                          .facts = finish_facts(j)};
+}
+
+loop_verdict verdict_regular(const analyser *an, ir_function *function, ir_node *loop,
+                             const ir_node *update) {
+    loop_analysis j = {.an = an, .function = function, .loop = loop};
+    const array_list arrays = arrays_of_kind(&j, CONFLICT_REGULAR);
+    const char *name = arrays.count ? arrays.items[0].array.name : "?";
+    return refused(&j, analysis_reason(&j, REASON_REGULAR_NEST, update, name), CONFLICT_REGULAR);
+}
+
 loop_verdict verdict_ignored(const analyser *an, ir_function *function, ir_node *loop,
                              const user_pragma *pragma) {
     loop_analysis j = {.an = an, .function = function, .loop = loop};
-    j.why = analysis_reason(&j, REASON_IGNORED, loop,
-                            arena_format(an->memory, "redcc %s", pragma->text));
-    j.arrays = irregular_arrays(&j);
-    return (loop_verdict){.kind = VERDICT_REFUSE,
-                          .loop = loop,
-                          .function = function,
-                          .why = j.why,
-                          .facts = finish_facts(&j)};
+    const char *text = arena_format(an->memory, "redcc %s", pragma->text);
+    return refused(&j, analysis_reason(&j, REASON_IGNORED, loop, text), CONFLICT_SHARED);
 }

@@ -76,8 +76,7 @@ const char *verdict_sentence(arena *a, const loop_verdict *verdict) {
         return arena_format(a, "loop in '%s' stays sequential: %s: %s", function,
                             reason_code(verdict->why.id), verdict->why.message);
     default:
-        return arena_format(a, "loop in '%s' has no update through an irregular subscript",
-                            function);
+        return arena_format(a, "loop in '%s' has no update in which iterations may meet", function);
     }
 }
 

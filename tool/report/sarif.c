@@ -96,8 +96,9 @@ static json_t *result_of(arena *a, const report_input *input, const loop_verdict
 /* Of a message with a hole for a name: the hole becomes dots. */
 static const char *short_text(arena *a, const loop_verdict *verdict) {
     if (verdict->kind != VERDICT_REFUSE)
-        return verdict->kind == VERDICT_TRANSFORM ? "the loop runs in parallel"
-                                                  : "the loop has no irregular reduction";
+        return verdict->kind == VERDICT_TRANSFORM
+                   ? "the loop runs in parallel"
+                   : "the loop has no update in which iterations may meet";
     return reason_make(a, verdict->why.id, "...", (ir_range){0}).message;
 }
 

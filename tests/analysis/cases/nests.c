@@ -101,7 +101,7 @@ void segments(int n, const int *start, const double *x, double *restrict y) {
     for (int i = 0; i < n; i++)
         for (int p = start[i]; p < start[i + 1]; p++)
             y[p] *= x[i];
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++) { // EXPECT: transform y(+) verifiable
         const int first = i * (i + 1) / 2;
         for (int p = first; p < first + i; p++)
             y[p] += x[i];
@@ -114,11 +114,10 @@ void looked_up_segments(int n, const int *start, const int *row, double *restric
             y[p] += 1.0;
 }
 
-/* Each of two counters begins where the other has led: of no loop is anything found, and the search
- * ends. */
+/* Each of two counters begins where the other has led: the search ends. */
 void round_about(int n, const int *a, const int *b, double *restrict y) {
     int p = 0, q = 0;
-    for (int t = 0; t < n; t++) {
+    for (int t = 0; t < n; t++) { // EXPECT: refuse scalar-carried
         for (p = a[q]; p < n; p++)
             y[p] += 1.0;
         for (q = b[p]; q < n; q++)

@@ -15,7 +15,7 @@ void endless(int n, const int *s, double *h) {
     } while (i > 0 && s[i] > 0);
     for (double t = 0; t < n; t += 1) // EXPECT: refuse counter-type
         h[s[(int)t]] += 1.0;
-    for (int a = 0, b = 0; a < n; a++, b += 2) // EXPECT: refuse trip-count
+    for (int a = 0, b = 0; a < n; a++, b += 2) // EXPECT: transform h(+) verifiable privates=1
         h[s[b]] += 1.0;
     for (int a = 0; a < n && s[a] > 0; a++) // EXPECT: refuse trip-count
         h[s[a]] += 1.0;

@@ -51,6 +51,8 @@ static const char *const advices[REASON_COUNT] = {
     [REASON_BREAK] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_RETURN] = "find where it ends in a loop of its own first, and count up to there",
     [REASON_GOTO] = "use structured control",
+    [REASON_REGULAR_NEST] = "where iterations of the outer loop write rows of their own if the "
+                            "loops are interchanged, do so: #pragma omp parallel for will do then",
     [REASON_IMPURE_CALL] = "define it static inline in a header; or, where it has none, and writes "
                            "nothing by its arguments, say so: --pure=NAME, or #pragma redcc "
                            "pure(NAME)",

@@ -9,7 +9,7 @@
 #include "analysis/base/expression.h"
 #include "analysis/base/loop_text.h"
 #include "analysis/base/step_inside.h"
-#include "analysis/loop/variation.h"
+#include "analysis/loop/conflict.h"
 
 /* ---- the source text --------------------------------------------------------------------------
  */
@@ -213,7 +213,7 @@ static reason check_values(const loop_analysis *j, const access_list *found) {
         const access *a = &found->items.items[i];
         if (a->kind == ACCESS_UPDATE && !a->callee && a->form.has_operator &&
             ir_value_is_used(a->lvalue->parent) &&
-            variation_is_irregular(j->an->facts, j->loop, a->lvalue))
+            conflict_is_shared(j->an->facts, j->loop, a->lvalue))
             return analysis_reason(j, REASON_UPDATE_VALUE_USED, a->lvalue->parent,
                                    analysis_name(j, a->lvalue));
     }

@@ -3,7 +3,7 @@
 #include "analysis/reduction/updates.h"
 
 #include "analysis/base/expression.h"
-#include "analysis/loop/variation.h"
+#include "analysis/loop/conflict.h"
 #include "analysis/memory/update_group.h"
 #include "analysis/private/induction.h"
 #include "analysis/reduction/extremum.h"
@@ -56,7 +56,7 @@ static bool is_updated_too(const loop_analysis *j, const loop_access *store) {
     for (unsigned i = 0; i < j->access_count; i++) {
         const loop_access *other = &j->accesses[i];
         if (other != store && other->access.kind == ACCESS_UPDATE && !other->access.callee &&
-            variation_is_irregular(j->an->facts, j->loop, other->access.lvalue) &&
+            conflict_is_shared(j->an->facts, j->loop, other->access.lvalue) &&
             locations_overlap(&j->an->rules, &store->where, &other->where) == OVERLAP_SAME)
             return true;
     }
@@ -98,7 +98,7 @@ static bool refuse_store(loop_analysis *j, const loop_access *store) {
     if (decides_subscripts(j, store))
         return analysis_refuse(j, REASON_INDEX_ARRAY_WRITTEN, node, name);
     const loop_access *read = other_read(j, store);
-    if (read && variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
+    if (read && conflict_is_shared(j->an->facts, j->loop, store->access.lvalue))
         return analysis_refuse(j, REASON_ARRAY_READ, read->access.node, name);
     return analysis_refuse(j, REASON_OTHER_STORE, node, name);
 }
@@ -336,7 +336,7 @@ static bool check_store(loop_analysis *j, loop_access *store) {
     if (!is_element(store->access.lvalue))
         return refuse_store(j, store);
     if (is_of_group(j, store, &group) &&
-        variation_is_irregular(j->an->facts, j->loop, store->access.lvalue))
+        conflict_is_shared(j->an->facts, j->loop, store->access.lvalue))
         return check_group(j, store, &group);
     const bool is_scattered = store->where.base && update_table_of(j, store->where.base);
     if (other_read(j, store) && (is_scattered || !forward_take(j, store)))
@@ -376,7 +376,7 @@ static bool is_in_array(const loop_access *write) {
 static bool is_irregular_call(const loop_analysis *j, const loop_access *write) {
     const ir_node *target =
         write->access.callee ? update_call_of(j, write->access.node).target : NULL;
-    return target && variation_is_irregular(j->an->facts, j->loop, target);
+    return target && conflict_is_shared(j->an->facts, j->loop, target);
 }
 
 static bool check_write(loop_analysis *j, loop_access *write) {
@@ -431,11 +431,10 @@ static bool check_writes(loop_analysis *j) {
         for (unsigned i = 0; i < j->access_count; i++) {
             loop_access *a = &j->accesses[i];
             update_group group;
-            bool is_irregular_update =
-                ((a->access.kind == ACCESS_UPDATE && !a->access.callee) ||
-                 is_of_group(j, a, &group)) &&
-                is_element(a->access.lvalue) &&
-                variation_is_irregular(j->an->facts, j->loop, a->access.lvalue);
+            bool is_irregular_update = ((a->access.kind == ACCESS_UPDATE && !a->access.callee) ||
+                                        is_of_group(j, a, &group)) &&
+                                       is_element(a->access.lvalue) &&
+                                       conflict_is_shared(j->an->facts, j->loop, a->access.lvalue);
             if (a->access.kind != ACCESS_READ && a->class == CLASS_OPEN &&
                 is_irregular_update == (pass == 0) && !check_write(j, a))
                 return false;
