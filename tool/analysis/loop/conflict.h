@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /**
- * Which updates make a loop one to be judged: those of a place that, as far as this shows, two
+ * Which updates decide that a loop is looked at: those of a place that, as far as this shows, two
  * iterations may update. This decides what is looked at, not what may be done: that is proved of
  * each loop by the rest of the analysis.
  */
