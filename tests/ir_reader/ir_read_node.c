@@ -122,6 +122,7 @@ static bool read_flag(ir_reader *r, const sexp *s, ir_node *node) {
     } flags[] = {{"!designated", IR_DESIGNATED},
                  {"!macro", IR_FROM_MACRO},
                  {"!literal", IR_COMPOUND_LITERAL},
+                 {"!sequence", IR_SEQUENCE},
                  {"!static-local", 0},
                  {"!thread-local", 0}};
     for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)

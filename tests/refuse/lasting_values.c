@@ -43,16 +43,6 @@ int in_chain(int n, const int *k, double *h) {
     return i + j;
 }
 
-int in_comma(int n, const int *k, double *h) {
-    int i = 0, j = 0;
-    for (int t = 0; t < n; t++) // EXPECT: refuse last-value
-        if (k[t] > 5) {
-            i = k[t], j = i + 1;
-            h[j] += 1;
-        }
-    return i + j;
-}
-
 int in_update(int n, const int *k, double *h) {
     int i = 0;
     for (int t = 0; t < n; t++) // EXPECT: nothing

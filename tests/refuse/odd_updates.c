@@ -173,13 +173,6 @@ void andand(int n, const int *k, int *h) {
         k[t] && h[k[t]]++;
 }
 
-void commaw(int n, const int *k, double *h) {
-    int x = 0;
-    for (int t = 0; t < n; t++) // EXPECT: refuse update-in-expression
-        x = k[t], h[x] += 1;
-    h[0] = x;
-}
-
 void linked(int n, const int *k, double *h, int *next) {
     for (int t = 0; t < n; t++) {
         int i = k[t];

@@ -85,11 +85,6 @@ void kept_value(int n, const int *k, double *h, double *out) {
     }
 }
 
-void two_in_one(int n, const int *k, double *h) {
-    for (int t = 0; t < n; t++) // EXPECT: nothing
-        h[k[t]] /= 2.0, h[k[t] + 1] /= 3.0;
-}
-
 struct flags {
     unsigned low : 4, high : 4;
 };

@@ -19,10 +19,40 @@ static ir_node *opaque_statement(converter *c, CXCursor cursor, const char *what
     return convert_opaque(c, cursor, NULL, what);
 }
 
+static unsigned count_parts(const ir_node *node) {
+    return node->kind == IR_BINARY && node->op == IR_OP_COMMA
+               ? count_parts(node->children[0]) + count_parts(node->children[1])
+               : 1;
+}
+
+static void add_parts(converter *c, ir_node *node, ir_node *block) {
+    if (node->kind == IR_BINARY && node->op == IR_OP_COMMA) {
+        add_parts(c, node->children[0], block);
+        add_parts(c, node->children[1], block);
+        return;
+    }
+    ir_node *part = ir_new(c->arena, IR_EXPRESSION, NULL, 1);
+    part->children[0] = node;
+    part->range = block->range;
+    part->flags = IR_FROM_MACRO;
+    block->children[block->child_count++] = part;
+}
+
+/* a += e, b -= e; is { a += e; b -= e; } with one piece of text, which is replaced as a whole. */
+static ir_node *sequence(converter *c, ir_node *statement) {
+    ir_node *all = statement->children[0];
+    ir_node *block = ir_new(c->arena, IR_BLOCK, NULL, count_parts(all));
+    block->range = statement->range;
+    block->flags = statement->flags | IR_SEQUENCE;
+    block->child_count = 0;
+    add_parts(c, all, block);
+    return block;
+}
+
 static ir_node *expression_statement(converter *c, CXCursor cursor) {
     ir_node *node = new_statement(c, cursor, IR_EXPRESSION, 1);
     node->children[0] = convert_expression(c, cursor);
-    return node;
+    return count_parts(node->children[0]) > 1 ? sequence(c, node) : node;
 }
 
 static ir_node *convert_block(converter *c, CXCursor cursor) {

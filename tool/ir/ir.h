@@ -255,9 +255,11 @@ enum {
                           for loops, at its beginning) belongs: it may be replaced as a whole. */
     IR_HAS_VALUE = 8,  /* `value` is the integer constant it is */
     IR_COMPOUND_LITERAL = 16, /* of IR_INITIALIZERS */
-    IR_FROM_CALL = 32         /* it stands for a call that reaches variables which the call's text
-                                 does not name (ir_accessors.h): a copy that gives variables other
-                                 names, or other memory, cannot have that text. IR_FROM_MACRO too */
+    IR_SEQUENCE = 64, /* of a block: it is a comma expression that is a statement. Its parts, all
+                         IR_FROM_MACRO, have the one range of it, without the `;` */
+    IR_FROM_CALL = 32 /* it stands for a call that reaches variables which the call's text
+                         does not name (ir_accessors.h): a copy that gives variables other
+                         names, or other memory, cannot have that text. IR_FROM_MACRO too */
 };
 
 struct ir_node {

@@ -131,7 +131,8 @@ static void print_attributes(const ir_printer *p, const ir_node *node) {
     } flags[] = {{IR_DESIGNATED, "designated"},
                  {IR_FROM_MACRO, "macro"},
                  {IR_COMPOUND_LITERAL, "literal"},
-                 {IR_FROM_CALL, "call"}};
+                 {IR_FROM_CALL, "call"},
+                 {IR_SEQUENCE, "sequence"}};
     print_value(p, node);
     if (node->type != NULL && !ir_type_identical(node->type, ir_infer_type(p->scratch, node))) {
         buffer_text(p->out, " :");

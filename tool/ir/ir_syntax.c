@@ -114,6 +114,7 @@ uint32_t syntax_statement_end(const source *text, const ir_node *statement) {
         return last_end > end ? last_end : end;
     }
     case IR_BLOCK:
+        return statement->flags & IR_SEQUENCE ? after_semicolon(text, end) : end;
     case IR_DECLARATION:
         return end;
     case IR_EMPTY:

@@ -30,7 +30,7 @@ void in_condition(int n, const int *s, int *h) {
 }
 
 void in_expression(int n, const int *s, int *h) {
-    for (int i = 0; i < n; i++) // EXPECT: refuse update-in-expression
+    for (int i = 0; i < n; i++) // EXPECT: transform h(+) guards=1 verifiable
         h[s[i]]++, h[s[i] + 1]++;
 }
 
