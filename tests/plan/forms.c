@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 /* Loops, and what tool/plan decides about them: see plan_test.c. */
-#include <math.h>
+/* What is decided stands on the line of the loop. */
+/* clang-format off */
 
 struct vector {
     double x, y, z;
