@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 static uint64_t state, noted;
 
@@ -166,4 +168,28 @@ void *attack_same(const void *p) {
 void attack_mark(const void **entries, int count, const void *mark) {
     for (int i = 0; i < count; i++)
         entries[i] = attack_below(3) ? NULL : mark;
+}
+
+/* ---- memory at two addresses ----------------------------------------------------------------- */
+
+static void *map_at(void *at, size_t bytes, int flags, int file, size_t offset) {
+    void *const place =
+        mmap(at, bytes, PROT_READ | PROT_WRITE, flags | (at ? MAP_FIXED : 0), file, (off_t)offset);
+    if (place == MAP_FAILED)
+        abort();
+    return place;
+}
+
+void attack_map(unsigned long *both[2], int kind) {
+    const size_t bytes = 1024 * sizeof **both;
+    const int file = memfd_create("attack", 0);
+    if (file < 0 || ftruncate(file, (off_t)(2 * bytes)) != 0)
+        abort();
+    if (!both[0]) {
+        both[0] = map_at(NULL, 4 * bytes, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        both[1] = both[0] + (kind == 2 ? 1 : 2) * 1024;
+    }
+    map_at(both[0], bytes, MAP_SHARED, file, 0);
+    map_at(both[1], bytes, kind == 3 ? MAP_PRIVATE : MAP_SHARED, file, kind == 0 ? bytes : 0);
+    close(file);
 }

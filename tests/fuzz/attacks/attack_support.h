@@ -57,6 +57,10 @@ void attack_set_locale(void);
 void attack_reset_locale(void);
 /** Returns its argument, for all that the compiler knows. */
 void *attack_same(const void *p) __attribute__((const));
+/** Maps 1024 zeros at both[0] and, the same or others, at both[1]: at the addresses
+ * that they have from an earlier call. kind 0: two objects; 1: one, mapped twice; 2: one, twice,
+ * side by side; 3: one, which the second shows until it is written to. */
+void attack_map(unsigned long *both[2], int kind);
 void attack_mark(const void **entries, int count, const void *mark);
 
 #endif
