@@ -58,9 +58,9 @@ int (*enter)(redcc_call *, redcc_loop *, redcc_int, void *const *, const redcc_e
 int main(void) { return enter == 0; }
 END
 eval "cc use.c $(pkg-config --cflags --libs redcc) -o use" || fail "$case_name"
-LD_LIBRARY_PATH="$prefix/lib" ./use || fail "$case_name: run"
-eval "cc use.c $(pkg-config --cflags redcc) '$prefix/lib/libredcc_rt.a' -lm -o use-static" && ./use-static ||
-  fail "$case_name: static"
+./use || fail "$case_name: a program starts without a variable"
+eval "cc use.c $(pkg-config --cflags redcc) -L'$prefix/lib' -lredcc_rt -o use-shared" || fail "$case_name: shared"
+LD_LIBRARY_PATH="$prefix/lib" ./use-shared || fail "$case_name: run the shared one"
 end
 
 begin "manual pages and completions"
