@@ -44,6 +44,41 @@ PATH="$PWD/bin:$PATH" REDCC_CC="ccache gcc" "$redcc_cc" x.c -o p || fail "$case_
 expect_equal "$case_name" "translated ran" "$(run_p)"
 end
 
+begin "a launcher that looks up what it compiled: the same text has the same path, and no question goes to it"
+printf '%s' "$source_text" >x.c
+mkdir bin other
+printf '#!/bin/bash\nprintf "%%s\\n" "$@" >>"$RECORD.launched"\nexec "$@"\n' >bin/ccache
+chmod +x bin/ccache
+launched() { grep '^/.*/x\.c$' "$RECORD.launched" | sort -u; }
+compile() { PATH="$work/case/bin:$PATH" "$redcc_cc" ccache gcc "$@" || fail "$case_name: $*"; }
+rm -f "$RECORD.launched"
+compile -c x.c
+compile -O2 -c x.c
+touch -d '2001-01-01' x.c && compile -c x.c
+expect_match <(launched) '/redcc-cc-[0-9a-f]{16}/x\.c$'
+expect_equal "$case_name: paths" 1 "$(launched | wc -l)"
+expect_no_match "$RECORD.launched" '^(-M|-print-.*|-dM|-E)$'
+[ -z "$(ls -A "$TMPDIR")" ] || fail "$case_name: left: $(ls "$TMPDIR")"
+echo '/* another */' >>x.c
+compile -c x.c
+expect_equal "$case_name: another text" 2 "$(launched | wc -l)"
+for i in 1 2 3 4 5 6; do (compile -c x.c -o x$i.o) & done
+wait
+for i in 2 3 4 5 6; do expect_same x1.o x$i.o; done
+# the name is taken by what is none of this user's: a private folder, as ever
+shared=$(launched | tail -n 1 | sed 's|/x\.c$||')
+[ "$(grep -cxF "$shared/x.c" "$RECORD.launched")" -ge 6 ] || shared=$(launched | head -n 1 | sed 's|/x\.c$||')
+mkdir -m 755 "$shared"
+rm -f "$RECORD.launched"
+compile x.c -o p
+expect_equal "$case_name" "translated ran" "$(run_p)"
+expect_no_match "$RECORD.launched" 'redcc-cc-[0-9a-f]{16}/'
+rmdir "$shared" || fail "$case_name: a file was left in a folder of somebody else"
+# two sources of one text and name, in one command
+cp x.c other/x.c && sed -i 's/main/other/' x.c other/x.c && cp other/x.c other/y.c
+compile -c x.c other/y.c
+end
+
 begin "g++ takes C for C++, a cross compiler is for another machine"
 printf '%s' "$source_text" >x.c
 mkdir bin && cp "$FAKES/compiler" bin/g++

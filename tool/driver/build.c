@@ -142,7 +142,7 @@ static attempt compile_for_messages(session *s, const translation *t) {
     add_colour(s, &words);
     words_add(a, &words, "-c");
     words_add(a, &words, "-o");
-    words_add(a, &words, arena_format(a, "%s.messages", t->text));
+    words_add(a, &words, arena_format(a, "%s/messages.o", t->folder));
     words_add(a, &words, "-x");
     words_add(a, &words, "c");
     words_add(a, &words, t->source->text);
@@ -224,7 +224,7 @@ static const translation *translation_of(const item *one, const translation *tra
 }
 
 static const char *object_of(session *s, const translation *t) {
-    return arena_format(s->memory, "%s.o", t->text);
+    return arena_format(s->memory, "%s/%s.o", t->folder, path_base(t->text));
 }
 
 /* -c or -S of several sources: each translated text by itself, the others together. */

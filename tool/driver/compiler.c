@@ -116,6 +116,8 @@ static void describe(arena *a, compiler *c) {
     unsigned last = 0;
     while (last + 1 < c->words.count && is_launcher(c->words.items[last]))
         last++;
+    for (unsigned i = last; i < c->words.count; i++)
+        words_add(a, &c->bare, c->words.items[i]);
     const char *name = c->words.items[last];
     unsigned skipped = 0;
     const char *path = find_program(a, NULL, name, &skipped);
@@ -147,9 +149,13 @@ compiler compiler_choose(arena *a, const char *self, unsigned count, char *const
     return c;
 }
 
+bool compiler_has_launcher(const compiler *c) {
+    return c->bare.count < c->words.count;
+}
+
 const char *compiler_openmp(arena *a, const compiler *c, const char *scratch_folder) {
     word_list ask = {0};
-    words_add_all(a, &ask, &c->words);
+    words_add_all(a, &ask, &c->bare);
     words_add(a, &ask, c->is_clang ? "-print-file-name=libomp.so" : "-print-file-name=libgomp.so");
     const char *answer = arena_format(a, "%s/openmp", scratch_folder);
     remove(answer);

@@ -9,7 +9,9 @@
 
 typedef struct compiler {
     word_list words; /**< "gcc", or "ccache", "gcc": what stands before the arguments */
-    unsigned taken;  /**< how many of the words given named the compiler (launcher form) */
+    word_list
+        bare; /**< without launchers, for questions: a cache would only count them as misses */
+    unsigned taken; /**< how many of the words given named the compiler (launcher form) */
     bool is_clang;
     bool is_cxx;          /**< takes a C file for C++ */
     bool is_foreign;      /**< compiles for another machine than this */
@@ -21,6 +23,10 @@ typedef struct compiler {
  *  the name this program was called by, where a link of that name stands for it; cc. `self` is this
  *  program's path; what leads back to it is skipped. */
 compiler compiler_choose(arena *a, const char *self, unsigned count, char *const *words);
+
+/** Whether the compiler is run by a launcher (ccache), which may look up what it compiled before.
+ */
+bool compiler_has_launcher(const compiler *c);
 
 /** The compiler's OpenMP library, by its path; NULL where there is none (clang comes without). Asks
  *  the compiler; what it says passes through a file in `scratch_folder`. */

@@ -111,7 +111,7 @@ const char *openmp_in_text(const char *text) {
 static bool preprocess(session *s, const item *source, bool with_openmp, const char *to) {
     arena *a = s->memory;
     word_list words = {0};
-    words_add_all(a, &words, &s->real.words);
+    words_add_all(a, &words, &s->real.bare);
     if (with_openmp && !s->real.is_clang && !(s->command.meaning & OPTION_THREADS))
         words_add(a, &words, "-U_REENTRANT"); /* as the translated text is compiled */
     command_add_options(a, &words, &s->command,

@@ -125,11 +125,17 @@ static void name_regrets(const session *s) {
                      s->fallbacks.items[i]);
 }
 
+static void remove_temporaries(const session *s) {
+    for (unsigned i = 0; i < s->shared.count; i++)
+        temporary_leave(s->shared.items[i]);
+    if (s->folder && !s->show)
+        temporary_remove(s->folder);
+}
+
 _Noreturn void session_end(session *s, int status) {
     if (status == 0)
         name_regrets(s);
-    if (s->folder && !s->show)
-        temporary_remove(s->folder);
+    remove_temporaries(s);
     if (process_signal())
         status = -process_signal();
     arena_free(s->memory);
@@ -154,8 +160,7 @@ _Noreturn void session_become_compiler(session *s) {
         int status = session_run(s, &words, (process_streams){s->input, NULL, NULL});
         session_end(s, status);
     }
-    if (s->folder)
-        temporary_remove(s->folder);
+    remove_temporaries(s);
     if (process_signal())
         process_end_as(-process_signal());
     process_become(s->memory, &words);

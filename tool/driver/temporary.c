@@ -25,9 +25,13 @@ static const char *parent_folder(void) {
     return given && *given ? given : "/tmp";
 }
 
+enum { KEY_DIGITS = 16 };
+
 static bool is_named_as_ours(const char *name) {
-    return strncmp(name, prefix, sizeof prefix - 1) == 0 &&
-           strlen(name) == sizeof prefix - 1 + sizeof placeholder - 1;
+    if (strncmp(name, prefix, sizeof prefix - 1) != 0)
+        return false;
+    const size_t rest = strlen(name) - (sizeof prefix - 1);
+    return rest == sizeof placeholder - 1 || rest == KEY_DIGITS;
 }
 
 /* Whether the open folder was left behind: this user's, not young, and nobody holds its lock. Where
@@ -69,6 +73,38 @@ const char *temporary_create(arena *a) {
         flock(lock, LOCK_SH);
     remove_left_behind(a, parent);
     return folder;
+}
+
+/* Whether the open folder is still what the path names, and this user's alone. */
+static bool is_usable(int folder, const char *path) {
+    struct stat opened, named;
+    return fstat(folder, &opened) == 0 && lstat(path, &named) == 0 &&
+           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev &&
+           opened.st_uid == geteuid() && (opened.st_mode & 077) == 0;
+}
+
+shared_folder temporary_share(arena *a, uint64_t key) {
+    enum { TRIES = 10 }; /* one is lost where the last user removes the folder in between */
+    const char *path = arena_format(a, "%s/%s%0*llx", parent_folder(), prefix, (int)KEY_DIGITS,
+                                    (unsigned long long)key);
+    for (unsigned i = 0; i < TRIES; i++) {
+        if (mkdir(path, 0700) != 0 && errno != EEXIST)
+            break;
+        int lock = open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        if (lock < 0)
+            continue;
+        if (flock(lock, LOCK_SH) == 0 && is_usable(lock, path))
+            return (shared_folder){path, lock};
+        close(lock);
+    }
+    return (shared_folder){NULL, -1};
+}
+
+void temporary_leave(shared_folder folder) {
+    /* a lock that cannot be had is given up, so that of two that leave at once one gets it */
+    if (flock(folder.lock, LOCK_EX | LOCK_NB) == 0)
+        temporary_remove(folder.path);
+    close(folder.lock);
 }
 
 static int remove_entry(const char *path, const struct stat *about, int kind, struct FTW *place) {

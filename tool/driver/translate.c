@@ -2,6 +2,8 @@
 #include "driver/translate.h"
 
 #include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -95,7 +97,7 @@ static bool list_files(session *s, translation *t) {
     arena *a = s->memory;
     const char *rule = temporary(s, t, "original.d");
     word_list words = {0};
-    words_add_all(a, &words, &s->real.words);
+    words_add_all(a, &words, &s->real.bare);
     command_add_options(a, &words, &s->command,
                         OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY);
     words_add(a, &words, "-M");
@@ -196,7 +198,7 @@ static const char *list_predefined(session *s, const translation *t) {
     arena *a = s->memory;
     const char *list = temporary(s, t, "predefined");
     word_list words = {0};
-    words_add_all(a, &words, &s->real.words);
+    words_add_all(a, &words, &s->real.bare);
     add_thread_options(s, &words);
     command_add_options(a, &words, &s->command,
                         OPTION_NO_LINK | OPTION_DEPENDENCY | OPTION_LINKER | OPTION_AUXILIARY |
@@ -230,6 +232,33 @@ static void copy_time(const char *from, const char *to) {
         utimensat(AT_FDCWD, to, (const struct timespec[]){about.st_atim, about.st_mtim}, 0);
 }
 
+/* FNV-1a, of 64 bits. */
+static uint64_t hash(uint64_t so_far, const char *bytes, size_t length) {
+    for (size_t i = 0; i < length; i++)
+        so_far = (so_far ^ (unsigned char)bytes[i]) * 0x100000001b3u;
+    return so_far;
+}
+
+/* A cache of compilations looks a text up by its content and its path: moves the text to a path
+ * that its content and the source's name determine. Where that cannot be done the text stays, and
+ * the cache misses. */
+static void share_text(session *s, translation *t) {
+    size_t length;
+    const char *bytes = s->show ? NULL : file_read(s->memory, t->text, &length);
+    if (!bytes || memmem(bytes, length, "__TIMESTAMP__", 13)) /* means the file's own time */
+        return;
+    uint64_t key = hash(0xcbf29ce484222325u, bytes, length);
+    key = hash(key, t->source->text, strlen(t->source->text) + 1);
+    shared_folder shared = temporary_share(s->memory, key);
+    if (!shared.path)
+        return;
+    VECTOR_PUSH(s->memory, &s->shared, shared);
+    const char *path = arena_format(s->memory, "%s/%s", shared.path, path_base(t->text));
+    const bool is_there = access(path, F_OK) == 0; /* another call compiles the same */
+    if (is_there ? file_equal(s->memory, t->text, path) : rename(t->text, path) == 0)
+        t->text = path;
+}
+
 translation translate(session *s, const item *source, unsigned number) {
     translation t;
     memset(&t, 0, sizeof t);
@@ -261,6 +290,8 @@ translation translate(session *s, const item *source, unsigned number) {
         t.text = NULL;
     if (t.text && !s->show)
         copy_time(t.file, t.text);
+    if (t.text && compiler_has_launcher(&s->real))
+        share_text(s, &t);
     return t;
 }
 
@@ -302,7 +333,7 @@ void translation_add_before(session *s, word_list *list, const translation *t) {
     /* Parts the folder above from the first -I: the compiler would take the two for one and use the
      * spelling of the latter in __FILE__. */
     words_add(s->memory, list, "-iquote");
-    words_add(s->memory, list, t->folder);
+    words_add(s->memory, list, path_folder(s->memory, t->text));
 }
 
 /* How the user's own prefix maps, the last that fits, spell a path. */
