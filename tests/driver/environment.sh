@@ -90,8 +90,8 @@ cat >expected <<'END'
 x.c: 0: redcc: x.c:1:1: error: fake trouble
 x.c: 0: redcc failed: x.c:1:1: error: fake trouble
 x.c: 0: its translated text does not compile
-x.c: 0: an option that redcc cannot follow
-f f.c: 0: an option that redcc cannot follow
+x.c: 0: an option that redcc cannot follow: -fwrapv
+f f.c: 0: an option that redcc cannot follow: -fwrapv
 END
 expect_same expected actual
 rm "$REDCC_BUILD_REPORT"

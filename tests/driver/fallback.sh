@@ -99,7 +99,8 @@ echo garbage >"$work/root/lib/libredcc_rt.a"
 expect_untranslated
 echo 'int main(void) { return 0; }' >m.c
 cc -c m.c && "$redcc_cc" m.o -o p2 2>messages || fail "$case_name: $(cat messages)"
-expect_empty messages
+expect_match messages '^redcc-cc: warning: linked without the runtime'
+expect_equal "$case_name: one line" 1 "$(wc -l <messages)"
 cp "$work/saved" "$work/root/lib/libredcc_rt.a"
 end
 

@@ -93,6 +93,8 @@ static _Noreturn void build_original(session *s) {
         session_become_compiler(s); /* what it had to say got lost (a full disk) */
     attempt second = try_command(s, &plain, s->input);
     show_attempt(s, second.status == 0 ? &second : &first);
+    if (second.status == 0)
+        session_warn(s, "linked without the runtime: with it the linker fails");
     session_end(s, second.status == 0 ? 0 : first.status);
 }
 
@@ -204,11 +206,22 @@ static bool write_dependencies(session *s) {
     return session_run(s, &words, (process_streams){s->input, "/dev/null", "/dev/null"}) == 0;
 }
 
+/* The command as it was given, although sources were translated: says why of each of them. */
+static _Noreturn void build_untranslated(session *s, const translation *translations,
+                                         unsigned count, const char *why) {
+    for (unsigned i = 0; i < count; i++)
+        if (translations[i].text)
+            session_leave_alone(s, translations[i].source->text, why);
+    build_original(s);
+}
+
+static const char no_dependencies[] = "its dependency file cannot be written";
+
 static _Noreturn void build_one(session *s, const translation *t) {
     word_list words = {0};
     add_replaced(s, &words, t);
     if (!write_dependencies(s))
-        build_original(s);
+        build_untranslated(s, t, 1, no_dependencies);
     if (!compile(s, t, &words))
         build_original(s);
     session_end(s, 0);
@@ -268,22 +281,26 @@ static _Noreturn void build_linked(session *s, const translation *translations, 
     if (s->real.is_clang) /* options for what was compiled before */
         words_add(a, &words, "-Qunused-arguments");
     attempt made = try_command(s, &words, s->input);
-    if (made.status != 0 && !was_interrupted(&made))
+    if (made.status != 0 && !was_interrupted(&made) && !s->strict) {
+        for (unsigned i = 0; i < count; i++)
+            if (done[i])
+                words_add(a, &s->unlinked, translations[i].source->text);
         build_original(s);
+    }
     show_attempt(s, &made);
     session_end(s, made.status);
 }
 
 static _Noreturn void build_several(session *s, const translation *translations, unsigned count) {
     bool *done = ARENA_ARRAY(s->memory, bool, count);
-    if (s->command.links && (s->command.meaning & OPTION_AUXILIARY)) {
-        session_explain(s, "compiled as it is: files beside the objects are asked for");
-        build_original(s);
-    }
+    if (s->command.links && (s->command.meaning & OPTION_AUXILIARY))
+        build_untranslated(s, translations, count,
+                           "an option asks for files beside the objects, and several sources are "
+                           "compiled and linked in one command");
     if (!s->command.links && s->command.output)
         build_original(s); /* one name for several objects: the compiler will complain */
     if (!write_dependencies(s))
-        build_original(s);
+        build_untranslated(s, translations, count, no_dependencies);
     for (unsigned i = 0; i < count; i++) {
         const translation *t = &translations[i];
         if (!t->text)

@@ -108,6 +108,30 @@ static void count_item(command *c, const item *i) {
         c->output = item_argument(i);
 }
 
+/* -fwrapv, which setuptools gives to every extension, is undone by a later -fno-wrapv. */
+static void undo_wrapping(item *items, unsigned count) {
+    bool is_undone = false;
+    for (unsigned i = count; i-- > 0;) {
+        if (items[i].kind != INPUT_NOT)
+            continue;
+        is_undone |= strcmp(items[i].text, "-fno-wrapv") == 0;
+        if (is_undone && strcmp(items[i].text, "-fwrapv") == 0)
+            items[i].meaning = 0;
+    }
+}
+
+/* A header is compiled to its precompiled form, and nothing is linked. */
+static bool has_header(const command *c) {
+    static const char *const headers[] = {".h", ".h++", ".hh", ".hp", ".hpp", ".hxx", NULL};
+    for (unsigned i = 0; i < c->count; i++) {
+        const item *one = &c->items[i];
+        if (one->kind == INPUT_COMPILE && (one->language ? strstr(one->language, "-header") != NULL
+                                                         : is_one_of(ending(one->text), headers)))
+            return true;
+    }
+    return false;
+}
+
 command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
     command c;
     memset(&c, 0, sizeof c);
@@ -125,13 +149,16 @@ command command_parse(arena *a, const word_list *words, bool c_is_cxx) {
         }
         if (is_named(&i, "-x"))
             c.language = strcmp(item_argument(&i), "none") == 0 ? NULL : item_argument(&i);
-        count_item(&c, &i);
         VECTOR_PUSH(a, &items, i);
     }
+    undo_wrapping(items.items, items.count);
+    for (unsigned i = 0; i < items.count; i++)
+        count_item(&c, &items.items[i]);
     c.items = items.items;
     c.count = items.count;
     c.compiles = c.compiled > 0 && !(c.meaning & OPTION_NO_OBJECT);
-    c.links = c.compiled + c.linked > 0 && !(c.meaning & (OPTION_NO_OBJECT | OPTION_NO_LINK));
+    c.links = c.compiled + c.linked > 0 && !(c.meaning & (OPTION_NO_OBJECT | OPTION_NO_LINK)) &&
+              !has_header(&c);
     return c;
 }
 

@@ -24,7 +24,7 @@ static const char depth_variable[] = "REDCC_CC_DEPTH";
 static const char help_text[] =
     "Usage: redcc-cc [COMPILER] ARGUMENTS...\n"
     "Compiles C as COMPILER does ($REDCC_CC, else cc), irregular reduction loops made parallel.\n"
-    "ARGUMENTS are the compiler's; its own --help and --version are reached by these names.\n"
+    "ARGUMENTS are the compiler's. Alone, --help and --version print the compiler's text first.\n"
     "  --redcc-show          print the commands that would run, run nothing\n"
     "  --redcc-report        translate and write the build's report, compile nothing\n"
     "  --redcc-summary FILE  print what the build's report in FILE comes to\n"
@@ -60,6 +60,11 @@ static bool is_option_of_ours(session *s, const char *word) {
     const bool reports = strcmp(word, "--redcc-report") == 0;
     s->show |= shows;
     s->only_reports |= reports;
+    if (!shows && !reports && strncmp(word, "--redcc-", 8) == 0) {
+        fprintf(stderr,
+                "redcc-cc: error: unknown option '%s'; --redcc-help lists those there are\n", word);
+        exit(2);
+    }
     return shows || reports;
 }
 
@@ -118,12 +123,29 @@ static bool misses_input(const command *c) {
     return false;
 }
 
+/* The first option that the translator cannot follow; NULL: there is none. */
+static const char *obstructing_option(const command *c) {
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->items[i].meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
+            return c->items[i].text;
+    return NULL;
+}
+
+/* Coverage counts how often each line of the source is executed; a translated text has others. */
+static bool is_for_coverage(const char *word) {
+    return strstr(word, "coverage") || strcmp(word, "-fprofile-arcs") == 0;
+}
+
 /* What is in the way of translating any source of this command; NULL: nothing. */
 static const char *general_obstacle(const session *s) {
     if (s->command.c_count == 0)
         return "no C source";
-    if (s->command.meaning & (OPTION_GIVE_UP | OPTION_REFUSE))
-        return "an option that redcc cannot follow";
+    const char *obstacle = obstructing_option(&s->command);
+    if (obstacle)
+        return arena_format(s->memory, "%s: %s",
+                            is_for_coverage(obstacle) ? "coverage counts the source's own lines"
+                                                      : "an option that redcc cannot follow",
+                            obstacle);
     if (s->real.is_foreign)
         return "the compiler is for another machine";
     if (would_write_over_input(&s->command))
@@ -156,6 +178,77 @@ static _Noreturn void translate_and_build(session *s) {
     build(s, translations, count);
 }
 
+/* Why an input that is compiled, and is no C source, is passed through; NULL: it was never C. */
+static const char *other_input(const session *s, const item *one) {
+    static const char *const cxx[] = {".C", ".CPP", ".c++", ".cc", ".cp", ".cpp", ".cxx", ".ii"};
+    const char *dot = strrchr(path_base(one->text), '.');
+    const char *language = one->language ? one->language : "";
+    if (strcmp(language, "cpp-output") == 0 || (!*language && dot && strcmp(dot, ".i") == 0))
+        return "it is preprocessed text, in which redcc does not see what the program says";
+    bool is_cxx = s->real.is_cxx || strncmp(language, "c++", 3) == 0;
+    for (unsigned i = 0; !*language && dot && i < sizeof cxx / sizeof cxx[0]; i++)
+        is_cxx |= strcmp(dot, cxx[i]) == 0;
+    return is_cxx ? "it is C++, which redcc does not translate" : NULL;
+}
+
+/* Names in the report what is not translated, whatever else is: C sources for which the command has
+ * an obstacle, preprocessed C, and C++. */
+static void name_left_alone(session *s, const char *obstacle) {
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        const char *why = one->kind == INPUT_C         ? obstacle
+                          : one->kind == INPUT_COMPILE ? other_input(s, one)
+                                                       : NULL;
+        if (why && one->kind == INPUT_COMPILE && strstr(why, "C++"))
+            session_pass_by(s, one->text, why);
+        else if (why)
+            session_leave_alone(s, one->text, why);
+    }
+}
+
+/* A link that takes no library (-nostdlib), of objects with translated loops. */
+static void warn_of_missing_runtime(session *s) {
+    if (!s->command.links || !(s->command.meaning & OPTION_NO_RUNTIME))
+        return;
+    for (unsigned i = 0; i < s->command.count; i++) {
+        const item *one = &s->command.items[i];
+        size_t length = 0;
+        if (strcmp(one->text, "-r") == 0)
+            return; /* the object that it makes is linked later */
+        const char *bytes =
+            one->kind == INPUT_LINK ? file_read(s->memory, one->text, &length) : NULL;
+        if (bytes && memmem(bytes, length, "redcc_enter", 11)) {
+            session_warn(
+                s,
+                "%s: has translated loops, and the command takes no library: add the runtime, "
+                "%s, and OpenMP's library",
+                one->text, s->tools.library ? s->tools.library : "libredcc_rt.a");
+            return;
+        }
+    }
+}
+
+/* The compiler's own --help or --version, and then what this program is: tools that ask which
+ * compiler they have read the first lines. In the launcher form the answer is the compiler's alone.
+ */
+static void introduce(session *s) {
+    const bool is_version = s->given.count == 1 && strcmp(s->given.items[0], "--version") == 0;
+    const bool is_help = s->given.count == 1 && strcmp(s->given.items[0], "--help") == 0;
+    if (s->show || s->real.taken > 0 || !(is_version || is_help))
+        return;
+    word_list words = {0};
+    session_add_original(s, &words);
+    process_catch_signals();
+    int status = session_run(s, &words, (process_streams){NULL, NULL, NULL});
+    if (status == 0 && is_version)
+        puts("redcc-cc " REDCC_VERSION
+             " runs the compiler above, with irregular reduction loops made "
+             "parallel (--redcc-help)");
+    else if (status == 0)
+        printf("\n%s", help_text);
+    session_end(s, status);
+}
+
 static _Noreturn void run(session *s) {
     char here[PATH_MAX];
     bool probe = command_is_probe(&s->command, getcwd(here, sizeof here) ? here : "");
@@ -164,9 +257,8 @@ static _Noreturn void run(session *s) {
         session_become_compiler(s);
     session_read_environment(s);
     const char *why = general_obstacle(s);
-    for (unsigned i = 0; why && i < s->command.count; i++)
-        if (s->command.items[i].kind == INPUT_C)
-            session_leave_alone(s, s->command.items[i].text, why);
+    name_left_alone(s, why);
+    warn_of_missing_runtime(s);
     bool translates = !why && (s->only_reports || is_complete(s)); /* a report needs no runtime */
     if (!translates && (s->only_reports || !build_can_add_runtime(s)))
         session_become_compiler(s);
@@ -204,6 +296,8 @@ int main(int argc, char **argv) {
     }
     int depth = enter();
     read_arguments(&s, (unsigned)argc - 1 - s.real.taken, argv + 1 + s.real.taken);
+    if (depth == 0)
+        introduce(&s);
     if (depth == 0)
         run(&s);
     if (depth == 1)

@@ -104,15 +104,19 @@ void session_read_environment(session *s) {
                 s->report);
 }
 
-void session_leave_alone(session *s, const char *file, const char *why) {
+void session_pass_by(session *s, const char *file, const char *why) {
     if (s->show)
         return;
     if (s->report && !build_report_append_left_alone(file, why, s->report))
         session_warn(s, "cannot append to '%s'", s->report);
-    if (!s->strict) {
+    if (!s->strict)
         session_explain(s, "%s: compiled as it is: %s", file, why);
+}
+
+void session_leave_alone(session *s, const char *file, const char *why) {
+    session_pass_by(s, file, why);
+    if (s->show || !s->strict)
         return;
-    }
     fprintf(stderr, "redcc-cc: error: %s: not translated (REDCC_STRICT): %s\n", file, why);
     session_end(s, 1);
 }
@@ -123,6 +127,11 @@ static void name_regrets(const session *s) {
                      "%s: the translated text does not compile, the source itself does and was "
                      "taken; please report this with what REDCC_KEEP=DIR keeps of it",
                      s->fallbacks.items[i]);
+    for (unsigned i = 0; i < s->unlinked.count; i++)
+        session_warn(s,
+                     "%s: the program does not link with its translated loops, and does with the "
+                     "source itself, which was taken",
+                     s->unlinked.items[i]);
 }
 
 static void remove_temporaries(const session *s) {

@@ -27,6 +27,7 @@ typedef struct session {
     const char *input;   /**< what standard input held, in a file; NULL where it is no source */
     unsigned attempts;   /**< made so far: their files are numbered */
     word_list fallbacks; /**< sources whose translated text did not compile */
+    word_list unlinked;  /**< sources whose translated objects did not link */
 } session;
 
 /** Reads $REDCC_OPTS into the session. */
@@ -45,6 +46,10 @@ void session_warn(const session *s, const char *format, ...) __attribute__((form
 /** The same, for what is worth telling only to who asked for it by -v. */
 void session_explain(const session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/** An input is passed to the compiler as it is, for this reason, and rightly so: says so to who
+ * asked for it by -v, and in the build's report. */
+void session_pass_by(session *s, const char *file, const char *why);
 
 /** A C source is compiled as it is, for this reason: says so to who asked for it by -v, and in the
  *  build's report. Under $REDCC_STRICT an error, which ends the process with status 1. */

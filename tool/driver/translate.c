@@ -2,8 +2,6 @@
 #include "driver/translate.h"
 
 #include <fcntl.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -14,6 +12,7 @@
 #include "driver/files.h"
 #include "driver/identity.h"
 #include "driver/openmp.h"
+#include "driver/shared_text.h"
 
 static const char *environment(const char *name) {
     const char *value = getenv(name);
@@ -225,38 +224,58 @@ static const char *translate_for_compiler(session *s, translation *t) {
     return arena_format(s->memory, "it asks which compiler this is (%s)", asked);
 }
 
+/* Does the text seem to include a C source, #include "x.c"? */
+static bool seems_to_include_source(const char *text) {
+    for (const char *at = text; (at = strstr(at, ".c")); at++) {
+        if (at[2] != '"' && at[2] != '>')
+            continue;
+        const char *line = at;
+        while (line > text && line[-1] != '\n')
+            line--;
+        line += strspn(line, " \t");
+        if (*line == '#' || strncmp(line, "%:", 2) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Loops of C sources that this one includes (a unity build) are not judged: the translator writes
+ * one file. The compiler says which there are. */
+static void name_included_sources(session *s, translation *t) {
+    const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);
+    if (!text || !seems_to_include_source(text) || (t->read.count == 0 && !list_files(s, t)))
+        return;
+    for (unsigned i = 1; i < t->read.count; i++) {
+        const char *name = t->read.items[i];
+        const char *dot = strrchr(path_base(name), '.');
+        if (dot && strcmp(dot, ".c") == 0)
+            session_leave_alone(s, name,
+                                arena_format(s->memory,
+                                             "'%s' includes it, and only the file that the command "
+                                             "names is translated",
+                                             t->source->text));
+    }
+}
+
+/* What the user's own --report asks for. The translator writes one form: where the build's report
+ * was wanted as well, it runs once more. */
+static void show_remarks(session *s, const translation *t) {
+    const char *messages = temporary(s, t, "translator");
+    if (t->report) {
+        translation again = *t;
+        again.report = NULL;
+        again.text = temporary(s, t, "remarks.c");
+        messages = temporary(s, t, "remarks");
+        run_translator(s, &again, messages);
+    }
+    file_show(messages, stderr);
+}
+
 /* __TIMESTAMP__ is the time of the file. */
 static void copy_time(const char *from, const char *to) {
     struct stat about;
     if (stat(from, &about) == 0)
         utimensat(AT_FDCWD, to, (const struct timespec[]){about.st_atim, about.st_mtim}, 0);
-}
-
-/* FNV-1a, of 64 bits. */
-static uint64_t hash(uint64_t so_far, const char *bytes, size_t length) {
-    for (size_t i = 0; i < length; i++)
-        so_far = (so_far ^ (unsigned char)bytes[i]) * 0x100000001b3u;
-    return so_far;
-}
-
-/* A cache of compilations looks a text up by its content and its path: moves the text to a path
- * that its content and the source's name determine. Where that cannot be done the text stays, and
- * the cache misses. */
-static void share_text(session *s, translation *t) {
-    size_t length;
-    const char *bytes = s->show ? NULL : file_read(s->memory, t->text, &length);
-    if (!bytes || memmem(bytes, length, "__TIMESTAMP__", 13)) /* means the file's own time */
-        return;
-    uint64_t key = hash(0xcbf29ce484222325u, bytes, length);
-    key = hash(key, t->source->text, strlen(t->source->text) + 1);
-    shared_folder shared = temporary_share(s->memory, key);
-    if (!shared.path)
-        return;
-    VECTOR_PUSH(s->memory, &s->shared, shared);
-    const char *path = arena_format(s->memory, "%s/%s", shared.path, path_base(t->text));
-    const bool is_there = access(path, F_OK) == 0; /* another call compiles the same */
-    if (is_there ? file_equal(s->memory, t->text, path) : rename(t->text, path) == 0)
-        t->text = path;
 }
 
 translation translate(session *s, const item *source, unsigned number) {
@@ -281,7 +300,9 @@ translation translate(session *s, const item *source, unsigned number) {
     if (result == OUTCOME_CHANGED && !why)
         why = translate_for_compiler(s, &t);
     if (result != OUTCOME_FAILED && wants_remarks(s))
-        file_show(temporary(s, &t, "translator"), stderr);
+        show_remarks(s, &t);
+    if (result != OUTCOME_FAILED)
+        name_included_sources(s, &t);
     if (why)
         session_leave_alone(s, source->text, why);
     if (why || result == OUTCOME_FAILED)
@@ -291,7 +312,7 @@ translation translate(session *s, const item *source, unsigned number) {
     if (t.text && !s->show)
         copy_time(t.file, t.text);
     if (t.text && compiler_has_launcher(&s->real))
-        share_text(s, &t);
+        t.text = shared_text(s, t.text, source->text);
     return t;
 }
 
