@@ -85,10 +85,19 @@ static int explain(arena *a, const char *word) {
     const char *section = explain_section(a, word);
     if (section) {
         fputs(section, stdout);
+        const char *page = explain_page(a);
+        if (page)
+            printf("What else can be done: %s\n", page);
         return EXIT_DONE;
     }
-    fprintf(stderr, "redcc: error: there is no reason '%s'; the nearest is %s\n", word,
-            explain_nearest(a, word));
+    if (strcmp(word, "list") == 0) {
+        fputs(explain_list(a), stdout);
+        return EXIT_DONE;
+    }
+    fprintf(stderr,
+            "redcc: error: there is no reason '%s'; %s\n"
+            "redcc: note: 'redcc --explain list' names all\n",
+            word, explain_nearest(a, word));
     return EXIT_USAGE;
 }
 

@@ -75,6 +75,7 @@ expect_match b/CMakeCache.txt 'CMAKE_C_COMPILER_AR:FILEPATH=.*gcc-ar'
 rm -rf b
 cmake -S . -B b -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_C_COMPILER=redcc-cc >log 2>&1
 expect_strict_error "includes it, and only the file" cmake --build b --clean-first
+cmake --build b >log 2>&1
 cp b/p p && expect_bits p
 echo 'find_package(redcc REQUIRED)
 redcc_target(half)' >>CMakeLists.txt # turns the unity build of its target off
@@ -145,6 +146,33 @@ expect_strict_error 'cannot follow: -fwrapv' redcc-cc -fno-wrapv -fwrapv -O2 -c 
 build_reported redcc-cc -fwrapv -O2 -fno-wrapv count.c -o p
 expect_equal "$case_name" transformed "$(verdicts)"
 expect_bits p
+end
+
+begin "a header with \\U in a comment, as Python.h; outside of one it may be a macro's name"
+write_sources
+sed '1i#include "has.h"' count.c >with.c
+pragma='#define QUIET _Pragma("GCC diagnostic push")'
+printf '%s\n/* escapes: \\x, \\u and \\U */\n' "$pragma" >has.h
+build_reported redcc-cc -O2 with.c -o p
+expect_equal "$case_name" transformed "$(verdicts)"
+expect_bits p
+for text in 'static int \u00e9;' '/*/ \u00e9 */' "/* 1'000' */ static int \\u00e9;"; do
+  printf '%s\n%s\n' "$pragma" "$text" >has.h
+  redcc --analyze with.c -- -I. >remarks 2>&1
+  expect_match remarks 'R512|error:'
+done
+end
+
+begin "digraphs and trigraphs"
+write_sources
+sed 's/#/%:/; s/\[/<:/g; s/\]/:>/g; s/{/<%/g; s/}/%>/g' count.c >di.c
+sed 's/#/??=/; s/\[/??(/g; s/\]/??)/g; s/{/??</g; s/}/??>/g' count.c >tri.c
+for source in di.c "-trigraphs tri.c"; do
+  # shellcheck disable=SC2086
+  build_reported redcc-cc -O2 $source -o p
+  expect_equal "$case_name: $source" transformed "$(verdicts)"
+  REDCC_METHOD=localwrite expect_bits p
+done
 end
 
 begin "C++ is named as such, and is no error"

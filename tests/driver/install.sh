@@ -80,8 +80,15 @@ expect_equal completion json "$(complete_with redcc _redcc redcc --report = j)"
 expect_equal completion --order= "$(complete_with redcc _redcc redcc --or)"
 expect_equal completion --redcc-show "$(complete_with redcc-cc _redcc_cc redcc-cc --redcc-sh)"
 expect_equal completion render "$(complete_with fabric _fabric fabric re)"
-# what a page or a completion names, the program knows
+expect_equal completion R204 "$(PATH="$prefix/bin:$PATH" complete_with redcc _redcc redcc --explain R20 | grep -o R204)"
+# what a page or a completion names, the program knows, and the other way round
 "$prefix/bin/redcc" --help >help
+for program in redcc redcc-cc; do
+  "$prefix/bin/$program" "$([ $program = redcc ] && echo --help || echo --redcc-help)" |
+    grep -oE '^  --[a-z-]+|, --[a-z]+$' | grep -oE -- '--[a-z-]+' | while read -r option; do
+    expect_match "$prefix/share/bash-completion/completions/$program" "$option"
+  done
+done
 for option in $(grep -oE -- '--[a-z-]+' "$prefix/share/bash-completion/completions/redcc" | sort -u); do
   expect_match help "$option"
 done

@@ -239,7 +239,7 @@ static bool seems_to_include_source(const char *text) {
     return false;
 }
 
-/* Loops of C sources that this one includes (a unity build) are not judged: the translator writes
+/* Loops of C sources that this one includes (a unity build) are not analysed: the translator writes
  * one file. The compiler says which there are. */
 static void name_included_sources(session *s, translation *t) {
     const char *text = s->show ? NULL : file_read(s->memory, t->file, NULL);

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "frontend/convert.h"
+#include "frontend/directives.h"
+#include "frontend/lexing.h"
 
 static const char pragma_operator[] = "_Pragma";
 
@@ -22,6 +24,29 @@ typedef struct search {
     VECTOR(definition) all;
 } search;
 
+/* Does a universal character name, \\u or \\U, stand outside of comments? Behind a quote between
+ * digits it is in doubt where comments are. */
+static const char *universal_name_in(file_text file) {
+    static const char *const marks[] = {"\\u", "\\U"};
+    const char *at = file.text, *const end = file.text + file.length;
+    if (!text_has(file, marks[0]) && !text_has(file, marks[1]))
+        return NULL;
+    /* in C89, which has no //, a mark of both may end a comment where it seems to begin one */
+    const bool sees_comments =
+        !lexing_has_digit_separator(file.text, file.length) && !text_has(file, "/*/");
+    while (at < end) {
+        const char *next = sees_comments ? piece_end(at, end) : end;
+        const bool is_comment = sees_comments && next - at > 1 && strncmp(at, "/*", 2) == 0;
+        const file_text piece = {at, (size_t)(next - at)};
+        for (unsigned i = 0; !is_comment && i < sizeof marks / sizeof *marks; i++)
+            if (text_has(piece, marks[i]) ||
+                (piece.length == 1 && next < end && *at == '\\' && *next == marks[i][1]))
+                return marks[i];
+        at = next;
+    }
+    return NULL;
+}
+
 static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {
     (void)stack;
     (void)depth;
@@ -32,10 +57,12 @@ static void look(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientD
     s->is_found |= text_has(text, pragma_operator);
     s->has_fenv_access |= text_has(text, "FENV_ACCESS");
     /* what a macro's pragma makes thread-local no tree tells; a macro's name has two spellings */
-    static const char *const hiding[] = {"threadprivate", "\\u", "\\U"};
-    for (unsigned i = 0; i < sizeof hiding / sizeof *hiding; i++)
-        if (text_has(text, hiding[i]))
-            s->hidden = hiding[i];
+    static const char thread_local_pragma[] = "threadprivate";
+    const char *universal = universal_name_in(text);
+    if (text_has(text, thread_local_pragma))
+        s->hidden = thread_local_pragma;
+    if (universal)
+        s->hidden = universal;
 }
 
 static void collect(CXFile file, CXSourceLocation *stack, unsigned depth, CXClientData data) {

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#define _GNU_SOURCE /* strcasestr */
 #include "redcc/explain.h"
 
 #include <limits.h>
@@ -72,7 +73,23 @@ const char *explain_link(arena *a, const char *reason) {
     return NULL;
 }
 
+/* The reasons whose slugs hold the word, at most a line of them; "" where none does. */
+static const char *reasons_with(arena *a, const char *word) {
+    enum { SHORTEST = 3, MOST = 6 };
+    const char *list = "";
+    unsigned count = 0;
+    for (unsigned i = 0; i < REASON_COUNT && strlen(word) >= SHORTEST && count < MOST; i++)
+        if (strcasestr(reasons[i].slug, word))
+            list = arena_format(a, "%s%s%s %s", list, count++ ? ", " : "", reasons[i].id,
+                                reasons[i].slug);
+    return list;
+}
+
 const char *explain_nearest(arena *a, const char *word) {
+    const char *with = reasons_with(a, word);
+    if (*with)
+        return arena_format(a, "%s %s", strchr(with, ',') ? "those near are" : "the nearest is",
+                            with);
     unsigned best = 0;
     size_t least = (size_t)-1;
     for (unsigned i = 0; i < REASON_COUNT; i++) {
@@ -84,5 +101,19 @@ const char *explain_nearest(arena *a, const char *word) {
             best = i;
         }
     }
-    return arena_format(a, "%s %s", reasons[best].id, reasons[best].slug);
+    return arena_format(a, "the nearest is %s %s", reasons[best].id, reasons[best].slug);
+}
+
+const char *explain_list(arena *a) {
+    buffer list = {0};
+    for (unsigned i = 0; i < REASON_COUNT; i++)
+        buffer_format(&list, "%s %s\n", reasons[i].id, reasons[i].slug);
+    const char *text = arena_string(a, list.data ? list.data : "");
+    buffer_free(&list);
+    return text;
+}
+
+const char *explain_page(arena *a) {
+    const char *folder = documents_uri(a);
+    return folder ? arena_format(a, "%s/refused.md", folder) : NULL;
 }

@@ -15,7 +15,14 @@ const char *explain_section(arena *a, const char *reason);
  */
 const char *explain_link(arena *a, const char *reason);
 
-/** The id and slug of the reason that is spelled most like `word`: "R204 private-not-proved". */
+/** What `word` may have meant: "the nearest is R204 private-not-proved", or several reasons whose
+ * slugs hold the word. */
 const char *explain_nearest(arena *a, const char *word);
+
+/** All reasons, one a line: id and slug. */
+const char *explain_list(arena *a);
+
+/** Where docs/refused.md can be read, as explain_link; NULL: nowhere. */
+const char *explain_page(arena *a);
 
 #endif

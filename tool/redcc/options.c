@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
 #include "redcc/options.h"
 
+#include <errno.h>
 #include <string.h>
 
 #include "analysis/base/stateful.h"
@@ -44,7 +45,8 @@ const char options_help[] =
     "  --all                report loops without an irregular update too\n"
     "  --dump=ir            print what the translator understood of the source, for debugging\n"
     "  --in-process         do without the process that guards against a parser that crashes\n"
-    "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug\n"
+    "  --explain REASON     print what is known of a reason for a refusal: R204, or its slug;\n"
+    "                       list: all of them\n"
     "  --help, --version\n"
     "\n"
     "To compile the result:\n"
@@ -215,6 +217,21 @@ static const char *read_compiler(arena *a, options *o, const char *value) {
     return NULL;
 }
 
+static const char *read_predefined(arena *a, options *o, const char *value) {
+    const char *text = file_read(a, value, NULL);
+    if (!text)
+        return arena_format(a, "--predefined: cannot read '%s': %s", value, strerror(errno));
+    if (!strstr(text, "#define __STDC__ "))
+        return arena_format(
+            a,
+            "--predefined: '%s' does not list a compiler's macros, as 'cc -dM -E -x c "
+            "/dev/null' prints them",
+            value);
+    o->knows_compiler = true;
+    VECTOR_PUSH(a, &o->flags, arena_format(a, "--predefined=%s", value));
+    return NULL;
+}
+
 static const char *read_dump(arena *a, options *o, const char *value) {
     o->dump_ir = strcmp(value, "ir") == 0;
     return o->dump_ir ? NULL : arena_format(a, "--dump takes ir, not '%s'", value);
@@ -249,9 +266,7 @@ static const char *set_option(arena *a, options *o, option_name name, const char
     case OPTION_ORDER:
         return read_order(a, o, value);
     case OPTION_PREDEFINED:
-        o->knows_compiler = true;
-        VECTOR_PUSH(a, &o->flags, arena_format(a, "--predefined=%s", value));
-        return NULL;
+        return read_predefined(a, o, value);
     case OPTION_PURE:
         return *value ? read_pure(a, o, value) : "--pure takes names of functions";
     case OPTION_REPORT:
@@ -337,9 +352,22 @@ static const char *read_short_option(arena *a, options *o, words *w, const char 
     return NULL;
 }
 
+/** The first input whose name says that it is C++; NULL: there is none. */
+static const char *cxx_input(const options *o) {
+    static const char *const endings[] = {".C", ".cc", ".cpp", ".cxx", ".c++"};
+    for (unsigned i = 0; i < o->inputs.count; i++) {
+        const char *dot = strrchr(path_base(o->inputs.items[i]), '.');
+        if (dot && find_word(endings, COUNT(endings), dot) >= 0)
+            return o->inputs.items[i];
+    }
+    return NULL;
+}
+
 static const char *check_together(arena *a, const options *o) {
     if (o->inputs.count == 0 && !(o->analyze && o->database_folder))
         return "no input file (all files of a build: --analyze -p FOLDER)";
+    if (cxx_input(o))
+        return arena_format(a, "'%s' is C++: redcc translates C", cxx_input(o));
     if (o->inputs.count > 1 && !o->analyze)
         return arena_format(a, "one input file at a time, but for --analyze: '%s' is a second one",
                             o->inputs.items[1]);

@@ -67,8 +67,11 @@ static reason check_text_before(const loop_analysis *j, uint32_t text_begin) {
         return macro ? analysis_reason(j, REASON_DIRECTIVE_IN_RANGE, j->loop, macro) : (reason){0};
     }
     uint32_t from = block->range.begin;
-    if (s->text[from] == '{') /* else a macro makes it, and who knows what behind it */
-        from++;
+    /* else a macro makes it, and who knows what behind it */
+    static const char *const braces[] = {"{", "<%", "?\?<"};
+    for (unsigned i = 0; i < sizeof braces / sizeof *braces; i++)
+        if (strncmp(s->text + from, braces[i], strlen(braces[i])) == 0)
+            from += (uint32_t)strlen(braces[i]);
     for (unsigned i = 0; i < block->child_count && block->children[i] != j->loop; i++)
         if (block->children[i]->range.end > from)
             from = block->children[i]->range.end;
