@@ -16,7 +16,11 @@
 #include <time.h>
 
 #if defined(__linux__)
+#include <sys/stat.h>
 #include <sys/syscall.h>
+#ifndef STATX_TYPE /* musl before 1.2.5 leaves struct statx to the kernel's headers */
+#include <linux/stat.h>
+#endif
 
 #if defined(__x86_64__) && defined(__LP64__)
 
